@@ -1,0 +1,137 @@
+//! Jacobi's sn, cn, dn and the unwrapped amplitude am, together, for any real u and any real m.
+//!
+//! Method: quotients of theta functions (theta.rs) of a parameter in [0, 1], leads as hi + lo. For m < 0
+//! the parameter is -m/(1 - m): theta3 and theta4 change places, A becomes k' A and k' its inverse. For m > 1
+//! it is 1/m: cn and dn change places. Source: DLMF 22.2, 22.16(i), 22.17.
+
+use super::parameter::Parameter;
+use super::phase::Phase;
+use super::theta::Lattice;
+use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
+use crate::float::{Dd, PI};
+use crate::lanes::{Kernel, Scalar, dispatch};
+
+/// Where the parameter lies, which decides the formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Range {
+    /// m < 0.
+    Negative,
+    /// 0 <= m < 1.
+    Unit,
+    /// m = 1: hyperbolic functions.
+    One,
+    /// m > 1: am is bounded.
+    Greater,
+}
+
+/// sn, cn, dn, am of one parameter, set up once.
+///
+/// ```
+/// use libration::{Jacobi, Parameter};
+/// let (sn, cn, dn, am) = Jacobi::new(Parameter::from_m(0.5)).values(1.0);
+/// assert_eq!(format!("{sn:.12} {cn:.12} {dn:.12} {am:.12}"),
+///            "0.803001837019 0.595976569870 0.823161001634 0.932314979895");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Jacobi {
+    range: Range,
+    lattice: Lattice,
+    phase: Phase,
+    /// The factor of theta1 in sn, and in cn counted from K.
+    sine: [Dd; 2],
+    /// The factor of dn counted from K, and 1/k for m > 1.
+    edge: Dd,
+    inverse_modulus: Dd,
+}
+
+impl Jacobi {
+    /// Sets up one parameter.
+    pub fn new(parameter: Parameter) -> Jacobi {
+        let Parameter { m, mc } = parameter;
+        let (range, inner) = if m.hi < 0.0 {
+            (Range::Negative, parameter.imaginary_modulus())
+        } else if mc.hi < 0.0 {
+            (Range::Greater, parameter.reciprocal())
+        } else if mc.hi == 0.0 {
+            (Range::One, Parameter::from_m(0.0))
+        } else {
+            (Range::Unit, parameter)
+        };
+        let (k, kc) = (inner.m.sqrt(), inner.mc.sqrt());
+        let lattice = Lattice::new(inner.m, inner.mc, k, kc);
+        let (a, edge) = match range {
+            Range::Negative => (lattice.amplitude * kc, Dd::ONE / kc),
+            _ => (lattice.amplitude, kc),
+        };
+        // Half periods per unit of u: sqrt(mc), 1 or sqrt(m) times 1/2K.
+        let stretch = match range {
+            Range::Negative => mc.sqrt(),
+            Range::Greater => m.sqrt(),
+            _ => Dd::ONE,
+        };
+        let rate = (stretch / lattice.quarter).scale(0.5);
+        let phase = Phase { rate, start: Dd::ZERO };
+        Jacobi { range, lattice, phase, sine: [a, a * edge], edge, inverse_modulus: k }
+    }
+
+    /// (sn, cn, dn, am) at u, where am = int_0^u dn: it grows by pi per 2K for m < 1, is the Gudermannian at
+    /// m = 1 and stays within its turning points for m > 1.
+    ///
+    /// Infinite u gives the limits at m = 1, NaN elsewhere; so do more than 2^53 half periods.
+    /// **Error** at most 3 ulp (plus 2^-100 of the condition in u).
+    pub fn values(&self, u: f64) -> (f64, f64, f64, f64) {
+        dispatch(Values { jacobi: self, u })
+    }
+
+    #[inline(always)]
+    fn hyperbolic<L: Scalar>(&self, u: L) -> [L; 4] {
+        let sign = L::splat(1.0).copysign(u);
+        let y = Dd::from_double(u.abs());
+        let (sinh, cosh) = saturated_sinh_cosh(y);
+        let (factor, power) = sech(y);
+        let falling = factor.value() * power;
+        let am = arctangent(sinh, Dd::from_double(L::splat(1.0)));
+        [quotient(sinh, cosh).value() * sign, falling, falling, am.value() * sign]
+    }
+
+    #[inline(always)]
+    fn elliptic<L: Scalar>(&self, u: L) -> [L; 4] {
+        let at = self.phase.reduce(u);
+        let thetas = self.lattice.thetas(at.f);
+        let folded = thetas.folded;
+        let [t1, t2, t3, t4] = thetas.theta;
+        let (t3, t4) = if self.range == Range::Negative { (t4, t3) } else { (t3, t4) };
+        let sn = Dd::select(folded, t2, t1 * Dd::splat(self.sine[0]));
+        let cn = Dd::select(folded, t1 * Dd::splat(self.sine[1]), t2);
+        let dn = Dd::select(folded, t4 * Dd::splat(self.edge), t3);
+        let common = Dd::select(folded, t3, t4);
+        let odd = at.parity * at.sign;
+        if self.range == Range::Greater {
+            let sn = sn * Dd::splat(self.inverse_modulus);
+            let am = arctangent(sn, dn).value() * odd;
+            let sn = quotient(sn, common).value() * odd;
+            return [sn, quotient(dn, common).value(), quotient(cn, common).value() * at.parity, am];
+        }
+        let within = arctangent(sn, cn).scale(at.sign);
+        let turned = Dd::splat(PI) * at.n;
+        let am = (turned + within).value();
+        let sn = quotient(sn, common).value() * odd;
+        [sn, quotient(cn, common).value() * at.parity, quotient(dn, common).value(), am]
+    }
+}
+
+struct Values<'a> {
+    jacobi: &'a Jacobi,
+    u: f64,
+}
+
+impl Kernel for Values<'_> {
+    type Output = (f64, f64, f64, f64);
+    #[inline(always)]
+    fn run<L: Scalar>(self) -> Self::Output {
+        let u = L::splat(self.u);
+        let [sn, cn, dn, am] =
+            if self.jacobi.range == Range::One { self.jacobi.hyperbolic(u) } else { self.jacobi.elliptic(u) };
+        (sn.into(), cn.into(), dn.into(), am.into())
+    }
+}

@@ -1,0 +1,17 @@
+//! Legendre's integrals and Jacobi's functions of a parameter m carried with its complement mc = 1 - m.
+
+pub mod agm;
+pub mod carlson;
+pub mod complete;
+pub mod incomplete;
+pub mod jacobi;
+pub mod nome;
+pub mod parameter;
+pub mod phase;
+pub mod theta;
+
+pub use complete::{complete_e, complete_k};
+pub use incomplete::{incomplete_e, incomplete_f};
+pub use jacobi::Jacobi;
+pub use nome::nome;
+pub use parameter::Parameter;

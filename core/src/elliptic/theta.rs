@@ -1,0 +1,146 @@
+//! The four theta functions of one parameter 0 <= m <= 1, normalised to 1 at the origin, over lanes.
+//!
+//! With z = pi v / 2K, x = sin^2 z and the nome q <= e^-pi of m <= 1/2, every theta function is a cubic in x
+//! (the next term is q^16):
+//!   theta1 ~ sin z (1 + ...),  theta2 ~ cos z (1 + ...),  theta3 ~ 1 + ...,  theta4 ~ 1 + ...
+//! For m > 1/2 Jacobi's imaginary transformation gives the same cubics in x = -sinh^2 y, y = pi v / 2K', with
+//! the complementary nome, and theta2 and theta4 change places. Folded to |v| <= K/2, every correction stays
+//! below 0.2 and nothing cancels. With A = 2K/pi (2K'/pi):
+//!   sn = A theta1/theta4,  cn = theta2/theta4,  dn = theta3/theta4           for |v| <= K/2,
+//!   sn = theta2/theta3,    cn = k' A theta1/theta3,  dn = k' theta4/theta3   with v counted from K.
+//! Source: DLMF 20.2, 20.7(viii), 22.2; Whittaker & Watson ch. 21.
+
+use super::agm::agm;
+use super::nome::small_nome;
+use crate::float::elementary::{sin_cos, sinh_cosh};
+use crate::float::{Dd, HALF_PI, PI};
+use crate::lanes::Lane;
+
+/// Which nome is the small one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Side {
+    /// m <= 1/2: the nome of m, circular functions.
+    Circular,
+    /// m > 1/2: the nome of mc, hyperbolic functions.
+    Hyperbolic,
+}
+
+/// x (c[0] + x (c[1] + x c[2])), with the first coefficient as hi + lo: its rounding would be the same for
+/// every sample of an orbit, and so would not average out.
+#[derive(Clone, Copy, Debug)]
+struct Correction {
+    first: Dd,
+    second: f64,
+    third: f64,
+}
+
+impl Correction {
+    /// From q-series: each argument is one coefficient of x before normalisation by `origin`.
+    fn new(origin: Dd, first: Dd, second: f64, third: f64) -> Correction {
+        Correction { first: first / origin, second: second / origin.hi, third: third / origin.hi }
+    }
+    #[inline(always)]
+    fn at<L: Lane>(&self, x: L) -> L {
+        let tail = L::splat(self.third).mul_add(x, L::splat(self.second));
+        x * (L::splat(self.first.hi) + tail.mul_add(x, L::splat(self.first.lo)))
+    }
+}
+
+/// The period lattice of one parameter and its theta functions, set up once.
+#[derive(Clone, Debug)]
+pub struct Lattice {
+    side: Side,
+    /// Circular or hyperbolic angle of one half period 2K.
+    pub angle: Dd,
+    /// 2K/pi or 2K'/pi: the factor A of theta1.
+    pub amplitude: Dd,
+    /// Quarter period K (infinite at m = 1).
+    pub quarter: Dd,
+    /// Complementary modulus k'.
+    pub kc: Dd,
+    theta: [Correction; 4],
+}
+
+/// The theta functions at one reduced argument: theta1 without the factor A; `folded` where the argument is
+/// counted from K.
+pub struct Thetas<L: Lane> {
+    /// theta1/A, theta2, theta3, theta4.
+    pub theta: [Dd<L>; 4],
+    /// Whether the argument is counted from K.
+    pub folded: L::Mask,
+}
+
+impl Lattice {
+    /// From m, k and k' of 0 <= m < 1 (k and k' apart, because either may be below the range of its square).
+    pub fn new(m: Dd, mc: Dd, k: Dd, kc: Dd) -> Lattice {
+        let mean = agm(kc);
+        let quarter = HALF_PI / mean;
+        if m.hi <= mc.hi {
+            let theta = corrections(small_nome(m, kc));
+            return Lattice { side: Side::Circular, angle: PI, amplitude: Dd::ONE / mean, quarter, kc, theta };
+        }
+        let other = agm(k);
+        let theta = corrections(small_nome(mc, k));
+        let angle = PI * other / mean;
+        Lattice { side: Side::Hyperbolic, angle, amplitude: Dd::ONE / other, quarter, kc, theta }
+    }
+
+    /// Theta functions at v = 2K f, 0 <= f <= 1/2.
+    #[inline(always)]
+    pub fn thetas<L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
+        let folded = L::splat(0.25).less(f.hi);
+        let half = Dd::from_double(L::splat(0.5));
+        let v = Dd::select(folded, Dd::ordered_sum(half.hi - f.hi, -f.lo), f);
+        let angle = v * Dd::splat(self.angle);
+        let [t1, t2, t3, t4] = &self.theta;
+        let one = Dd::from_double(L::splat(1.0));
+        let theta = match self.side {
+            Side::Circular => {
+                let (sine, cosine) = sin_cos(angle);
+                let x = sine.hi * sine.hi;
+                [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
+            }
+            Side::Hyperbolic => {
+                let (sine, cosine) = sinh_cosh(angle);
+                let x = -(sine.hi * sine.hi);
+                [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
+            }
+        };
+        Thetas { theta, folded }
+    }
+}
+
+/// Corrections of theta1/sin, theta2/cos, theta3, theta4 in powers of sin^2.
+fn corrections(q: Dd) -> [Correction; 4] {
+    let q2 = q.square();
+    let q4 = q2.square();
+    let (q6, q9, q12) = (q4.hi * q2.hi, q4.hi * q4.hi * q.hi, q4.hi * q4.hi * q4.hi);
+    let sum = |lead: Dd, small: f64| lead + Dd::from(small);
+    let one = |lead: Dd, small: f64| Dd::ONE + lead + Dd::from(small);
+    [
+        Correction::new(
+            one(-q2 * 3.0, 5.0 * q6 - 7.0 * q12),
+            sum(q2 * 4.0, -20.0 * q6 + 56.0 * q12),
+            16.0 * q6 - 112.0 * q12,
+            64.0 * q12,
+        ),
+        Correction::new(
+            one(q2, q6 + q12),
+            sum(-q2 * 4.0, -12.0 * q6 - 24.0 * q12),
+            16.0 * q6 + 80.0 * q12,
+            -64.0 * q12,
+        ),
+        Correction::new(
+            one(q.scale(2.0) + q4 * 2.0, 2.0 * q9),
+            sum(-(q * 4.0 + q4 * 16.0), -36.0 * q9),
+            16.0 * q4.hi + 96.0 * q9,
+            -64.0 * q9,
+        ),
+        Correction::new(
+            one(q4 * 2.0 - q.scale(2.0), -2.0 * q9),
+            sum(q * 4.0 - q4 * 16.0, 36.0 * q9),
+            16.0 * q4.hi - 96.0 * q9,
+            64.0 * q9,
+        ),
+    ]
+}

@@ -1,0 +1,27 @@
+//! The exact nonlinear pendulum theta'' + omega0^2 sin theta = 0 from any initial state, and the elliptic
+//! functions it needs: in every regime, right to the last digits a billion periods away and a rounding error
+//! from the separatrix.
+//!
+//! | wanted | here |
+//! |---|---|
+//! | angle, velocity, period ... of one orbit | [`Orbit`] |
+//! | the force: omega0, its square, or gravity and length | [`Frequency`] |
+//! | one state a step later | [`advance`] |
+//! | sn, cn, dn, am | [`Jacobi`] |
+//! | K, E, F, nome | [`complete_k`], [`complete_e`], [`incomplete_f`], [`incomplete_e`], [`nome`] |
+//!
+//! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
+
+pub mod elliptic;
+pub mod float;
+pub mod lanes;
+pub mod pendulum;
+
+mod domain;
+
+pub use domain::Domain;
+pub use elliptic::{Jacobi, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
+pub use pendulum::{Frequency, Orbit, Regime, advance};
+
+/// Version of the core, and of everything built on it.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,193 @@
+//! One orbit, set up once: everything that does not depend on time, in double-double.
+//!
+//! The canonical angle goes upwards through 0 at phase 0 (see state.rs for the frame). Its phase at the start is
+//!   omega0 t = s R_F(x^2, m c^2, m), the time since the bottom, one formula for all regimes,
+//! and the phase at t is start + rate t in half periods (libration, rotation) or in units of 1/omega0
+//! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
+
+use super::frequency::Frequency;
+use super::regime::Regime;
+use super::state::{Frame, Plain, State};
+use crate::domain::Domain;
+use crate::elliptic::carlson::rf_of_roots;
+use crate::elliptic::phase::Phase;
+use crate::elliptic::theta::Lattice;
+use crate::float::elementary::arctangent;
+use crate::float::scaling::{exp2, ldexp};
+use crate::float::{Dd, TWO_PI};
+
+/// An orbit that theta functions describe.
+#[derive(Clone, Debug)]
+pub(crate) struct Elliptic {
+    pub lattice: Lattice,
+    pub phase: Phase,
+    /// Factors of tan of the half angle, counted from the bottom and from the quarter period.
+    pub tangent: [Dd; 2],
+    /// Factors of the velocity, likewise.
+    pub velocity: [Dd; 2],
+}
+
+/// The formula that the regime asks for.
+#[derive(Clone, Debug)]
+pub(crate) enum Course {
+    Still,
+    Free,
+    Libration(Elliptic),
+    Rotation(Elliptic),
+    /// Hyperbolic phase, and twice omega0.
+    Separatrix(Phase, Dd),
+}
+
+/// One orbit of theta'' + omega0^2 sin theta = 0, set up once for many times.
+///
+/// ```
+/// use libration::{Frequency, Orbit};
+/// let orbit = Orbit::new(3.0, 0.0, Frequency::from_gravity_length(9.8, 1.0)?)?;
+/// assert_eq!(format!("{:.9} {:.9}", orbit.period(), orbit.theta(1.0)), "5.160697750 1.604458520");
+/// # Ok::<(), libration::Domain>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Orbit {
+    pub(crate) theta0: f64,
+    pub(crate) velocity0: f64,
+    pub(crate) frame: Frame,
+    pub(crate) course: Course,
+    /// Factor that brings t into the range where the phase is formed: a power of two, 1 for ordinary omega0.
+    pub(crate) time_scale: f64,
+    regime: Regime,
+    period: f64,
+    theta_max: f64,
+    energy_ratio: f64,
+    energy_ratio_c: f64,
+    energy: f64,
+    frequency: Frequency,
+}
+
+/// Powers of two of omega0 that the phase rate can carry.
+const RATE_POWER: i32 = 300;
+
+impl Orbit {
+    /// Sets up the orbit of an initial angle in rad (any turn) and angular velocity in rad/s.
+    pub fn new(theta0: f64, velocity0: f64, frequency: Frequency) -> Result<Orbit, Domain> {
+        Domain::check("theta0", theta0, theta0.is_finite(), "finite")?;
+        Domain::check("velocity0", velocity0, velocity0.is_finite(), "finite")?;
+        Ok(match State::new(theta0, velocity0, frequency) {
+            Ok(state) => Orbit::shaped(theta0, velocity0, frequency, &state),
+            Err(plain) => Orbit::plain(theta0, velocity0, frequency, plain),
+        })
+    }
+
+    fn plain(theta0: f64, velocity0: f64, frequency: Frequency, plain: Plain) -> Orbit {
+        let omega = frequency.root();
+        let swing = omega.map_or(f64::INFINITY, |(w, power)| ldexp((TWO_PI / w.to_dd()).value(), -power));
+        let (course, regime, period, theta_max) = match plain {
+            Plain::Still => (Course::Still, Regime::Rest, swing, 0.0),
+            Plain::Free => (Course::Free, Regime::Rotation, TWO_PI.hi / velocity0.abs(), f64::NAN),
+        };
+        let (energy_ratio, energy_ratio_c) = match (plain, omega) {
+            (Plain::Free, Some((w, power))) => {
+                let x = ldexp(velocity0.abs() / w.hi, -1 - power);
+                (x * x, -(x * x))
+            }
+            (Plain::Free, None) => (f64::INFINITY, f64::NEG_INFINITY),
+            (Plain::Still, _) => (0.0, 1.0),
+        };
+        let frame = Frame { base: Dd::from(theta0), turns: 0.0, half_turn: 0.0, side: 1.0 };
+        let energy = 0.5 * velocity0 * velocity0;
+        Orbit {
+            theta0, velocity0, frame, course, time_scale: 1.0,
+            regime, period, theta_max, energy_ratio, energy_ratio_c, energy, frequency,
+        }
+    }
+
+    fn shaped(theta0: f64, velocity0: f64, frequency: Frequency, state: &State) -> Orbit {
+        let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = *state;
+        let (rate_power, time_power) =
+            if omega_power.abs() <= RATE_POWER { (omega_power, 0) } else { (0, omega_power) };
+        let fast = (omega * 2.0).scale(exp2(rate_power));
+        let scaled = |value: Dd, power: i32| Dd::new(ldexp(value.hi, power), ldexp(value.lo, power));
+        // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
+        let start = || (s / k) * rf_of_roots(x / k, c, Dd::ONE);
+        let (course, period, theta_max) = match regime {
+            Regime::Libration => {
+                let lattice = Lattice::new(scaled(m, 2 * power), mc, scaled(k, power), kc);
+                let halves = lattice.quarter.scale(2.0);
+                let start = if x.hi == 0.0 { Dd::from(f64::copysign(0.5, s.hi)) } else { start() / halves };
+                let rate = fast / halves.scale(2.0);
+                let amplitude = k * lattice.amplitude;
+                let speed = (omega * k).scale(2.0);
+                let elliptic = Elliptic {
+                    phase: Phase { rate, start },
+                    tangent: [scaled(amplitude, power), scaled(k / kc, power)],
+                    velocity: [speed, speed * kc * lattice.amplitude].map(|v| scaled(v, power + omega_power)),
+                    lattice,
+                };
+                let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
+                let theta_max = ldexp(arctangent(scaled(k, power), kc).value(), 1);
+                (Course::Libration(elliptic), period, theta_max)
+            }
+            Regime::Rotation => {
+                // The parameter is 1/m, its modulus 1/k, its complementary modulus kc/k.
+                let (inner, inner_c) = (Dd::ONE / k, kc / k);
+                let lattice = Lattice::new(Dd::ONE / m, -mc / m, inner, inner_c);
+                let halves = lattice.quarter.scale(2.0);
+                let rate = fast * k / halves.scale(2.0);
+                let speed = (omega * k).scale(2.0);
+                let elliptic = Elliptic {
+                    phase: Phase { rate, start: k * start() / halves },
+                    tangent: [lattice.amplitude, Dd::ONE / (inner_c * lattice.amplitude)],
+                    velocity: [speed, speed * inner_c].map(|v| scaled(v, omega_power)),
+                    lattice,
+                };
+                let period = ldexp((halves / (omega * k)).value(), -omega_power);
+                (Course::Rotation(elliptic), period, f64::NAN)
+            }
+            _ if c.hi == 0.0 && x.hi == 0.0 => (Course::Still, f64::INFINITY, core::f64::consts::PI),
+            _ => {
+                let phase = Phase { rate: fast.scale(0.5), start: start() };
+                let speed = scaled(omega.scale(2.0), omega_power);
+                (Course::Separatrix(phase, speed), f64::INFINITY, core::f64::consts::PI)
+            }
+        };
+        let energy = ldexp((omega.square() * m).value(), 2 * (omega_power + power) + 1);
+        Orbit {
+            theta0, velocity0, frame, course, time_scale: ldexp(1.0, time_power), regime, period, theta_max,
+            energy_ratio: ldexp(m.value(), 2 * power), energy_ratio_c: mc.value(), energy, frequency,
+        }
+    }
+
+    /// Regime, decided without cancellation.
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+    /// Period in s: of the full swing, of one turn in rotation, of small swings at rest, infinite on the
+    /// separatrix. **Error** at most 4 ulp (plus 2^-100 of its condition near the separatrix).
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+    /// Turning angle in rad, counted from the equilibrium: pi on the separatrix, NaN in rotation.
+    pub fn theta_max(&self) -> f64 {
+        self.theta_max
+    }
+    /// kappa^2 = sin^2(theta0/2) + (velocity0/2 omega0)^2: below 1 libration, above 1 rotation.
+    pub fn energy_ratio(&self) -> f64 {
+        self.energy_ratio
+    }
+    /// 1 - kappa^2, formed without subtraction.
+    pub fn energy_ratio_c(&self) -> f64 {
+        self.energy_ratio_c
+    }
+    /// Energy per unit inertia, velocity^2/2 + omega0^2 (1 - cos theta), 0 at the stable equilibrium.
+    pub fn energy(&self) -> f64 {
+        self.energy
+    }
+    /// Angular frequency of small swings, sqrt|omega0^2|, in rad/s.
+    pub fn omega0(&self) -> f64 {
+        self.frequency.root().map_or(0.0, |(w, power)| ldexp(w.to_dd().value(), power))
+    }
+    /// omega0^2, negative where the pendulum hangs from the other side.
+    pub fn omega2(&self) -> f64 {
+        let square = self.frequency.root().map_or(0.0, |(w, power)| ldexp(w.square().to_dd().value(), 2 * power));
+        if self.frequency.upside_down() { -square } else { square }
+    }
+}

@@ -1,0 +1,26 @@
+//! The four regimes of the pendulum.
+
+/// What the energy allows. Decided without cancellation, so it is right a rounding error from the separatrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Regime {
+    /// At the stable equilibrium (or anywhere, without force and velocity).
+    Rest,
+    /// Swings between two turning angles.
+    Libration,
+    /// Exactly the energy of the upper equilibrium: approaches it for ever.
+    Separatrix,
+    /// Turns over the top (or turns freely).
+    Rotation,
+}
+
+impl Regime {
+    /// `rest`, `libration`, `separatrix` or `rotation`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Regime::Rest => "rest",
+            Regime::Libration => "libration",
+            Regime::Separatrix => "separatrix",
+            Regime::Rotation => "rotation",
+        }
+    }
+}

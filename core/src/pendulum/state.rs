@@ -1,0 +1,195 @@
+//! An initial state, formed without cancellation: what decides the regime and the period.
+//!
+//! With theta0 = 2 pi n + r, |r| <= pi, and the sign of the velocity taken out,
+//!   s = sin(r/2), c = cos(r/2), x = |velocity0|/(2 omega0), m = s^2 + x^2, 1 - m = (c - x)(c + x).
+//! All in triple-double, c from the distance to the top, and 1 - x^2 exactly where it decides.
+//! Source: Salas 2019 (23); house rules for the cancellation.
+
+use super::frequency::Frequency;
+use super::regime::Regime;
+use crate::float::circle::{self, Reduced};
+use crate::float::scaling::{exponent, ldexp};
+use crate::float::triple_double::exact_sum;
+use crate::float::{Dd, Td};
+use crate::lanes::Lane;
+
+/// Where the motion is counted from: theta = base + side * (canonical angle), base = 2 pi turns + offset.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// Angle of the stable equilibrium nearest to the start.
+    pub base: Dd,
+    /// Its whole turns.
+    pub turns: f64,
+    /// Its half turn: 0, or +1 or -1 when the pendulum hangs from the other side.
+    pub half_turn: f64,
+    /// Direction in which the canonical motion goes upwards through 0: the sign of the velocity.
+    pub side: f64,
+}
+
+/// The canonical state, in units of omega0 = 1.
+#[derive(Clone, Copy, Debug)]
+pub struct State {
+    /// Regime.
+    pub regime: Regime,
+    /// Frame of the canonical angle.
+    pub frame: Frame,
+    /// sin(r/2) / 2^power, signed so that the velocity is >= 0.
+    pub s: Dd,
+    /// cos(r/2) >= 0.
+    pub c: Dd,
+    /// velocity/(2 omega0) / 2^power >= 0.
+    pub x: Dd,
+    /// kappa = sqrt(m) / 2^power.
+    pub k: Dd,
+    /// m / 4^power.
+    pub m: Dd,
+    /// Power of two taken out of s, x and k: not 0 only for tiny amplitudes.
+    pub power: i32,
+    /// 1 - m (negative in rotation).
+    pub mc: Dd,
+    /// sqrt(|1 - m|), also where its square is below the range.
+    pub kc: Dd,
+    /// omega0 / 2^omega_power.
+    pub omega: Dd,
+    /// Power of two of omega0.
+    pub omega_power: i32,
+}
+
+/// A motion that the force does not shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Plain {
+    /// No motion.
+    Still,
+    /// theta0 + velocity0 t: no force, or a velocity 2^100 times what the force could change.
+    Free,
+}
+
+/// Below 2^-200 the sine is the angle and the cosine 1, to triple-double.
+const TINY: f64 = 6.2e-61;
+/// x above 2^100: the force changes no digit.
+const FAST: i32 = 100;
+
+impl State {
+    /// From finite theta and velocity.
+    pub fn new(theta: f64, velocity: f64, frequency: Frequency) -> Result<State, Plain> {
+        let plain = if velocity == 0.0 { Plain::Still } else { Plain::Free };
+        let (omega, omega_power) = frequency.root().ok_or(plain)?;
+        let reduced = circle::reduce(theta);
+        let x_power = if velocity == 0.0 { i32::MIN / 2 } else { exponent(velocity) - 1 - omega_power };
+        if x_power > FAST {
+            return Err(Plain::Free);
+        }
+        let upside_down = frequency.upside_down();
+        let (sine, cosine, power) = half_angle(&reduced, upside_down, x_power);
+        let x = if velocity == 0.0 {
+            Td::ZERO
+        } else {
+            let mantissa = Td::from(ldexp(velocity.abs(), -exponent(velocity))) / omega;
+            let shift = x_power - power;
+            Td::new(ldexp(mantissa.hi, shift), ldexp(mantissa.mid, shift), ldexp(mantissa.lo, shift))
+        };
+        if sine.hi == 0.0 && x.hi == 0.0 {
+            return Err(Plain::Still);
+        }
+        let (regime, mc, kc) = complement(velocity, frequency, x_power, sine, cosine, x, power);
+        let side = if velocity < 0.0 { -1.0 } else { 1.0 };
+        let start_side = if upside_down { -reduced.side } else { reduced.side };
+        let s = sine.to_dd() * (side * start_side);
+        let m = (sine.square() + x.square()).to_dd();
+        Ok(State {
+            regime,
+            frame: frame(theta, &reduced, upside_down, side),
+            s,
+            c: cosine.to_dd(),
+            x: x.to_dd(),
+            k: m.sqrt(),
+            m,
+            power,
+            mc,
+            kc,
+            omega: omega.to_dd(),
+            omega_power,
+        })
+    }
+}
+
+fn frame(theta: f64, reduced: &Reduced, upside_down: bool, side: f64) -> Frame {
+    let (distance, half_turn) = if upside_down {
+        (reduced.from_top * -reduced.side, reduced.side)
+    } else {
+        (reduced.from_bottom * reduced.side, 0.0)
+    };
+    let at_origin = reduced.turns == 0.0 && !upside_down;
+    let base = if at_origin { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
+    Frame { base, turns: reduced.turns, half_turn, side }
+}
+
+/// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.
+fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
+    let (low, high) = (reduced.from_bottom, reduced.from_top);
+    let near = if low.hi < high.hi { low } else { high };
+    let near_stable = (low.hi < high.hi) != upside_down;
+    let (small, large) = if near.hi < TINY { (near.scale(0.5), Td::ONE) } else { circle::sin_cos(near.scale(0.5)) };
+    if !near_stable {
+        return (large, small, 0);
+    }
+    // Take the power of two out of a tiny sine, or that of x where x is larger.
+    let power = if near.hi == 0.0 { x_power } else { x_power.max(exponent(near.hi) - 1) };
+    if near.hi < TINY && power < -300 {
+        return (Td::from(ldexp(near.hi, -1 - power)), Td::ONE, power);
+    }
+    (small, large, 0)
+}
+
+/// Regime, 1 - m and the square root of its size.
+fn complement(
+    velocity: f64,
+    frequency: Frequency,
+    x_power: i32,
+    sine: Td,
+    cosine: Td,
+    x: Td,
+    power: i32,
+) -> (Regime, Dd, Dd) {
+    if power != 0 {
+        return (Regime::Libration, Dd::ONE, Dd::ONE);
+    }
+    // Near x = 1 with a small sine, c - x would lose the sine: there 1 - x^2 = (a b - v^2 c/4)/(a b) exactly.
+    if sine.hi < 0.5 && (-2..=1).contains(&x_power) {
+        let one_minus_square = exact_complement(velocity, frequency);
+        let mc = (one_minus_square - sine.square()).to_dd();
+        if one_minus_square.hi == 0.0 {
+            let regime = if sine.hi == 0.0 { Regime::Separatrix } else { Regime::Rotation };
+            return (regime, mc, sine.to_dd());
+        }
+        return (regime_of(mc.hi), mc, mc.abs().sqrt());
+    }
+    let (minus, plus) = ((cosine - x).to_dd(), (cosine + x).to_dd());
+    (regime_of(minus.hi), minus * plus, minus.abs().sqrt() * plus.sqrt())
+}
+
+/// The regime from a quantity of the sign of 1 - m.
+fn regime_of(sign: f64) -> Regime {
+    if sign > 0.0 {
+        Regime::Libration
+    } else if sign < 0.0 {
+        Regime::Rotation
+    } else {
+        Regime::Separatrix
+    }
+}
+
+/// 1 - velocity^2/(4 omega0^2), where it is near 0 exactly up to one division.
+fn exact_complement(velocity: f64, frequency: Frequency) -> Td {
+    let (a, b, c) = frequency.factors();
+    let mantissa = |value: f64| ldexp(value.abs(), -exponent(value));
+    let powers = exponent(a) + exponent(b) - exponent(c);
+    let (a, b, c, v) = (mantissa(a), mantissa(b), mantissa(c), mantissa(velocity));
+    let scale = -ldexp(1.0, 2 * exponent(velocity) - 2 - powers);
+    let (force, force_error) = a.two_product(b);
+    let (square, square_error) = v.two_product(v);
+    let (head, head_error) = square.two_product(c * scale);
+    let (tail, tail_error) = square_error.two_product(c * scale);
+    let difference = exact_sum([tail_error, head_error, tail, head, force_error, force]);
+    difference / Td::product(a, b)
+}

@@ -1,0 +1,102 @@
+//! Pendulum against the truth, stratum by stratum, and the spoiled siblings that must go red.
+
+mod ruler;
+
+use libration::{Frequency, Orbit};
+use ruler::{Row, distance, eased, rows, summary};
+use std::collections::BTreeMap;
+
+const PENDULUM: &str = include_str!("../../reference/vectors/pendulum.csv");
+const CORNERS: &str = include_str!("../../reference/vectors/pendulum_corners.csv");
+
+/// Errors of theta, velocity and period by stratum, and how many regimes are wrong.
+#[derive(Default)]
+struct Report {
+    strata: BTreeMap<String, [Vec<f64>; 3]>,
+    wrong_regimes: usize,
+}
+
+impl Report {
+    /// Worst error over all strata, and worst median, printing the table.
+    fn worst(&mut self) -> (f64, f64) {
+        let (mut worst, mut median) = (0.0, 0.0);
+        for (stratum, errors) in &mut self.strata {
+            let [t, v, p] = errors.each_mut().map(|list| summary(list));
+            println!("{stratum:18} theta {:6.3} {:5.3}  velocity {:6.3} {:5.3}  period {:6.3} {:5.3}", t.0, t.1, v.0, v.1, p.0, p.1);
+            worst = [t.0, v.0, p.0].into_iter().fold(worst, f64::max);
+            median = [t.1, v.1, p.1].into_iter().fold(median, f64::max);
+        }
+        println!("worst {worst:.3}, worst median {median:.3}, wrong regimes {}", self.wrong_regimes);
+        (worst, median)
+    }
+}
+
+fn frequency(row: &Row, corners: bool) -> Frequency {
+    if corners {
+        let [a, b, c] = ["omega2_a", "omega2_b", "omega2_c"].map(|name| row.hex(name));
+        Frequency::from_factors(a, b, c).unwrap()
+    } else {
+        Frequency::from_omega2(row.hex("omega2")).unwrap()
+    }
+}
+
+/// Largest |theta| and |velocity| of the orbit.
+fn scales(row: &Row, orbit: &Orbit) -> (f64, f64) {
+    let theta_max = row.hex("theta_max_hi");
+    let kappa = if theta_max.is_nan() { row.hex("energy_ratio_hi").sqrt() } else { (theta_max / 2.0).sin() };
+    let turn = (orbit.turns(0.0).0 as f64 * std::f64::consts::TAU).abs();
+    let theta = if row.text("regime") == "libration" { theta_max + turn } else { std::f64::consts::PI };
+    (theta, 2.0 * orbit.omega0() * kappa)
+}
+
+fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64)) -> Report {
+    let mut report = Report::default();
+    for row in rows {
+        let t = row.hex("t");
+        let orbit = Orbit::new(row.hex("theta0"), row.hex("velocity0"), frequency(row, corners)).unwrap();
+        if orbit.regime().name() != row.text("regime") {
+            report.wrong_regimes += 1;
+            println!("regime of {} is {}", row.text("id"), orbit.regime().name());
+        }
+        let (theta, velocity) = motion(&orbit, t);
+        assert!(theta.to_bits() == orbit.theta(t).to_bits() || !corners);
+        let (theta_scale, velocity_scale) = scales(row, &orbit);
+        let floor = 2f64.powi(-30);
+        let errors = [
+            eased(theta, row.truth("theta"), floor * theta_scale, row.decimal("cond_theta"), theta_scale),
+            eased(velocity, row.truth("velocity"), floor * velocity_scale, row.decimal("cond_velocity"), velocity_scale),
+            {
+                let truth = row.truth("period");
+                let unit = ruler::ulp(truth[0]) + row.decimal("cond_period") * 2f64.powi(-100);
+                distance(orbit.period(), truth, unit)
+            },
+        ];
+        if errors.iter().any(|e| *e > 4.0) {
+            println!("{} {} {:?} {}", row.text("id"), row.text("stratum"), errors, row.text("regime"));
+        }
+        let lists = report.strata.entry(row.text("stratum").to_string()).or_default();
+        for (list, error) in lists.iter_mut().zip(errors) {
+            list.push(error);
+        }
+    }
+    report
+}
+
+#[test]
+fn every_stratum_keeps_its_last_digits() {
+    let rows = rows(PENDULUM, 1998);
+    let mut report = report(&rows, false, |orbit, t| orbit.motion(t));
+    assert_eq!(report.strata.len(), 16);
+    let (worst, median) = report.worst();
+    assert_eq!(report.wrong_regimes, 0);
+    assert!(worst <= 4.0 && median <= 0.5);
+}
+
+#[test]
+fn corners() {
+    let rows = rows(CORNERS, 554);
+    let mut report = report(&rows, true, |orbit, t| orbit.motion(t));
+    let (worst, _) = report.worst();
+    assert_eq!(report.wrong_regimes, 0);
+    assert!(worst <= 4.0);
+}
