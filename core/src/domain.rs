@@ -15,7 +15,12 @@ pub struct Domain {
 
 impl Domain {
     /// The value, where `holds`; otherwise the error that names it.
-    pub(crate) fn check(argument: &'static str, value: f64, holds: bool, allowed: &'static str) -> Result<f64, Domain> {
+    pub(crate) fn check(
+        argument: &'static str,
+        value: f64,
+        holds: bool,
+        allowed: &'static str,
+    ) -> Result<f64, Domain> {
         if holds { Ok(value) } else { Err(Domain { argument, given: format!("{value:?}"), allowed }) }
     }
 }

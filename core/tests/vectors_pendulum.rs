@@ -22,7 +22,10 @@ impl Report {
         let (mut worst, mut median) = (0.0, 0.0);
         for (stratum, errors) in &mut self.strata {
             let [t, v, p] = errors.each_mut().map(|list| summary(list));
-            println!("{stratum:18} theta {:6.3} {:5.3}  velocity {:6.3} {:5.3}  period {:6.3} {:5.3}", t.0, t.1, v.0, v.1, p.0, p.1);
+            println!(
+                "{stratum:18} theta {:6.3} {:5.3}  velocity {:6.3} {:5.3}  period {:6.3} {:5.3}",
+                t.0, t.1, v.0, v.1, p.0, p.1
+            );
             worst = [t.0, v.0, p.0].into_iter().fold(worst, f64::max);
             median = [t.1, v.1, p.1].into_iter().fold(median, f64::max);
         }
@@ -64,7 +67,13 @@ fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64
         let floor = 2f64.powi(-30);
         let errors = [
             eased(theta, row.truth("theta"), floor * theta_scale, row.decimal("cond_theta"), theta_scale),
-            eased(velocity, row.truth("velocity"), floor * velocity_scale, row.decimal("cond_velocity"), velocity_scale),
+            eased(
+                velocity,
+                row.truth("velocity"),
+                floor * velocity_scale,
+                row.decimal("cond_velocity"),
+                velocity_scale,
+            ),
             {
                 let truth = row.truth("period");
                 let unit = ruler::ulp(truth[0]) + row.decimal("cond_period") * 2f64.powi(-100);

@@ -9,9 +9,11 @@ pub fn agm(b: Dd) -> Dd {
     let (mut a, mut b) = (Dd::ONE, b);
     loop {
         let mean = (a + b).scale(0.5);
+        let apart = (a.hi - b.hi).abs() > 2e-16 * a.hi;
         // After this step the two means differ by (a - b)^2 / 8a, below 2^-108 of a: the mean is the limit.
-        if (a.hi - b.hi).abs() < 2e-16 * a.hi {
-            return mean;
+        // A NaN is not apart, and a zero (its logarithmic limit) would never come nearer.
+        if !apart || b.hi == 0.0 {
+            return if b.hi == 0.0 { Dd::ZERO } else { mean };
         }
         b = (a * b).sqrt();
         a = mean;

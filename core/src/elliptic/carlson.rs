@@ -20,7 +20,8 @@ pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
     let (mut x, mut y, mut z) = (x, y, z);
     loop {
         let mean = (x + y + z) * THIRD;
-        let spread = f64::max((mean.hi - x.hi).abs(), f64::max((mean.hi - y.hi).abs(), (mean.hi - z.hi).abs()));
+        let spread =
+            f64::max((mean.hi - x.hi).abs(), f64::max((mean.hi - y.hi).abs(), (mean.hi - z.hi).abs()));
         if spread < CLOSE * mean.hi {
             let dx = (mean - x) / mean;
             let dy = (mean - y) / mean;
@@ -59,7 +60,8 @@ pub fn rd(x: Dd, y: Dd, z: Dd) -> Dd {
     let mut power = 1.0;
     loop {
         let mean = (x + y + z * 3.0) * FIFTH;
-        let spread = f64::max((mean.hi - x.hi).abs(), f64::max((mean.hi - y.hi).abs(), (mean.hi - z.hi).abs()));
+        let spread =
+            f64::max((mean.hi - x.hi).abs(), f64::max((mean.hi - y.hi).abs(), (mean.hi - z.hi).abs()));
         if spread < CLOSE * mean.hi {
             let dx = (mean - x) / mean;
             let dy = (mean - y) / mean;

@@ -5,27 +5,21 @@
 
 use super::agm::quarter_period;
 use super::carlson::rd;
-use super::parameter::Parameter;
+use super::parameter::{Parameter, Unit};
 use crate::float::Dd;
 
 /// K for mc > 0, as a double-double.
 pub(crate) fn complete_k_dd(parameter: Parameter) -> Dd {
-    if parameter.m.hi < 0.0 {
-        let inner = parameter.imaginary_modulus();
-        let kc = inner.mc.sqrt();
-        return kc * quarter_period(kc);
-    }
-    quarter_period(parameter.mc.sqrt())
+    let kc = parameter.unit().kc;
+    if parameter.m.hi < 0.0 { kc * quarter_period(kc) } else { quarter_period(kc) }
 }
 
 /// E for mc > 0, as a double-double.
 pub(crate) fn complete_e_dd(parameter: Parameter) -> Dd {
-    if parameter.m.hi < 0.0 {
-        let inner = parameter.imaginary_modulus();
-        return complete_e_dd(inner) / inner.mc.sqrt();
-    }
-    let mc = parameter.mc;
-    mc * (rd(Dd::ZERO, mc, Dd::ONE) + rd(Dd::ZERO, Dd::ONE, mc)) / Dd::from(3.0)
+    let Unit { mc, kc, .. } = parameter.unit();
+    let sum = rd(Dd::ZERO, mc, Dd::ONE) + rd(Dd::ZERO, Dd::ONE, mc);
+    let inner = mc * sum * Dd::new(0.3333333333333333, 1.850371707708594e-17);
+    if parameter.m.hi < 0.0 { inner / kc } else { inner }
 }
 
 /// K(m) = int_0^(pi/2) dphi / sqrt(1 - m sin^2 phi); inf at m = 1, NaN for m > 1.

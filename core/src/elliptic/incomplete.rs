@@ -54,7 +54,8 @@ fn reduced(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd 
         // 19.25.9, with R_D scaled by d so that it stays in range for m to -1e300.
         let inverse = Dd::ONE / d;
         let scaled = rd(c * inverse, Dd::ONE, inverse);
-        return sine * rf(c, d, Dd::ONE) - m * inverse * sine.square() * (sine * inverse.sqrt()) * scaled / Dd::from(3.0);
+        return sine * rf(c, d, Dd::ONE)
+            - m * inverse * sine.square() * (sine * inverse.sqrt()) * scaled / Dd::from(3.0);
     }
     if mc.hi < 0.0 {
         // 19.25.11

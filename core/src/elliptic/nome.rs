@@ -29,16 +29,18 @@ pub(crate) fn minus_log_nome(k: Dd, kc: Dd) -> Dd {
 /// **Error** at most 3 ulp.
 pub fn nome(parameter: Parameter) -> f64 {
     let Parameter { m, mc } = parameter;
-    if m.hi < 0.0 {
-        return -nome(parameter.imaginary_modulus());
-    }
     if mc.hi == 0.0 {
-        1.0
-    } else if mc.hi < 0.0 {
-        f64::NAN
-    } else if m.hi <= 0.5 {
-        small_nome(m, mc.sqrt()).value()
-    } else {
-        elementary::exp(-minus_log_nome(m.sqrt(), mc.sqrt())).value()
+        return 1.0;
     }
+    // NaN is not above 0 either.
+    if !(mc.hi > 0.0) {
+        return f64::NAN;
+    }
+    let unit = parameter.unit();
+    let size = if unit.m.hi <= 0.5 {
+        small_nome(unit.m, unit.kc).value()
+    } else {
+        elementary::exp(-minus_log_nome(unit.k, unit.kc)).value()
+    };
+    if m.hi < 0.0 { -size } else { size }
 }

@@ -19,10 +19,10 @@ impl Parameter {
     pub fn from_mc(mc: f64) -> Parameter {
         Parameter { m: Dd::sum(1.0, -mc), mc: Dd::from(mc) }.checked(mc)
     }
-    /// From the modulus k, |k| < 1e150; only k^2 counts.
+    /// From the modulus k, |k| <= 1e150; only k^2 counts.
     pub fn from_modulus(k: f64) -> Parameter {
         let mc = Dd::sum(1.0, -k) * Dd::sum(1.0, k);
-        Parameter { m: Dd::product(k, k), mc }.checked(if k.abs() < 1e150 { k } else { f64::NAN })
+        Parameter { m: Dd::product(k, k), mc }.checked(if k.abs() <= 1e150 { k } else { f64::NAN })
     }
     /// The parameter, rounded.
     pub fn m(&self) -> f64 {
@@ -35,12 +35,27 @@ impl Parameter {
     fn checked(self, given: f64) -> Parameter {
         if given.is_finite() { self } else { Parameter { m: Dd::from(f64::NAN), mc: Dd::from(f64::NAN) } }
     }
-    /// m' = -m/(1 - m) with its complement 1/(1 - m), for m < 0: in (0, 1).
-    pub(crate) fn imaginary_modulus(self) -> Parameter {
-        Parameter { m: -self.m / self.mc, mc: Dd::ONE / self.mc }
+    /// The parameter in [0, 1] that carries this one: m itself; -m/(1 - m) for m < 0; 1/m for m > 1. The moduli
+    /// come from roots of what was given, because the squares of their inverses may be below the range.
+    pub(crate) fn unit(self) -> Unit {
+        let Parameter { m, mc } = self;
+        if m.hi < 0.0 {
+            let root = mc.sqrt();
+            Unit { m: -m / mc, mc: Dd::ONE / mc, k: (-m).sqrt() / root, kc: Dd::ONE / root }
+        } else if mc.hi < 0.0 {
+            let root = m.sqrt();
+            Unit { m: Dd::ONE / m, mc: -mc / m, k: Dd::ONE / root, kc: (-mc).sqrt() / root }
+        } else {
+            Unit { m, mc, k: m.sqrt(), kc: mc.sqrt() }
+        }
     }
-    /// 1/m with its complement (m - 1)/m, for m > 1: in (0, 1).
-    pub(crate) fn reciprocal(self) -> Parameter {
-        Parameter { m: Dd::ONE / self.m, mc: -self.mc / self.m }
-    }
+}
+
+/// A parameter in [0, 1] with its modulus and complementary modulus.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unit {
+    pub m: Dd,
+    pub mc: Dd,
+    pub k: Dd,
+    pub kc: Dd,
 }

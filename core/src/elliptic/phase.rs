@@ -1,7 +1,7 @@
 //! The phase of a motion in half periods, reduced to its nearest whole number.
 //!
 //! f = t rate + start with rate and start in double-double: the fraction keeps 2^-104 of the count, so a
-//! billion periods cost no digits. Beyond 2^53 half periods the answer is NaN.
+//! billion periods cost no digits; at 2^100 half periods none are left, and the answer is NaN.
 //! Source: the two-product form of Cody & Waite's reduction.
 
 use crate::float::Dd;
@@ -20,13 +20,23 @@ pub struct Phase {
 /// n + sign * f half periods.
 pub struct Reduced<L: Lane> {
     /// Nearest whole number of half periods.
-    pub n: L,
+    pub n: Dd<L>,
     /// +1 or -1: the sign of the rest.
     pub sign: L,
     /// Size of the rest, in [0, 1/2].
     pub f: Dd<L>,
     /// (-1)^n.
     pub parity: L,
+}
+
+/// 2^100.
+const END: f64 = 1.267_650_600_228_229_4e30;
+
+/// (-1)^n for a whole n.
+#[inline(always)]
+fn alternating<L: Lane>(n: L) -> L {
+    let half = n * L::splat(0.5);
+    L::select(half.equal(half.round()), L::splat(1.0), L::splat(-1.0))
 }
 
 impl Phase {
@@ -41,13 +51,11 @@ impl Phase {
         let carry = part.round();
         let rest = rest + (part_error + L::splat(self.start.lo));
         let f = Dd::ordered_sum(part - carry, rest);
-        let n = whole + carry;
-        let within = turned.abs().less(L::splat(9_007_199_254_740_992.0));
+        let within = turned.abs().less(L::splat(END));
         let f = Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo);
         let sign = L::splat(1.0).copysign(f.hi);
-        let halves = n * L::splat(0.5);
-        let even = halves.equal(halves.round());
-        let parity = L::select(even, L::splat(1.0), L::splat(-1.0));
+        let n = Dd::sum(whole, carry);
+        let parity = alternating(whole) * alternating(carry);
         Reduced { n, sign, f: f.scale(sign), parity }
     }
 }

@@ -77,7 +77,14 @@ impl Lattice {
         let quarter = HALF_PI / mean;
         if m.hi <= mc.hi {
             let theta = corrections(small_nome(m, kc));
-            return Lattice { side: Side::Circular, angle: PI, amplitude: Dd::ONE / mean, quarter, kc, theta };
+            return Lattice {
+                side: Side::Circular,
+                angle: PI,
+                amplitude: Dd::ONE / mean,
+                quarter,
+                kc,
+                theta,
+            };
         }
         let other = agm(k);
         let theta = corrections(small_nome(mc, k));

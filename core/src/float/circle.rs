@@ -3,7 +3,7 @@
 //!
 //! Method: Payne & Hanek (1983) with 384 of 1408 bits of 1/(2 pi), in integers, so nothing cancels.
 
-use super::double_double::Dd;
+use super::double_double::{Dd, two_sum};
 use super::scaling::exp2;
 use super::triple_double::Td;
 
@@ -22,11 +22,10 @@ pub struct Reduced {
 
 /// 1/(2 pi) in binary, most significant word first.
 const INVERSE_TWO_PI: [u64; 22] = [
-    0x28be60db9391054a, 0x7f09d5f47d4d3770, 0x36d8a5664f10e410, 0x7f9458eaf7aef158,
-    0x6dc91b8e909374b8, 0x01924bba82746487, 0x3f877ac72c4a69cf, 0xba208d7d4baed121,
-    0x3a671c09ad17df90, 0x4e64758e60d4ce7d, 0x272117e2ef7e4a0e, 0xc7fe25fff7816603,
-    0xfbcbc462d6829b47, 0xdb4d9fb3c9f2c26d, 0xd3d18fd9a797fa8b, 0x5d49eeb1faf97c5e,
-    0xcf41ce7de294a4ba, 0x9afed7ec47e35742, 0x1580cc11bf1edaea, 0xfc33ef0826bd0d87,
+    0x28be60db9391054a, 0x7f09d5f47d4d3770, 0x36d8a5664f10e410, 0x7f9458eaf7aef158, 0x6dc91b8e909374b8,
+    0x01924bba82746487, 0x3f877ac72c4a69cf, 0xba208d7d4baed121, 0x3a671c09ad17df90, 0x4e64758e60d4ce7d,
+    0x272117e2ef7e4a0e, 0xc7fe25fff7816603, 0xfbcbc462d6829b47, 0xdb4d9fb3c9f2c26d, 0xd3d18fd9a797fa8b,
+    0x5d49eeb1faf97c5e, 0xcf41ce7de294a4ba, 0x9afed7ec47e35742, 0x1580cc11bf1edaea, 0xfc33ef0826bd0d87,
     0x6a78e45857b986c2, 0x19666157c5281a10,
 ];
 
@@ -38,12 +37,12 @@ pub fn reduce(theta: f64) -> Reduced {
     let size = theta.abs();
     if size <= core::f64::consts::PI {
         let from_bottom = Td::from(size);
-        // pi in four doubles: the first difference is exact, so all of the rest counts.
-        let from_top = Td::normalised(
-            core::f64::consts::PI - size,
-            1.2246467991473532e-16,
-            -2.9947698097183397e-33 + 1.1124542208633653e-49,
-        );
+        // pi in four doubles; near the top the first difference is exact, so all of the rest counts.
+        let (difference, error) = two_sum(core::f64::consts::PI, -size);
+        let (hi, mid) = two_sum(difference, 1.2246467991473532e-16);
+        let (mid, rest) = two_sum(mid, error);
+        let (mid, lo) = two_sum(mid, -2.9947698097183397e-33);
+        let from_top = Td::normalised(hi, mid, lo + rest + 1.1124542208633653e-49);
         return Reduced { turns: 0.0, side, from_bottom, from_top };
     }
     let exponent = ((size.to_bits() >> 52) as i32) - 1075;

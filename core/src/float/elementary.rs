@@ -41,8 +41,7 @@ const HYPERBOLIC_COSINE: [f64; 5] = [
 /// (atan r - r)/r^3 in r^2 <= 0.056, error 2^-63.
 const ARCTANGENT: [f64; 9] = [
     -0.3333333333333333, 0.19999999999999546, -0.14285714285497547, 0.11111111071254176,
-    -0.09090905412391087, 0.0769211644851936, -0.06660798672457148, 0.0577644799252066,
-    -0.04208920724718158,
+    -0.09090905412391087, 0.0769211644851936, -0.06660798672457148, 0.0577644799252066, -0.04208920724718158,
 ];
 
 /// Sine and cosine of z in [0, pi/4] (a little beyond does no harm).
@@ -105,10 +104,10 @@ pub fn sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
     (Dd::select(near, sine, far), plain_sum(grown, shrunk))
 }
 
-/// Beyond it sech is 0 in double; and beyond it the Gudermannian is pi/2 to the last digit of a
-/// double-double's head.
+/// Beyond the first sech is 0 in double; up to the second sinh is in range, and beyond it no sum with pi
+/// or 1 tells the difference.
 const SECH_END: f64 = 760.0;
-const TANH_END: f64 = 45.0;
+const SINH_END: f64 = 700.0;
 
 /// Smaller of y and a bound; NaN stays.
 #[inline(always)]
@@ -129,10 +128,10 @@ pub fn sech<L: Lane>(y: Dd<L>) -> (Dd<L>, L) {
     (quotient(falling.scale(L::splat(2.0)), denominator), (-k - head).exp2_integer())
 }
 
-/// sinh y for any y >= 0, held at the point beyond which tanh y is 1 and the Gudermannian pi/2.
+/// sinh y for any y >= 0, held at the end of its range.
 #[inline(always)]
 pub fn saturated_sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
-    sinh_cosh(at_most(y, TANH_END))
+    sinh_cosh(at_most(y, SINH_END))
 }
 
 /// e^y for |y| <= 700.

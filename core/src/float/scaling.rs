@@ -18,22 +18,17 @@ pub fn exp2(power: i32) -> f64 {
 
 /// value * 2^power with one rounding.
 pub fn ldexp(value: f64, power: i32) -> f64 {
-    match power {
-        -1000..=1000 => value * exp2(power),
-        // The first step is exact: it moves away from, or stays above, the subnormal numbers.
-        1001.. => value * exp2(1000) * exp2((power - 1000).min(1023)),
-        _ if value == 0.0 => value,
-        _ => {
-            let lift = exponent(value).max(-1022);
-            let power = (power + lift).max(-1100);
-            ldexp_normal(value * exp2(-lift.min(1000)) * exp2(-(lift - lift.min(1000))), power)
-        }
+    if value == 0.0 || !value.is_finite() {
+        return value;
     }
-}
-
-/// A value in [1, 2) times 2^power.
-fn ldexp_normal(value: f64, power: i32) -> f64 {
-    if power >= -1000 { value * exp2(power) } else { value * exp2(-500) * exp2((power + 500).max(-1074)) }
+    let e = exponent(value);
+    let half = e / 2;
+    let mantissa = value * exp2(-half) * exp2(half - e);
+    match e.saturating_add(power) {
+        // Below the smallest subnormal number half of it decides the rounding.
+        target @ ..-1074 => mantissa * if target == -1075 { 0.5 } else { 0.125 } * exp2(-1074),
+        target => mantissa * exp2(target),
+    }
 }
 
 #[cfg(test)]
@@ -42,7 +37,8 @@ mod tests {
 
     #[test]
     fn powers_are_exact() {
-        for (value, e) in [(1.0, 0), (1.5, 0), (0.75, -1), (5e-324, -1074), (2.5e-308, -1022), (1e308, 1023)] {
+        for (value, e) in [(1.0, 0), (1.5, 0), (0.75, -1), (5e-324, -1074), (2.5e-308, -1022), (1e308, 1023)]
+        {
             assert_eq!(exponent(value), e);
             assert_eq!(exponent(-value), e);
         }

@@ -8,12 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Doubles side by side, with the operations the kernels use.
 pub trait Lane:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The answer of a comparison, one flag per double.
     type Mask: Copy;

@@ -13,7 +13,7 @@ use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
 use crate::float::scaling::ldexp;
-use crate::float::{Dd, TWO_PI};
+use crate::float::{Dd, PI, TWO_PI};
 
 /// sn, cn, dn of the step, and the mean advance of a rotation in turns.
 struct Step {
@@ -49,13 +49,14 @@ pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64
     let sign = |value: Dd| if value.hi < 0.0 { -1.0 } else { 1.0 };
     let scaled = |value: Dd, power: i32| Dd::new(ldexp(value.hi, power), ldexp(value.lo, power));
     let quadrant = arctangent(scaled(next_s, power).abs(), next_c.abs());
-    let half = if next_c.hi < 0.0 { TWO_PI.scale(0.5) - quadrant } else { quadrant };
+    let half = if next_c.hi < 0.0 { PI - quadrant } else { quadrant };
     let local = half.scale(2.0 * sign(next_s));
     let start = arctangent(scaled(s, power).abs(), c).scale(2.0 * sign(s));
     // Two whole turns at a time; the mean motion is never wrong by one.
     let pairs = (0.5 * (turns + (start - local).hi / TWO_PI.hi)).round();
     let canonical = local + TWO_PI * (2.0 * pairs);
-    let theta = (frame.base + canonical * frame.side).value();
+    let offset = frame.base + PI * frame.half_turn;
+    let theta = (offset + canonical * frame.side).value();
     let speed = (next_x * omega).scale(2.0 * frame.side).value();
     (theta, ldexp(speed, power + omega_power))
 }
@@ -90,6 +91,9 @@ fn step(state: &State, dt: f64) -> Step {
     };
     let phase = Phase { rate: stretch / lattice.quarter.scale(2.0), start: Dd::ZERO };
     let at = phase.reduce(dt);
+    if at.n.hi.abs() >= 9_007_199_254_740_992.0 {
+        return Step { sn: Dd::from(f64::NAN), cn: Dd::from(f64::NAN), dn: Dd::from(f64::NAN), turns: f64::NAN };
+    }
     let thetas = lattice.thetas(at.f);
     let [t1, t2, t3, t4] = thetas.theta;
     let t1 = t1 * lattice.amplitude * at.sign;
@@ -100,7 +104,7 @@ fn step(state: &State, dt: f64) -> Step {
     };
     let (sn, cn) = (sn.scale(at.parity), cn.scale(at.parity));
     if rotation {
-        Step { sn: sn / k, cn: dn, dn: cn, turns: at.n + at.sign * at.f.hi }
+        Step { sn: sn / k, cn: dn, dn: cn, turns: at.n.hi + at.sign * at.f.hi }
     } else {
         Step { sn, cn, dn, turns: 0.0 }
     }

@@ -38,9 +38,11 @@ impl Frequency {
             return Err(Domain { argument: "frequency", given: given.join(", "), allowed });
         }
         match (omega0, omega2, length, gravity) {
-            (_, _, None, Some(gravity)) => {
-                Err(Domain { argument: "gravity", given: format!("{gravity:?}"), allowed: "given with a length" })
-            }
+            (_, _, None, Some(gravity)) => Err(Domain {
+                argument: "gravity",
+                given: format!("{gravity:?}"),
+                allowed: "given with a length",
+            }),
             (Some(omega0), ..) => Frequency::from_omega0(omega0),
             (_, Some(omega2), ..) => Frequency::from_omega2(omega2),
             (_, _, Some(length), gravity) => {

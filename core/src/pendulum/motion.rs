@@ -8,13 +8,22 @@
 //! near the top. Source: Salas 2019 (23), with 2 atan2 and turns in place of the arctangent.
 
 use super::orbit::{Course, Elliptic, Orbit};
+use crate::elliptic::phase::{Phase, Reduced};
 use crate::float::double_double::two_sum;
 use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
-use crate::elliptic::phase::{Phase, Reduced};
 use crate::float::{Dd, PI, TWO_PI, circle};
 use crate::lanes::{Kernel, Lane, Scalar, dispatch};
 
-/// A canonical angle: 2 pi turns + local, with local in [-pi, pi].
+/// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
+struct Canonical<L: Lane> {
+    turns: L,
+    sign: L,
+    opposite: Dd<L>,
+    adjacent: Dd<L>,
+    velocity: L,
+}
+
+/// An angle 2 pi (frame.turns + turns) + local, with local in [-pi, pi].
 struct Angle<L: Lane> {
     turns: L,
     local: Dd<L>,
@@ -41,51 +50,68 @@ impl Wanted for Both {
     const VELOCITY: bool = true;
 }
 
+/// The phase while its count of half periods is a whole double, below 2^53; NaN from there.
+#[inline(always)]
+fn within_count<L: Lane>(n: L, f: Dd<L>) -> Dd<L> {
+    let within = n.abs().less(L::splat(9_007_199_254_740_992.0));
+    Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo)
+}
+
 impl Elliptic {
     /// Picks numerator and denominator by fold, and the factor with them.
     #[inline(always)]
-    fn ratio<L: Lane>(folded: L::Mask, plain: [Dd<L>; 2], turned: [Dd<L>; 2], factors: &[Dd; 2]) -> [Dd<L>; 2] {
+    fn ratio<L: Lane>(
+        folded: L::Mask,
+        plain: [Dd<L>; 2],
+        turned: [Dd<L>; 2],
+        factors: &[Dd; 2],
+    ) -> [Dd<L>; 2] {
         let factor = Dd::select(folded, Dd::splat(factors[1]), Dd::splat(factors[0]));
         let numerator = Dd::select(folded, turned[0], plain[0]);
         [numerator * factor, Dd::select(folded, turned[1], plain[1])]
     }
 
     #[inline(always)]
-    fn libration<W: Wanted, L: Lane>(&self, t: L) -> (Angle<L>, L) {
-        let Reduced { sign, f, parity, .. } = self.phase.reduce(t);
-        let thetas = self.lattice.thetas(f);
+    fn libration<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
+        let Reduced { n, sign, f, parity } = self.phase.reduce(t);
+        let thetas = self.lattice.thetas(within_count(n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
-        let zero = L::splat(0.0);
-        let mut angle = Angle { turns: zero, local: Dd::from_double(zero) };
-        let mut velocity = zero;
+        let mut motion = Canonical::at(sign * parity);
         if W::ANGLE {
-            let [opposite, adjacent] = Self::ratio(thetas.folded, [t1, t3], [t2, t4], &self.tangent);
-            angle.local = arctangent(opposite, adjacent).scale(sign * parity * L::splat(2.0));
+            [motion.opposite, motion.adjacent] =
+                Self::ratio(thetas.folded, [t1, t3], [t2, t4], &self.tangent);
         }
         if W::VELOCITY {
             let [numerator, denominator] = Self::ratio(thetas.folded, [t2, t4], [t1, t3], &self.velocity);
-            velocity = quotient(numerator, denominator).value() * parity;
+            motion.velocity = quotient(numerator, denominator).value() * parity;
         }
-        (angle, velocity)
+        motion
     }
 
     #[inline(always)]
-    fn rotation<W: Wanted, L: Lane>(&self, t: L) -> (Angle<L>, L) {
+    fn rotation<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
         let Reduced { n, sign, f, .. } = self.phase.reduce(t);
-        let thetas = self.lattice.thetas(f);
+        let thetas = self.lattice.thetas(within_count(n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
-        let zero = L::splat(0.0);
-        let mut angle = Angle { turns: n, local: Dd::from_double(zero) };
-        let mut velocity = zero;
+        let mut motion = Canonical { turns: n.hi, ..Canonical::at(sign) };
         if W::ANGLE {
-            let [opposite, adjacent] = Self::ratio(thetas.folded, [t1, t2], [t2, t1], &self.tangent);
-            angle.local = arctangent(opposite, adjacent).scale(sign * L::splat(2.0));
+            [motion.opposite, motion.adjacent] =
+                Self::ratio(thetas.folded, [t1, t2], [t2, t1], &self.tangent);
         }
         if W::VELOCITY {
             let [numerator, denominator] = Self::ratio(thetas.folded, [t3, t4], [t4, t3], &self.velocity);
-            velocity = quotient(numerator, denominator).value();
+            motion.velocity = quotient(numerator, denominator).value();
         }
-        (angle, velocity)
+        motion
+    }
+}
+
+impl<L: Lane> Canonical<L> {
+    #[inline(always)]
+    fn at(sign: L) -> Self {
+        let zero = L::splat(0.0);
+        let (nothing, one) = (Dd::from_double(zero), Dd::from_double(L::splat(1.0)));
+        Canonical { turns: zero, sign, opposite: nothing, adjacent: one, velocity: zero }
     }
 }
 
@@ -93,7 +119,7 @@ impl Elliptic {
 const FAR: f64 = 1e6;
 
 #[inline(always)]
-fn separatrix<W: Wanted, L: Lane>(phase: &Phase, speed: Dd, t: L) -> (Angle<L>, L) {
+fn separatrix<W: Wanted, L: Lane>(phase: &Phase, speed: Dd, t: L) -> Canonical<L> {
     let (passed, error) = t.two_product(L::splat(phase.rate.hi));
     let error = t.mul_add(L::splat(phase.rate.lo), error);
     let near = passed.abs().less(L::splat(FAR));
@@ -104,54 +130,63 @@ fn separatrix<W: Wanted, L: Lane>(phase: &Phase, speed: Dd, t: L) -> (Angle<L>, 
     let y = Dd::ordered_sum(y, rest + (error + L::splat(phase.start.lo)));
     let sign = L::splat(1.0).copysign(y.hi);
     let y = y.scale(sign);
-    let zero = L::splat(0.0);
-    let mut angle = Angle { turns: zero, local: Dd::from_double(zero) };
-    let mut velocity = zero;
+    let mut motion = Canonical::at(sign);
     if W::ANGLE {
-        let (sinh, _) = saturated_sinh_cosh(y);
-        let one = Dd::from_double(L::splat(1.0));
-        angle.local = arctangent(sinh, one).scale(sign * L::splat(2.0));
+        motion.opposite = saturated_sinh_cosh(y).0;
     }
     if W::VELOCITY {
         let (factor, power) = sech(y);
-        velocity = (factor * Dd::splat(speed)).value() * power;
+        motion.velocity = (factor * Dd::splat(speed)).value() * power;
     }
-    (angle, velocity)
+    motion
 }
 
 impl Orbit {
-    /// Canonical angle and velocity, the side of the frame already taken in.
+    /// The angle in the frame of the orbit, and the velocity.
     #[inline(always)]
-    fn canonical<W: Wanted, L: Lane>(&self, t: L) -> (Angle<L>, L) {
-        let zero = L::splat(0.0);
+    fn framed<W: Wanted, L: Lane>(&self, t: L) -> (Angle<L>, L) {
         let scaled = t * L::splat(self.time_scale);
-        let (angle, velocity) = match &self.course {
+        let motion = match &self.course {
             Course::Libration(elliptic) => elliptic.libration::<W, L>(scaled),
             Course::Rotation(elliptic) => elliptic.rotation::<W, L>(scaled),
             Course::Separatrix(phase, speed) => separatrix::<W, L>(phase, *speed, scaled),
-            Course::Still | Course::Free => {
-                let (passed, error) = t.two_product(L::splat(self.velocity0));
-                let nothing = L::select(t.equal(t), zero, t);
-                let still = self.velocity0 == 0.0;
-                let local = if still { Dd::from_double(nothing) } else { Dd::new(passed, error) };
-                return (Angle { turns: zero, local }, nothing + L::splat(self.velocity0));
-            }
+            Course::Still | Course::Free => return self.straight(t),
         };
         let side = L::splat(self.frame.side);
-        (Angle { turns: angle.turns * side, local: angle.local.scale(side) }, velocity * side)
+        let (turns, sign, velocity) = (motion.turns * side, motion.sign * side, motion.velocity * side);
+        let two = L::splat(2.0);
+        let angle = if self.frame.half_turn == 0.0 {
+            Angle { turns, local: arctangent(motion.opposite, motion.adjacent).scale(sign * two) }
+        } else {
+            // Seen from the other equilibrium, half a turn on: whole turns again, and its own small angles.
+            let turns = turns + (sign + L::splat(self.frame.half_turn)) * L::splat(0.5);
+            Angle { turns, local: arctangent(motion.adjacent, motion.opposite).scale(-sign * two) }
+        };
+        (angle, velocity)
+    }
+
+    /// No force that counts: theta0 + velocity0 t.
+    #[inline(always)]
+    fn straight<L: Lane>(&self, t: L) -> (Angle<L>, L) {
+        let zero = L::splat(0.0);
+        let nothing = L::select(t.equal(t), zero, t);
+        let local = if matches!(self.course, Course::Still) {
+            Dd::from_double(nothing)
+        } else {
+            let (passed, error) = t.two_product(L::splat(self.velocity0));
+            Dd::new(passed, error)
+        };
+        (Angle { turns: zero, local }, nothing + L::splat(self.velocity0))
     }
 
     #[inline(always)]
     fn sample<W: Wanted, L: Lane>(&self, t: L) -> (L, L) {
-        let (angle, velocity) = self.canonical::<W, L>(t);
+        let (angle, velocity) = self.framed::<W, L>(t);
         let turned = Dd::splat(TWO_PI) * angle.turns;
         let theta = (Dd::splat(self.frame.base) + turned + angle.local).value();
         // The start is returned as it was given.
         let start = t.equal(L::splat(0.0));
-        (
-            L::select(start, L::splat(self.theta0), theta),
-            L::select(start, L::splat(self.velocity0), velocity),
-        )
+        (L::select(start, L::splat(self.theta0), theta), L::select(start, L::splat(self.velocity0), velocity))
     }
 
     /// Angle at t (in s), continuous through the turns.
@@ -206,7 +241,7 @@ impl Orbit {
             type Output = (f64, Dd);
             #[inline(always)]
             fn run<L: Scalar>(self) -> (f64, Dd) {
-                let Angle { turns, local } = self.0.canonical::<AngleOnly, L>(L::splat(self.1)).0;
+                let Angle { turns, local } = self.0.framed::<AngleOnly, L>(L::splat(self.1)).0;
                 (turns.into(), Dd::new(local.hi.into(), local.lo.into()))
             }
         }
@@ -223,11 +258,7 @@ impl Orbit {
                 let reduced = circle::reduce(total.hi);
                 (reduced.turns, (reduced.from_bottom * reduced.side).to_dd() + Dd::from(total.lo))
             }
-            _ if self.frame.half_turn == 0.0 => (self.frame.turns + turns, local),
-            _ => {
-                let shift = if local.hi < 0.0 { 1.0 } else { -1.0 };
-                (self.frame.turns + turns + 0.5 * (self.frame.half_turn - shift), local + PI * shift)
-            }
+            _ => (self.frame.turns + turns, local),
         };
         // The half-open interval in doubles: its upper end is the lower end one turn on.
         match angle.value() {

@@ -66,6 +66,11 @@ pub struct Orbit {
 /// Powers of two of omega0 that the phase rate can carry.
 const RATE_POWER: i32 = 300;
 
+/// The frame of a straight motion: its own start.
+fn unturned(theta0: f64) -> Frame {
+    Frame { base: Dd::from(theta0), turns: 0.0, half_turn: 0.0, side: 1.0 }
+}
+
 impl Orbit {
     /// Sets up the orbit of an initial angle in rad (any turn) and angular velocity in rad/s.
     pub fn new(theta0: f64, velocity0: f64, frequency: Frequency) -> Result<Orbit, Domain> {
@@ -92,11 +97,21 @@ impl Orbit {
             (Plain::Free, None) => (f64::INFINITY, f64::NEG_INFINITY),
             (Plain::Still, _) => (0.0, 1.0),
         };
-        let frame = Frame { base: Dd::from(theta0), turns: 0.0, half_turn: 0.0, side: 1.0 };
+        let frame = unturned(theta0);
         let energy = 0.5 * velocity0 * velocity0;
         Orbit {
-            theta0, velocity0, frame, course, time_scale: 1.0,
-            regime, period, theta_max, energy_ratio, energy_ratio_c, energy, frequency,
+            theta0,
+            velocity0,
+            frame,
+            course,
+            time_scale: 1.0,
+            regime,
+            period,
+            theta_max,
+            energy_ratio,
+            energy_ratio_c,
+            energy,
+            frequency,
         }
     }
 
@@ -149,10 +164,21 @@ impl Orbit {
                 (Course::Separatrix(phase, speed), f64::INFINITY, core::f64::consts::PI)
             }
         };
+        let frame = if matches!(course, Course::Still) { unturned(theta0) } else { frame };
         let energy = ldexp((omega.square() * m).value(), 2 * (omega_power + power) + 1);
         Orbit {
-            theta0, velocity0, frame, course, time_scale: ldexp(1.0, time_power), regime, period, theta_max,
-            energy_ratio: ldexp(m.value(), 2 * power), energy_ratio_c: mc.value(), energy, frequency,
+            theta0,
+            velocity0,
+            frame,
+            course,
+            time_scale: ldexp(1.0, time_power),
+            regime,
+            period,
+            theta_max,
+            energy_ratio: ldexp(m.value(), 2 * power),
+            energy_ratio_c: mc.value(),
+            energy,
+            frequency,
         }
     }
 
@@ -187,7 +213,8 @@ impl Orbit {
     }
     /// omega0^2, negative where the pendulum hangs from the other side.
     pub fn omega2(&self) -> f64 {
-        let square = self.frequency.root().map_or(0.0, |(w, power)| ldexp(w.square().to_dd().value(), 2 * power));
+        let square =
+            self.frequency.root().map_or(0.0, |(w, power)| ldexp(w.square().to_dd().value(), 2 * power));
         if self.frequency.upside_down() { -square } else { square }
     }
 }

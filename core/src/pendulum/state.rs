@@ -13,12 +13,12 @@ use crate::float::triple_double::exact_sum;
 use crate::float::{Dd, Td};
 use crate::lanes::Lane;
 
-/// Where the motion is counted from: theta = base + side * (canonical angle), base = 2 pi turns + offset.
+/// Where the motion is counted from: theta = base + pi half_turn + side * (canonical angle).
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
-    /// Angle of the stable equilibrium nearest to the start.
+    /// 2 pi turns.
     pub base: Dd,
-    /// Its whole turns.
+    /// Whole turns nearest to the start.
     pub turns: f64,
     /// Its half turn: 0, or +1 or -1 when the pendulum hangs from the other side.
     pub half_turn: f64,
@@ -114,13 +114,9 @@ impl State {
 }
 
 fn frame(theta: f64, reduced: &Reduced, upside_down: bool, side: f64) -> Frame {
-    let (distance, half_turn) = if upside_down {
-        (reduced.from_top * -reduced.side, reduced.side)
-    } else {
-        (reduced.from_bottom * reduced.side, 0.0)
-    };
-    let at_origin = reduced.turns == 0.0 && !upside_down;
-    let base = if at_origin { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
+    let distance = reduced.from_bottom * reduced.side;
+    let base = if reduced.turns == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
+    let half_turn = if upside_down { reduced.side } else { 0.0 };
     Frame { base, turns: reduced.turns, half_turn, side }
 }
 
@@ -129,7 +125,8 @@ fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i3
     let (low, high) = (reduced.from_bottom, reduced.from_top);
     let near = if low.hi < high.hi { low } else { high };
     let near_stable = (low.hi < high.hi) != upside_down;
-    let (small, large) = if near.hi < TINY { (near.scale(0.5), Td::ONE) } else { circle::sin_cos(near.scale(0.5)) };
+    let (small, large) =
+        if near.hi < TINY { (near.scale(0.5), Td::ONE) } else { circle::sin_cos(near.scale(0.5)) };
     if !near_stable {
         return (large, small, 0);
     }

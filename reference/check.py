@@ -1,0 +1,115 @@
+"""Checks vectors/*.csv; exits with an error at the first difference. Run: python check.py [--all] [--seed N].
+
+Row counts must be those of README.md. A seeded sample of every file is derived again by its generator and
+must be the same text. Every row must agree with Arb balls by other formulas (balls.py), the derivative and
+condition columns of the sample with central differences (slopes.py), and spoiled rows must fail.
+--all takes every row as the sample and draws all inputs again.
+"""
+
+import argparse
+import math
+import random
+from collections import Counter
+
+import balls
+import corners
+import elliptic
+import elliptic_inputs
+import exact
+import pendulum
+import slopes
+
+GENERATORS = {
+    "pendulum.csv": (pendulum.HEADER, pendulum.row),
+    "pendulum_corners.csv": (corners.HEADER, corners.row),
+    **elliptic.FILES,
+}
+SAMPLES = {
+    "pendulum.csv": 120,
+    "pendulum_corners.csv": 60,
+    "jacobi.csv": 250,
+    "jacobi_special.csv": 500,
+    "complete.csv": 120,
+    "incomplete.csv": 150,
+}
+
+
+def counted(name, rows):
+    """Row counts by stratum, as README.md prints them."""
+    counts = Counter(row["stratum"] for row in rows)
+    strata = ", ".join(f"{stratum} {count}" for stratum, count in counts.items())
+    return f"| `{name}` | {len(rows)} | {strata} |"
+
+
+def contradictions(name, row):
+    return balls.wrong(name, row) + slopes.wrong(name, row)
+
+
+def spoiled(row):
+    """The row with each hi + lo moved by 2^-100 and each decimal by 1e-4, one column at a time."""
+    for column, text in row.items():
+        if column.endswith("_lo"):
+            hi = float.fromhex(row[column[:-2] + "hi"])
+            if 1e-250 < abs(hi) < math.inf:
+                moved = float.fromhex(text) + hi * 2.0**-100
+                yield column, {**row, column: moved.hex()}
+        elif column.startswith(("cond_", "dtheta_", "dvelocity_")) and text not in ("0", "0.0"):
+            digit = "8" if text.lstrip("-")[0] != "8" else "3"
+            sign = "-" if text.startswith("-") else ""
+            yield column, {**row, column: sign + digit + text.lstrip("-")[1:]}
+
+
+def inputs_of(name):
+    if name == "pendulum.csv":
+        return exact.read(exact.ROOM / "inputs" / name)
+    return list(corners.inputs() if name == "pendulum_corners.csv" else elliptic_inputs.rows(name))
+
+
+def fail(*words):
+    raise SystemExit(" ".join(["reference:", *map(str, words)]))
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("--all", action="store_true")
+    options.add_argument("--seed", type=int, default=1)
+    chosen = options.parse_args()
+    rng = random.Random(chosen.seed)
+    readme = (exact.ROOM / "README.md").read_text()
+    for name, (header, generator) in GENERATORS.items():
+        rows = exact.read(exact.VECTORS / name)
+        if list(rows[0]) != header:
+            fail(name, "columns differ from the generator's")
+        if counted(name, rows) not in readme:
+            fail("README.md lacks the line", counted(name, rows))
+        sample = rows if chosen.all else rng.sample(rows, min(SAMPLES[name], len(rows)))
+        for row in sample:
+            if [str(text) for text in generator(row)] != list(row.values()):
+                fail(name, "is not what its generator writes:", row)
+        if chosen.all:
+            given = inputs_of(name)
+            if [{key: row[key] for key in given[0]} for row in rows] != given:
+                fail(name, "inputs are not what the generator draws")
+        if name in balls.VALUES:
+            for row in rows:
+                if found := balls.wrong(name, row):
+                    fail(name, "balls contradict", found, row)
+            slope_rows = sample if chosen.all else sample[:60]
+            for row in slope_rows:
+                if found := slopes.wrong(name, row):
+                    fail(name, "differences contradict", found, row)
+            moving = [row for row in sample if not is_exact(row)]
+            for column, row in spoiled(moving[0]):
+                if not contradictions(name, row):
+                    fail(name, "a spoiled", column, "passes")
+        print(f"{name}: {len(rows)} rows, {len(sample)} derived again", flush=True)
+
+
+def is_exact(row):
+    """Rows whose outputs are inputs, infinities or NaN: too simple to show that the check can fail."""
+    texts = list(row.values())
+    return "0x0.0p+0" in texts[:8] or any(text in ("nan", "inf", "-inf") for text in texts)
+
+
+if __name__ == "__main__":
+    main()
