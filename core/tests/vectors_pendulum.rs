@@ -2,7 +2,8 @@
 
 mod ruler;
 
-use libration::{Frequency, Orbit};
+use libration::lanes::InstructionSet;
+use libration::{Frequency, Orbit, advance};
 use ruler::{Row, distance, eased, rows, summary};
 use std::collections::BTreeMap;
 
@@ -92,20 +93,83 @@ fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64
 }
 
 #[test]
-fn every_stratum_keeps_its_last_digits() {
+fn every_stratum_keeps_its_last_digits_on_every_instruction_set() {
     let rows = rows(PENDULUM, 1998);
-    let mut report = report(&rows, false, |orbit, t| orbit.motion(t));
-    assert_eq!(report.strata.len(), 16);
-    let (worst, median) = report.worst();
-    assert_eq!(report.wrong_regimes, 0);
-    assert!(worst <= 4.0 && median <= 0.5);
+    let corners = rows_of_corners();
+    for set in InstructionSet::available() {
+        set.force().unwrap();
+        let mut report = report(&rows, false, |orbit, t| orbit.motion(t));
+        assert_eq!(report.strata.len(), 16);
+        let (worst, median) = report.worst();
+        assert_eq!(report.wrong_regimes, 0);
+        assert!(worst <= 4.0 && median <= 0.5, "{set:?}");
+
+        let mut report = self::report(&corners, true, |orbit, t| orbit.motion(t));
+        assert_eq!(report.strata.len(), 10);
+        let (worst, median) = report.worst();
+        assert_eq!(report.wrong_regimes, 0);
+        assert!(worst <= 4.0 && median <= 0.5, "{set:?} in the corners");
+    }
+}
+
+fn rows_of_corners() -> Vec<Row<'static>> {
+    rows(CORNERS, 554)
+}
+
+/// `advance` of one step against the truth, with the floor at the scale.
+fn advanced(rows: &[Row], corners: bool, step: impl Fn(f64, f64, f64, Frequency) -> (f64, f64)) -> f64 {
+    let mut worst = 0.0;
+    for row in rows {
+        let force = frequency(row, corners);
+        let (theta0, velocity0, t) = (row.hex("theta0"), row.hex("velocity0"), row.hex("t"));
+        let orbit = Orbit::new(theta0, velocity0, force).unwrap();
+        let (theta_scale, velocity_scale) = scales(row, &orbit);
+        let (theta, velocity) = step(theta0, velocity0, t, force);
+        let errors = [
+            eased(theta, row.truth("theta"), theta_scale, row.decimal("cond_theta"), theta_scale),
+            eased(
+                velocity,
+                row.truth("velocity"),
+                velocity_scale,
+                row.decimal("cond_velocity"),
+                velocity_scale,
+            ),
+        ];
+        if errors.iter().any(|e| *e > 8.0) {
+            println!("{} {} {errors:?}", row.text("id"), row.text("stratum"));
+        }
+        worst = errors.into_iter().fold(worst, f64::max);
+    }
+    worst
 }
 
 #[test]
-fn corners() {
-    let rows = rows(CORNERS, 554);
-    let mut report = report(&rows, true, |orbit, t| orbit.motion(t));
-    let (worst, _) = report.worst();
-    assert_eq!(report.wrong_regimes, 0);
-    assert!(worst <= 4.0);
+fn advance_of_one_step() {
+    assert!(advanced(&rows(PENDULUM, 1998), false, advance) <= 8.0);
+    assert!(advanced(&rows_of_corners(), true, advance) <= 8.0);
+}
+
+/// Siblings that spoil the function: each must go red.
+#[test]
+fn spoiled_siblings_are_found() {
+    let rows = rows(PENDULUM, 1998);
+    let worst = |motion: &dyn Fn(&Orbit, f64) -> (f64, f64)| report(&rows, false, motion).worst().0;
+    // Five ulps too high, a wrong sign, a turn lost, NaN for an answer, a period in plain double.
+    assert!(worst(&|orbit, t| (orbit.theta(t) * (1.0 + 5.0 * f64::EPSILON), orbit.velocity(t))) > 4.0);
+    assert!(worst(&|orbit, t| (orbit.theta(t), -orbit.velocity(t))) > 4.0);
+    assert!(worst(&|orbit, t| (orbit.turns(t).1, orbit.velocity(t))) > 4.0);
+    assert!(worst(&|orbit, t| (orbit.theta(t), if t > 1e6 { f64::NAN } else { orbit.velocity(t) })) > 4.0);
+    assert!(worst(&|orbit, t| orbit.motion(t.rem_euclid(orbit.period()))) > 4.0);
+    // Half an ulp more, everywhere: only the median sees it.
+    let half = |value: f64| if value == 0.0 { value } else { f64::from_bits(value.to_bits() + 1) };
+    let medians = report(&rows, false, |orbit, t| (half(orbit.theta(t)), half(orbit.velocity(t)))).worst();
+    assert!(medians.1 > 0.5);
+    // A step with the wrong angle, and one that forgets its turns.
+    assert!(advanced(&rows, false, |a, b, t, f| advance(a, b, t * (1.0 + 1e-12), f)) > 8.0);
+    assert!(
+        advanced(&rows, false, |a, b, t, f| (
+            advance(a, b, t, f).0 % std::f64::consts::TAU,
+            advance(a, b, t, f).1
+        )) > 8.0
+    );
 }

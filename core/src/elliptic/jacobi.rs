@@ -30,7 +30,7 @@ enum Range {
 /// use libration::{Jacobi, Parameter};
 /// let (sn, cn, dn, am) = Jacobi::new(Parameter::from_m(0.5)).values(1.0);
 /// assert_eq!(format!("{sn:.12} {cn:.12} {dn:.12} {am:.12}"),
-///            "0.803001837019 0.595976569870 0.823161001634 0.932314979895");
+///            "0.803001824896 0.595976567672 0.823161001632 0.932315079884");
 /// ```
 #[derive(Clone, Debug)]
 pub struct Jacobi {

@@ -4,7 +4,9 @@
 //! IEEE operation (or an error-free pair of them), so all widths of one instruction set give the same bits.
 //! Instruction sets differ only in whether `mul_add` is fused.
 
+use crate::domain::Domain;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::sync::atomic::{AtomicU8, Ordering};
 
 /// Doubles side by side, with the operations the kernels use.
 pub trait Lane:
@@ -49,40 +51,81 @@ pub trait Kernel {
     fn run<L: Scalar>(self) -> Self::Output;
 }
 
-/// Runs the kernel on the best instruction set of this processor.
+/// What a processor can do that changes the last digits or the speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum InstructionSet {
+    /// No fused multiplication: every processor, and WebAssembly.
+    Plain = 1,
+    /// Fused multiplication: AVX2 with FMA on x86-64, every aarch64.
+    Fused = 2,
+}
+
+/// The set in use; 0 until it is first asked for.
+static IN_USE: AtomicU8 = AtomicU8::new(0);
+
+impl InstructionSet {
+    /// The sets that this processor has, best last.
+    pub fn available() -> &'static [InstructionSet] {
+        #[cfg(target_arch = "x86_64")]
+        let fused = std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
+        #[cfg(not(target_arch = "x86_64"))]
+        let fused = cfg!(target_arch = "aarch64");
+        if fused { &[InstructionSet::Plain, InstructionSet::Fused] } else { &[InstructionSet::Plain] }
+    }
+
+    /// The set in use: the best one, unless [`InstructionSet::force`] has chosen another.
+    #[inline]
+    pub fn in_use() -> InstructionSet {
+        match IN_USE.load(Ordering::Relaxed) {
+            1 => InstructionSet::Plain,
+            2 => InstructionSet::Fused,
+            _ => InstructionSet::first_use(),
+        }
+    }
+
+    #[cold]
+    fn first_use() -> InstructionSet {
+        let available = InstructionSet::available();
+        let best = available[available.len() - 1];
+        IN_USE.store(best as u8, Ordering::Relaxed);
+        best
+    }
+
+    /// Makes the whole process use this set, for tests and benchmarks; refused where it is not available.
+    pub fn force(self) -> Result<(), Domain> {
+        let allowed = "an instruction set of this processor";
+        if !InstructionSet::available().contains(&self) {
+            return Err(Domain { argument: "instruction set", given: format!("{self:?}"), allowed });
+        }
+        IN_USE.store(self as u8, Ordering::Relaxed);
+        Ok(())
+    }
+}
+
+/// Runs the kernel on the instruction set in use.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    if fused_available() { run_fused(kernel) } else { run_plain(kernel) }
-}
-
-/// Runs the kernel without fused multiplication: every processor, and WebAssembly.
-pub fn run_plain<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<f64>()
-}
-
-/// Whether the processor multiplies and adds with one rounding.
-#[inline]
-pub fn fused_available() -> bool {
-    #[cfg(target_arch = "x86_64")]
-    return std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
-    #[cfg(not(target_arch = "x86_64"))]
-    return cfg!(target_arch = "aarch64");
-}
-
-/// Runs the kernel with fused multiplication; only where [`fused_available`].
-#[inline]
-pub fn run_fused<K: Kernel>(kernel: K) -> K::Output {
-    #[cfg(target_arch = "x86_64")]
-    {
-        #[target_feature(enable = "avx2,fma")]
-        fn with_fma<K: Kernel>(kernel: K) -> K::Output {
-            kernel.run::<Fused>()
-        }
-        assert!(fused_available());
-        // SAFETY: the line above has seen both features on this processor.
-        unsafe { with_fma(kernel) }
+    match InstructionSet::in_use() {
+        InstructionSet::Plain => kernel.run::<f64>(),
+        InstructionSet::Fused => run_fused(kernel),
     }
-    #[cfg(not(target_arch = "x86_64"))]
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn run_fused<K: Kernel>(kernel: K) -> K::Output {
+    #[target_feature(enable = "avx2,fma")]
+    fn with_fma<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Fused>()
+    }
+    // SAFETY: `InstructionSet::Fused` is in use only where `available` has seen both features.
+    unsafe { with_fma(kernel) }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+#[inline]
+fn run_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Fused>()
 }
 

@@ -92,7 +92,12 @@ fn step(state: &State, dt: f64) -> Step {
     let phase = Phase { rate: stretch / lattice.quarter.scale(2.0), start: Dd::ZERO };
     let at = phase.reduce(dt);
     if at.n.hi.abs() >= 9_007_199_254_740_992.0 {
-        return Step { sn: Dd::from(f64::NAN), cn: Dd::from(f64::NAN), dn: Dd::from(f64::NAN), turns: f64::NAN };
+        return Step {
+            sn: Dd::from(f64::NAN),
+            cn: Dd::from(f64::NAN),
+            dn: Dd::from(f64::NAN),
+            turns: f64::NAN,
+        };
     }
     let thetas = lattice.thetas(at.f);
     let [t1, t2, t3, t4] = thetas.theta;
