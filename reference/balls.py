@@ -94,20 +94,20 @@ def pendulum_values(theta0, velocity0, omega2, t):
     if omega2 < 0:
         s, c, origin = -c, s, arb.pi()
     x = v / (2 * omega)
-    m, m1, u, drift = s * s + x * x, (c - x) * (c + x), omega * time, arb(0)
+    m, mc, u, drift = s * s + x * x, (c - x) * (c + x), omega * time, arb(0)
     values = {"energy_ratio": m, "energy": 2 * omega * omega * m}
     if theta0 == 0 and velocity0 == 0:
         return {**values, "theta": angle, "velocity": v}
     if theta0 == 0 and velocity0**2 == 4 * omega2:
         sn, cn, dn = u.tanh(), u.sech(), u.sech()
     else:
-        sn, cn, dn, _ = jacobi(u, m, m1)
-        values["energy_ratio_c"] = m1
-        if m1 > 0:
-            values["period"] = 2 * arb.pi() / (omega * arb(1).agm(m1.sqrt()))
-            values["theta_max"] = 2 * acb(m1.sqrt(), m.sqrt()).arg()
-        elif m1 < 0:
-            values["period"] = arb.pi() / (omega * m.sqrt().agm((-m1).sqrt()))
+        sn, cn, dn, _ = jacobi(u, m, mc)
+        values["energy_ratio_c"] = mc
+        if mc > 0:
+            values["period"] = 2 * arb.pi() / (omega * arb(1).agm(mc.sqrt()))
+            values["theta_max"] = 2 * acb(mc.sqrt(), m.sqrt()).arg()
+        elif mc < 0:
+            values["period"] = arb.pi() / (omega * m.sqrt().agm((-mc).sqrt()))
             drift = 2 * arb.pi() * time / values["period"] * (1 if velocity0 > 0 else -1)
         else:
             raise ArithmeticError("the ball is too wide for the regime")

@@ -1,7 +1,7 @@
 """Truth for one orbit of theta'' + omega2 sin(theta) = 0, with its six derivatives, by mpmath.
 
 With r = theta0 - 2 pi n, s = sin(r/2), c = cos(r/2) >= 0, x = velocity0 / (2 omega):
-  m = s^2 + x^2 (energy ratio),  m1 = 1 - m = (c - x)(c + x),  tau0 = s R_F(x^2, m c^2, m)
+  m = s^2 + x^2 (energy ratio),  mc = 1 - m = (c - x)(c + x),  tau0 = s R_F(x^2, m c^2, m)
   libration   u = tau0 + omega t           theta = 2 pi n + 2 atan2(k sn, dn)  velocity = 2 omega k cn
   rotation    u = sqrt(m) (tau0 + omega t) theta = 2 pi n +- 2 am(u | 1/m)     velocity = +-2 omega sqrt(m) dn
   separatrix  u = tau0 + omega t           theta = 2 pi n +- 2 atan(sinh u)    velocity = +-2 omega sech u
@@ -41,21 +41,21 @@ def jacobi_reduced(u, m):
     return sn, cn, dn, am + mp.pi * j, epsilon + 2 * E * j
 
 
-def canonical(tau, m, m1):
+def canonical(tau, m, mc):
     """The orbit of Theta'' = -sin(Theta) that passes 0 upwards at tau = 0.
 
     Returns Theta, its tau derivatives Theta_t, Theta_tt, and the derivatives Theta_m, Theta_mt."""
-    if m1 > 0:
+    if mc > 0:
         sn, cn, dn, _, epsilon = jacobi_reduced(tau, m)
         k = mp.sqrt(m)
-        g = m1 * tau - epsilon
-        by_m = (sn * dn + cn * g) / (k * m1)
-        by_mt = (cn * dn * dn - m * sn * sn * cn - sn * dn * g + cn * (m1 - dn * dn)) / (k * m1)
+        g = mc * tau - epsilon
+        by_m = (sn * dn + cn * g) / (k * mc)
+        by_mt = (cn * dn * dn - m * sn * sn * cn - sn * dn * g + cn * (mc - dn * dn)) / (k * mc)
         return 2 * mp.atan2(k * sn, dn), 2 * k * cn, -2 * k * sn * dn, by_m, by_mt
-    if m1 < 0:
+    if mc < 0:
         p, root = 1 / m, mp.sqrt(m)
         sn, cn, dn, am, epsilon = jacobi_reduced(root * tau, p)
-        f = -1 / m1
+        f = -1 / mc
         by_m = f * (epsilon * dn - p * sn * cn)
         by_mt = root * f * (dn**3 - p * epsilon * sn * cn - p * (cn * cn - sn * sn) * dn)
         return 2 * am, 2 * root * dn, -2 * sn * cn, by_m, by_mt
@@ -66,7 +66,7 @@ def canonical(tau, m, m1):
 
 
 def start(theta0, velocity0, omega2):
-    """regime, turns n, omega, s, c, x, m, m1 of an orbit with omega2 != 0, at the working precision."""
+    """regime, turns n, omega, s, c, x, m, mc of an orbit with omega2 != 0, at the working precision."""
     angle = real(theta0)
     omega = mp.sqrt(real(abs(omega2)))
     x = real(velocity0) / (2 * omega)
@@ -79,36 +79,36 @@ def start(theta0, velocity0, omega2):
     if int(n) % 2:
         s, c = -s, -c
     m = s * s + x * x
-    m1 = (c - x) * (c + x)
-    # theta0 != 0 is algebraic, so c is transcendental and m1 != 0 (Lindemann); theta0 = 0 is rational
+    mc = (c - x) * (c + x)
+    # theta0 != 0 is algebraic, so c is transcendental and mc != 0 (Lindemann); theta0 = 0 is rational
     if theta0 == 0 and omega2 > 0:
-        m1 = real(1 - velocity0**2 / (4 * omega2))
-    regime = "rest" if m == 0 else "libration" if m1 > 0 else "rotation" if m1 < 0 else "separatrix"
-    return regime, n, omega, s, c, x, m, m1
+        mc = real(1 - velocity0**2 / (4 * omega2))
+    regime = "rest" if m == 0 else "libration" if mc > 0 else "rotation" if mc < 0 else "separatrix"
+    return regime, n, omega, s, c, x, m, mc
 
 
-def period(regime, omega, m, m1):
+def period(regime, omega, m, mc):
     """Libration: there and back; rotation: one turn; separatrix: inf; rest: the limit of small swings."""
     if regime == "separatrix":
         return mp.inf
     if regime == "rest":
         return 2 * mp.pi / omega
-    if m1 > 0:
-        return 4 * mp.elliprf(0, m1, 1) / omega
-    return 2 * mp.elliprf(0, -m1 / m, 1) / (omega * mp.sqrt(m))
+    if mc > 0:
+        return 4 * mp.elliprf(0, mc, 1) / omega
+    return 2 * mp.elliprf(0, -mc / m, 1) / (omega * mp.sqrt(m))
 
 
-def period_condition(theta0, velocity0, regime, omega, m, m1, T):
+def period_condition(theta0, velocity0, regime, omega, m, mc, T):
     """sum |x_i dT/dx_i| over theta0, velocity0, omega2; 0 where the period is infinite."""
     if regime == "separatrix":
         return mpf(0)
     if regime == "rest":
         return T / 2
-    if m1 > 0:
-        slope = mpf(2) / 3 * mp.elliprd(0, 1, m1)
+    if mc > 0:
+        slope = mpf(2) / 3 * mp.elliprd(0, 1, mc)
     else:
         p = 1 / m
-        slope = -(p**1.5) * mp.elliprf(0, -m1 / m, 1) - p**2.5 * mp.elliprd(0, 1, -m1 / m) / 3
+        slope = -(p**1.5) * mp.elliprf(0, -mc / m, 1) - p**2.5 * mp.elliprd(0, 1, -mc / m) / 3
     angle, v = real(theta0), real(velocity0)
     ratio = v * v / (4 * omega * omega)
     return (
@@ -135,17 +135,17 @@ def free(theta0, velocity0, t):
 
 
 def evaluate(theta0, velocity0, omega2, t):
-    """regime; theta, velocity, period, m, m1, theta_max, energy; six derivatives and cond_period."""
+    """regime; theta, velocity, period, m, mc, theta_max, energy; six derivatives and cond_period."""
     if omega2 == 0:
         return free(theta0, velocity0, t)
-    regime, n, omega, s, c, x, m, m1 = start(theta0, velocity0, omega2)
+    regime, n, omega, s, c, x, m, mc = start(theta0, velocity0, omega2)
     angle, v, time = real(theta0), real(velocity0), real(t)
-    T = period(regime, omega, m, m1)
+    T = period(regime, omega, m, mc)
     theta_max = {"rest": mpf(0), "separatrix": +mp.pi, "rotation": mp.nan}.get(regime)
     if theta_max is None:
-        theta_max = 2 * mp.asin(mp.sqrt(m)) if m < 0.5 else mp.pi - 2 * mp.asin(mp.sqrt(m1))
-    orbit = [T, m, m1, theta_max, 2 * omega * omega * m]
-    condition = period_condition(theta0, velocity0, regime, omega, m, m1, T)
+        theta_max = 2 * mp.asin(mp.sqrt(m)) if m < 0.5 else mp.pi - 2 * mp.asin(mp.sqrt(mc))
+    orbit = [T, m, mc, theta_max, 2 * omega * omega * m]
+    condition = period_condition(theta0, velocity0, regime, omega, m, mc, T)
     still = [mpf(1), mpf(0), mpf(0), mpf(0), mpf(1), mpf(0)]
     if t == 0:
         return regime, [angle, v, *orbit], [*still, condition]
@@ -161,12 +161,12 @@ def evaluate(theta0, velocity0, omega2, t):
     if regime == "libration":
         tau0, flip = arc, 1
         if x < 0:
-            tau0 = (mp.sign(s) or 1) * 2 * mp.elliprf(0, m1, 1) - arc
+            tau0 = (mp.sign(s) or 1) * 2 * mp.elliprf(0, mc, 1) - arc
     else:
         tau0, flip = side * arc, side
     # whole periods do not change theta but do change Theta_m: tau stays unreduced
-    A = canonical(tau0, m, m1)
-    B = canonical(tau0 + omega * time, m, m1)
+    A = canonical(tau0, m, mc)
+    B = canonical(tau0 + omega * time, m, mc)
     theta = 2 * mp.pi * n + flip * B[0] + (mp.pi if omega2 < 0 else 0)
     velocity = flip * omega * B[1]
     y1, y1t = (B[1] * A[4] - B[3] * A[2]) / 2, (B[2] * A[4] - B[4] * A[2]) / 2
@@ -186,8 +186,8 @@ def first_digits(theta0, velocity0, omega2, t):
     if omega2 == 0:
         return BASE_DIGITS
     with mp.workdps(80):
-        _, _, omega, _, _, x, _, m1 = start(theta0, velocity0, omega2)
-        extra = int(max(0, -mp.log10(abs(m1)))) if m1 != 0 else 0
+        _, _, omega, _, _, x, _, mc = start(theta0, velocity0, omega2)
+        extra = int(max(0, -mp.log10(abs(mc)))) if mc != 0 else 0
         phase = abs(omega * real(t))
         extra += int(mp.log10(1 + phase * (1 + abs(x))))
         extra += int(mp.log10(1 + abs(real(theta0))))
@@ -200,7 +200,7 @@ def outputs(theta0, velocity0, omega2, t):
     """The OUTPUTS columns of one row; the inputs are doubles and omega2 a Fraction."""
     given = [Fraction(theta0), Fraction(velocity0), omega2, Fraction(t)]
     regime, leads, others = settled(lambda: evaluate(*given), first_digits(*given))
-    theta, velocity, T, m, m1, theta_max, energy = leads
+    theta, velocity, T, m, mc, theta_max, energy = leads
     *D, condition = others
     with mp.workdps(60):
         inputs = [real(f) for f in given]
@@ -209,7 +209,7 @@ def outputs(theta0, velocity0, omega2, t):
             sum(abs(a * b) for a, b in zip(inputs, [*slopes, last], strict=True))
             for slopes, last in ((D[:3], +velocity), (D[3:], acceleration))
         ]
-        row = [regime, *hi_lo(theta), *hi_lo(velocity), *hi_lo(T), *hi_lo(m), *hi_lo(m1)]
+        row = [regime, *hi_lo(theta), *hi_lo(velocity), *hi_lo(T), *hi_lo(m), *hi_lo(mc)]
         row += [decimal(value, 6) for value in (*conditions, condition)]
         row += [decimal(+d, 25) for d in D]
         return [*row, *hi_lo(theta_max), *hi_lo(energy)]
@@ -220,5 +220,5 @@ def rough_period(theta0, velocity0, omega2):
     with mp.workdps(60 + int(math.log10(1 + abs(theta0)))):
         if omega2 == 0:
             return 2 * mp.pi / abs(velocity0) if velocity0 else mpf(1)
-        regime, _, omega, _, _, _, m, m1 = start(Fraction(theta0), Fraction(velocity0), omega2)
-        return 40 / omega if regime == "separatrix" else period(regime, omega, m, m1)
+        regime, _, omega, _, _, _, m, mc = start(Fraction(theta0), Fraction(velocity0), omega2)
+        return 40 / omega if regime == "separatrix" else period(regime, omega, m, mc)

@@ -17,6 +17,10 @@ pub(crate) fn complete_k_dd(parameter: Parameter) -> Dd {
 /// E for mc > 0, as a double-double.
 pub(crate) fn complete_e_dd(parameter: Parameter) -> Dd {
     let Unit { mc, kc, .. } = parameter.unit();
+    if mc.hi < 1e-200 {
+        // E - 1 is of the order of mc ln mc.
+        return if parameter.m.hi < 0.0 { Dd::ONE / kc } else { Dd::ONE };
+    }
     let sum = rd(Dd::ZERO, mc, Dd::ONE) + rd(Dd::ZERO, Dd::ONE, mc);
     let inner = mc * sum * Dd::new(0.3333333333333333, 1.850371707708594e-17);
     if parameter.m.hi < 0.0 { inner / kc } else { inner }

@@ -12,7 +12,7 @@
 
 use super::agm::agm;
 use super::nome::small_nome;
-use crate::float::elementary::{sin_cos, sinh_cosh};
+use crate::float::elementary::{exact_sin_cos, exact_sinh_cosh, sin_cos, sinh_cosh};
 use crate::float::{Dd, HALF_PI, PI};
 use crate::lanes::Lane;
 
@@ -38,6 +38,10 @@ impl Correction {
     /// From q-series: each argument is one coefficient of x before normalisation by `origin`.
     fn new(origin: Dd, first: Dd, second: f64, third: f64) -> Correction {
         Correction { first: first / origin, second: second / origin.hi, third: third / origin.hi }
+    }
+    /// The same in double-double, good to 2^-66.
+    fn exactly_at(&self, x: Dd) -> Dd {
+        x * (self.first + Dd::product(x.hi, self.second + x.hi * self.third))
     }
     #[inline(always)]
     fn at<L: Lane>(&self, x: L) -> L {
@@ -111,6 +115,38 @@ impl Lattice {
                 let (sine, cosine) = sinh_cosh(angle);
                 let x = -(sine.hi * sine.hi);
                 [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
+            }
+        };
+        Thetas { theta, folded }
+    }
+
+    /// [`Lattice::thetas`] good to 2^-64: for steps that are repeated, whose errors would add up.
+    pub fn exact_thetas(&self, f: Dd) -> Thetas<f64> {
+        let folded = f.hi > 0.25;
+        let v = if folded { Dd::from(0.5) - f } else { f };
+        let angle = v * self.angle;
+        let [t1, t2, t3, t4] = &self.theta;
+        let times = |lead: Dd, correction: Dd| lead + lead * correction;
+        let theta = match self.side {
+            Side::Circular => {
+                let (sine, cosine) = exact_sin_cos(angle);
+                let x = sine.square();
+                [
+                    times(sine, t1.exactly_at(x)),
+                    times(cosine, t2.exactly_at(x)),
+                    times(Dd::ONE, t3.exactly_at(x)),
+                    times(Dd::ONE, t4.exactly_at(x)),
+                ]
+            }
+            Side::Hyperbolic => {
+                let (sine, cosine) = exact_sinh_cosh(angle);
+                let x = -sine.square();
+                [
+                    times(sine, t1.exactly_at(x)),
+                    times(Dd::ONE, t4.exactly_at(x)),
+                    times(Dd::ONE, t3.exactly_at(x)),
+                    times(cosine, t2.exactly_at(x)),
+                ]
             }
         };
         Thetas { theta, folded }

@@ -138,16 +138,26 @@ fn to_td(limbs: &[u64; 7], point: usize) -> Td {
     Td::normalised(chunk(top), chunk(top - 53), chunk(top - 106))
 }
 
-/// Sine and cosine of an angle in [0, pi/4], to triple-double: Taylor's series of an eighth of the angle,
-/// doubled three times through 1 - cos, so both keep their relative digits.
+/// Sine and cosine of an angle in [0, pi/4], to triple-double.
 pub fn sin_cos(angle: Td) -> (Td, Td) {
-    let eighth = angle.scale(0.125);
-    let square = eighth.square();
+    doubled_series(angle, 1.0)
+}
+
+/// Hyperbolic sine and cosine of a number in [0, 0.8], to triple-double.
+pub fn sinh_cosh(y: Td) -> (Td, Td) {
+    doubled_series(y, -1.0)
+}
+
+/// Taylor's series of an eighth of the argument, doubled three times through 1 - cos, so both keep their
+/// relative digits; `sign` is that of the square: +1 circular, -1 hyperbolic.
+fn doubled_series(argument: Td, sign: f64) -> (Td, Td) {
+    let eighth = argument.scale(0.125);
+    let square = eighth.square().scale(sign);
     let mut sine = eighth * (Td::ONE - square * series(&ODD, square));
     let mut versine = square * series(&EVEN, square);
     for _ in 0..3 {
         let doubled = sine.scale(2.0) * (Td::ONE - versine);
-        versine = sine.square().scale(2.0);
+        versine = sine.square().scale(2.0 * sign);
         sine = doubled;
     }
     (sine, Td::ONE - versine)

@@ -4,8 +4,9 @@
 //!
 //! Polynomials: near-minimax (Chebyshev interpolation at 60 digits), errors noted beside them.
 
-use super::HALF_PI;
 use super::double_double::{Dd, fast_two_sum, two_sum};
+use super::triple_double::Td;
+use super::{HALF_PI, circle};
 use crate::lanes::Lane;
 
 /// c[0] + x (c[1] + x (c[2] + ...)).
@@ -82,6 +83,28 @@ fn hyperbolic_reduced<L: Lane>(y: Dd<L>) -> (L, Dd<L>, Dd<L>) {
     let cube = square * r.hi;
     let sine = Dd::ordered_sum(r.hi, cube.mul_add(horner(&HYPERBOLIC_SINE, square), r.lo * cosine.hi));
     (k, cosine, sine)
+}
+
+/// Sine and cosine of |z| <= pi/4 to all digits of a double-double.
+pub fn exact_sin_cos(z: Dd) -> (Dd, Dd) {
+    let (sine, cosine) = circle::sin_cos(z.into());
+    (sine.to_dd(), cosine.to_dd())
+}
+
+/// ln 2 in three doubles.
+const LN_2: Td = Td::new(0.6931471805599453, 2.3190468138462996e-17, 5.707708438416212e-34);
+
+/// Hyperbolic sine and cosine of y in [0, 700] to all digits of a double-double.
+pub fn exact_sinh_cosh(y: Dd) -> (Dd, Dd) {
+    let k = Lane::round(y.hi * INVERSE_LN_2);
+    let r = Td::from(y) - LN_2 * k;
+    let (sine, cosine) = circle::sinh_cosh(r);
+    if k == 0.0 {
+        return (sine.to_dd(), cosine.to_dd());
+    }
+    let grown = (cosine + sine).scale((k - 1.0).exp2_integer());
+    let shrunk = (cosine - sine).scale((-k - 1.0).exp2_integer());
+    ((grown - shrunk).to_dd(), (grown + shrunk).to_dd())
 }
 
 /// Sum of two double-doubles that do not cancel.

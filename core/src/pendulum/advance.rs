@@ -53,7 +53,8 @@ pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64
     let local = half.scale(2.0 * sign(next_s));
     let start = arctangent(scaled(s, power).abs(), c).scale(2.0 * sign(s));
     // Two whole turns at a time; the mean motion is never wrong by one.
-    let pairs = (0.5 * (turns + (start - local).hi / TWO_PI.hi)).round();
+    let mean = turns + (start - local).hi / TWO_PI.hi;
+    let pairs = if state.regime == Regime::Rotation { (0.5 * mean).round() } else { 0.0 };
     let canonical = local + TWO_PI * (2.0 * pairs);
     let offset = frame.base + PI * frame.half_turn;
     let theta = (offset + canonical * frame.side).value();
@@ -99,7 +100,7 @@ fn step(state: &State, dt: f64) -> Step {
             turns: f64::NAN,
         };
     }
-    let thetas = lattice.thetas(at.f);
+    let thetas = lattice.exact_thetas(at.f);
     let [t1, t2, t3, t4] = thetas.theta;
     let t1 = t1 * lattice.amplitude * at.sign;
     let (sn, cn, dn) = if thetas.folded {
