@@ -1,0 +1,113 @@
+"""Every check is fed a bad example that it must find, and a good one that it must pass."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import examples
+import functions
+import links
+import names
+import pages
+import rooms
+
+HERE = Path(__file__).parent
+ROW = """[theta]
+summary = "angle"
+arguments = ["t"]
+domain = "any"
+outside = "NaN"
+error = "4"
+error_max_ulp = 4
+source = "DLMF 22.19.2"
+vectors = "reference/vectors/pendulum.csv"
+rust = "core/src/pendulum/motion.rs::Orbit::theta"
+python = "python/libration/__init__.py::theta"
+test = "core/tests/vectors.rs::pendulum"
+"""
+
+
+@pytest.fixture
+def root(tmp_path):
+    """A small checkout in which every law holds."""
+    for name, text in {
+        "functions.toml": ROW,
+        "NOTATION.md": "| angle | `theta` |\n",
+        "README.md": "<!-- generated: accuracy -->\n0.5\n<!-- end generated -->\n[notation](NOTATION.md)\n",
+        "docs/accuracy.md": "<!-- summary -->\n0.5\n<!-- end summary -->\n",
+        "docs/functions.md": "<!-- generated: functions -->\n<!-- end generated -->\n",
+        "core/src/pendulum/motion.rs": "impl Orbit {\n    pub fn theta(&self) -> f64 { self.a }\n}\n",
+        "core/tests/vectors.rs": "#[test]\nfn pendulum() {}\n",
+        "python/libration/__init__.py": '__all__ = ["theta"]\n\n\ndef theta():\n    pass\n',
+        "python/src/lib.rs": "use libration::Orbit;\n",
+        "reference/pendulum.py": "import mpmath\n",
+        "reference/vectors/pendulum.csv": "id\n",
+    }.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    shutil.copy(HERE.parent / "docs/generate.py", tmp_path / "docs/generate.py")
+    written = pages.runpy.run_path(str(tmp_path / "docs/generate.py"))["blocks"](tmp_path)["functions"]
+    text = f"<!-- generated: functions -->\n{written}<!-- end generated -->\n"
+    (tmp_path / "docs/functions.md").write_text(text)
+    return tmp_path
+
+
+@pytest.mark.parametrize("check", [rooms, names, functions, pages, links])
+def test_good_tree_passes(check, root):
+    assert check.findings(root) == []
+
+
+@pytest.mark.parametrize(
+    ("check", "file", "text", "said"),
+    [
+        (rooms, "reference/pendulum.py", "import numpy as np\n", "the truth does not know"),
+        (rooms, "core/src/lib.rs", "use pyo3::prelude::*;\n", "knows no door"),
+        (rooms, "core/src/lib.rs", "std::thread::spawn(f);\n", "no thread"),
+        (rooms, "core/src/pendulum/orbit.rs", "unsafe { f() }\n", "lives in lanes/"),
+        (rooms, "core/src/pendulum/orbit.rs", "let a = b.unwrap();\n", "does not panic"),
+        (rooms, "core/src/pendulum/orbit.rs", "let a = f64::sin(b);\n", "from float/"),
+        (rooms, "core/src/elliptic/agm.rs", "use crate::pendulum::Orbit;\n", "knows no pendulum"),
+        (rooms, "core/src/float/dd.rs", "use crate::elliptic::K;\n", "at the bottom"),
+        (rooms, "python/src/lib.rs", "unsafe { f() }\n", "lives in ufunc.rs"),
+        (rooms, "python/src/ufunc.rs", "let a = b.sqrt();\n", "no formula"),
+        (rooms, "python/src/ufunc.rs", "let a = 2.0 * b;\n", "no float operator"),
+        (names, "core/src/lib.rs", "let ksq = 1;\n", "the modulus `k`"),
+        (names, "python/libration/pendulum.py", "def get_theta():\n    pass\n", "quantity is a noun"),
+        (names, "python/libration/pendulum.py", "x = theta0\n", "not called x"),
+        (names, "python/libration/utils.py", "", "named after what it computes"),
+        (names, "python/libration/__init__.py", '__all__ = ["theta", "blob"]\n', "blob: public"),
+        (functions, "python/libration/__init__.py", '__all__ = ["theta", "blob"]\ntheta = 1\n', "without a row"),
+        (functions, "core/src/pendulum/motion.rs", "\n", "step 3, the function"),
+        (functions, "core/tests/vectors.rs", "\n", "step 3, the test"),
+        (functions, "functions.toml", ROW.replace("pendulum.csv", "other.csv"), "step 2, a generator"),
+        (functions, "functions.toml", ROW.replace('"DLMF 22.19.2"', '""'), "no `source`"),
+        (functions, "functions.toml", ROW.replace("error_max_ulp = 4", ""), "promises no error_max_ulp"),
+        (pages, "README.md", "<!-- generated: accuracy -->\n0.4\n<!-- end generated -->\n", "make docs"),
+        (pages, "README.md", "\n", "stands on no page"),
+        (pages, "core/src/lib.rs", "\n" * 401, "probably two"),
+        (pages, "core/src/lib.rs", "// TO" + "DO later\n", "unfinished"),
+        (pages, "core/tests/vectors.rs", "#[ig" + "nore]\n", "looks away"),
+        (pages, "python/tests/test_theta.py", "@pytest.mark.xf" + "ail\n", "looks away"),
+        (pages, "Makefile", "run: /ho" + "me/me/x\n", "one machine"),
+        (links, "README.md", "[a](missing.md)\n", "leads nowhere"),
+        (links, "README.md", "[a](NOTATION.md#none)\n", "no such heading"),
+        (examples, "README.md", "```console\n$ rm theta\n```\n", "does not run libration"),
+        (examples, "README.md", "```console\n$ libration theta\nphi\n```\n", "prints 'theta\\n'"),
+    ],
+)
+def test_bad_example_is_found(check, file, text, said, root):
+    (root / file).parent.mkdir(parents=True, exist_ok=True)
+    (root / file).write_text(text)
+    found = check.findings(root, "echo") if check is examples else check.findings(root)
+    assert any(said in line for line in found), found
+
+
+def test_example_that_holds_passes(root):
+    (root / "README.md").write_text("```console\n$ libration theta\ntheta\n```\n")
+    assert examples.findings(root, "echo") == []
+
+
+@pytest.mark.parametrize("script", sorted(HERE.glob("[!t]*.py")), ids=lambda path: path.name)
+def test_check_is_short(script):
+    assert len(script.read_text().splitlines()) < 60

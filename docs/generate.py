@@ -1,0 +1,62 @@
+"""Writes the generated blocks of the pages: nothing between two markers is typed by hand.
+
+A block stands between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from
+functions.toml or from a page that a run has written.
+"""
+
+import re
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = ["README.md", "docs/functions.md"]
+
+
+def functions(root: Path) -> str:
+    """The reference of the public functions, one section a function."""
+    sections = []
+    for name, row in tomllib.loads((root / "functions.toml").read_text(encoding="utf-8")).items():
+        places = [
+            ("Rust", row.get("rust")),
+            ("Python", row["python"]),
+            ("truth", row.get("vectors")),
+            ("test", row["test"]),
+        ]
+        links = [
+            f"{where} [{place.partition('::')[2] or place}](../{place.partition('::')[0]})"
+            for where, given in places
+            for place in ([given] if isinstance(given, str) else given or [])
+        ]
+        sections.append(
+            f"## {name}\n\n{row['summary']}.\n\n"
+            f"- Arguments: {', '.join(f'`{argument}`' for argument in row['arguments'])}\n"
+            f"- Domain: {row['domain']}\n- Outside: {row['outside']}\n- Error: {row['error']}\n"
+            f"- Source: {row['source']}\n- Stands in: {'; '.join(links)}\n"
+        )
+    return "\n" + "\n".join(sections) + "\n"
+
+
+def accuracy(root: Path) -> str:
+    """The short table of docs/accuracy.md, which bench/accuracy.py has written."""
+    text = (root / "docs/accuracy.md").read_text(encoding="utf-8")
+    return text.partition("<!-- summary -->\n")[2].partition("<!-- end summary -->")[0]
+
+
+def blocks(root: Path) -> dict[str, str]:
+    """Every block by its name."""
+    return {"functions": functions(root), "accuracy": accuracy(root)}
+
+
+def main() -> None:
+    """Write every block into every page that holds its markers."""
+    for name in PAGES:
+        page = ROOT / name
+        text = page.read_text(encoding="utf-8")
+        for block, written in blocks(ROOT).items():
+            marked = rf"(<!-- generated: {block} -->\n).*?(<!-- end generated -->)"
+            text = re.sub(marked, lambda found, new=written: found[1] + new + found[2], text, flags=re.DOTALL)
+        page.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

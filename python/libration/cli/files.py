@@ -1,0 +1,184 @@
+"""Files written whole or not at all: staged beside the target, then renamed over it.
+
+The staged file is opened before anything is computed, so an unwritable place is refused at once; whatever goes
+wrong later removes it, and a directory made for it.
+"""
+
+import contextlib
+import errno
+import json
+import math
+import os
+import secrets
+
+from libration.cli.parser import refusal
+
+ROWS = 50_000
+
+
+@contextlib.contextmanager
+def staged(option, path, suffixes, *, keep=()):
+    """Open a file beside `path`; rename it to `path` when the block ends well, else remove it.
+
+    Parameters
+    ----------
+    option, path : str
+        The option and the target typed with it; a missing parent directory is made if its own parent exists.
+    suffixes : tuple of str
+        The endings that the option takes.
+    keep : sequence of str
+        Files that must not be the target (those read).
+
+    Yields
+    ------
+    io.BufferedWriter
+    """
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix not in suffixes or "\0" in path:
+        raise refusal(option, path, f"must end in {' or '.join([', '.join(suffixes[:-1]), suffixes[-1]])}")
+    target = os.path.realpath(path)
+    for read in keep:
+        if target == os.path.realpath(read):
+            raise refusal(option, path, "is the file read; give another name")
+    with refused_writing(option, path):
+        made = parent_made(option, path, os.path.dirname(target))
+        beside = os.path.join(os.path.dirname(target), f".libration-{secrets.token_hex(6)}.part")
+        try:
+            writable(option, path, target)
+            file = open(beside, "xb")
+        except BaseException:
+            if made:
+                os.rmdir(made)
+            raise
+    try:
+        with refused_writing(option, path):
+            with file:
+                yield file
+            os.replace(beside, target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(beside)
+        if made:
+            with contextlib.suppress(OSError):
+                os.rmdir(made)
+        raise
+
+
+@contextlib.contextmanager
+def refused_writing(option, path):
+    """An OSError of the block as a Refusal."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno == errno.EPIPE:
+            raise
+        raise refusal(option, path, f"cannot be written: {error.strerror or error}") from error
+
+
+def parent_made(option, path, parent):
+    """Make the target's directory if only that is missing; return it if it was made."""
+    if os.path.isdir(parent):
+        return None
+    if os.path.exists(parent):
+        raise refusal(option, path, f"cannot be written: {parent} is not a directory")
+    if not os.path.isdir(os.path.dirname(parent)):
+        raise refusal(option, path, f"cannot be written: there is no directory {os.path.dirname(parent)}")
+    os.mkdir(parent)
+    return parent
+
+
+def writable(option, path, target):
+    """Refuse a target that exists and must not be replaced: os.replace would not ask."""
+    with contextlib.suppress(FileNotFoundError):
+        # A name too long would be found out only by the renaming.
+        os.lstat(target)
+    if os.path.isdir(target):
+        raise refusal(option, path, "cannot be written: it is a directory")
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise refusal(option, path, "cannot be written: it is not a regular file")
+    if os.path.exists(target) and not os.access(target, os.W_OK):
+        raise refusal(option, path, "cannot be written: it is read-only")
+
+
+def write_csv(file, parameters, columns):
+    """Comma-separated doubles by repr, which read back bit for bit, under `#` lines with the parameters.
+
+    Parameters
+    ----------
+    file : binary file
+    parameters : list of (str, value, str)
+        Name, value and unit.
+    columns : list of (str, str, ndarray)
+        Name, unit and values.
+    """
+    lines = [
+        f"# {name} = {value!r} {unit}".rstrip() if unit else f"# {name} = {value}" for name, value, unit in parameters
+    ]
+    lines.append(",".join(f"{name} [{unit}]" for name, unit, _ in columns))
+    file.write(("\n".join(lines) + "\n").encode())
+    count = len(columns[0][2])
+    for start in range(0, count, ROWS):
+        texts = [map(repr, values[start : start + ROWS].tolist()) for _, _, values in columns]
+        file.write(("\n".join(map(",".join, zip(*texts, strict=True))) + "\n").encode())
+
+
+def write_npz(file, parameters, columns):
+    """A NumPy archive: the columns as arrays, the parameters as scalars, all by name, in SI units."""
+    import numpy as np
+
+    arrays = {name: values for name, _, values in columns}
+    arrays.update({name: np.array(value) for name, value, _ in parameters})
+    np.savez(file, **arrays)
+
+
+def write_json(file, parameters, columns):
+    """One strict JSON object: the keys end in the unit; null stands for infinity and NaN."""
+    head = strict({key(name, unit): value for name, value, unit in parameters})
+    file.write(f'{{"parameters": {head}'.encode())
+    for name, unit, values in columns:
+        file.write(f',\n "{key(name, unit)}": ['.encode())
+        for start in range(0, len(values), ROWS):
+            text = strict(values[start : start + ROWS].tolist())[1:-1]
+            file.write((", " * (start > 0) + text).encode())
+        file.write(b"]")
+    file.write(b"}\n")
+
+
+def key(name, unit):
+    """`period` in `s` as `period_s`, `velocity` in `rad/s` as `velocity_rad_per_s`."""
+    return f"{name}_{unit.replace('/', '_per_').replace('^', '')}" if unit else name
+
+
+def strict(value):
+    """JSON text with null for each infinity and NaN."""
+    return json.dumps(finite(value), allow_nan=False)
+
+
+def finite(value):
+    """A number, text, dictionary or list with None for each infinity and NaN."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {name: finite(each) for name, each in value.items()}
+    if isinstance(value, list):
+        return [finite(each) for each in value]
+    return value
+
+
+WRITERS = {".csv": write_csv, ".npz": write_npz, ".json": write_json}
+
+
+def write_table(file, path, parameters, columns):
+    """Write parameters and columns in the form that the suffix of `path` names."""
+    WRITERS[os.path.splitext(path)[1].lower()](file, parameters, columns)
+
+
+def readable(option, path):
+    """Refuse a file that cannot be read; return its size and whether it is a regular file."""
+    try:
+        state = os.stat(path)
+    except (OSError, ValueError) as error:
+        raise refusal(option, path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
+    if os.path.isdir(path):
+        raise refusal(option, path, "cannot be read: it is a directory")
+    return state.st_size, os.path.isfile(path)

@@ -1,0 +1,70 @@
+"""How much memory the machine can still give, from the system's own account; and sizes in words."""
+
+import math
+import os
+import sys
+
+
+def available_bytes():
+    """Bytes that can be had: the kernel's estimate, or what the control group still allows; infinite if unknown."""
+    return min(meminfo(), control_group(), physical())
+
+
+def meminfo():
+    """MemAvailable of /proc/meminfo."""
+    for line in lines("/proc/meminfo"):
+        if line.startswith("MemAvailable:"):
+            return int(line.split()[1]) * 1024
+    return math.inf
+
+
+def control_group():
+    """What the memory limit of a container leaves."""
+    limit, current = lines("/sys/fs/cgroup/memory.max"), lines("/sys/fs/cgroup/memory.current")
+    if limit and current and limit[0].strip().isdigit():
+        return max(0, int(limit[0]) - int(current[0]))
+    return math.inf
+
+
+def physical():
+    """All the memory there is, where the system says no more than that."""
+    if sys.platform == "win32":
+        return windows()
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return math.inf
+
+
+def windows():
+    """Available physical memory by GlobalMemoryStatusEx."""
+    import ctypes
+
+    class Status(ctypes.Structure):
+        _fields_ = [("length", ctypes.c_ulong), ("load", ctypes.c_ulong)] + [
+            (name, ctypes.c_ulonglong) for name in ("total", "available", "a", "b", "c", "d", "e")
+        ]
+
+    status = Status(length=ctypes.sizeof(Status))
+    ok = ctypes.windll.kernel32.GlobalMemoryStatusEx(ctypes.byref(status))
+    return status.available if ok else math.inf
+
+
+def lines(path):
+    """The lines of a small system file; none if it is not there."""
+    try:
+        with open(path) as file:
+            return file.readlines()
+    except OSError:
+        return []
+
+
+def bytes_text(count):
+    """`80.0 TB`, `256 MiB` for a whole number of MiB."""
+    if count < 2**40 and count % 2**20 == 0:
+        return f"{int(count) // 2**20} MiB"
+    for unit in ("bytes", "kB", "MB", "GB", "TB", "PB", "EB"):
+        if count < 1000:
+            return f"{count:.3g} {unit}"
+        count /= 1000
+    return f"{count:.3g} ZB"

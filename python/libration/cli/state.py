@@ -1,0 +1,78 @@
+"""What `solve` and `period` share: the options of the initial state and the frequency, and the Pendulum they give."""
+
+import math
+import re
+
+from libration.cli.parser import Refusal, refusal
+from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, VELOCITY, has_unit, quantity
+
+UNITS = """\
+units:
+  angle       rad, deg, turn          length     m, cm, mm, km, in, ft
+  time        s, ms, min, h           gravity    m/s2
+  velocity    rad/s, deg/s            omega0     rad/s, 1/s, deg/s, Hz (times 2 pi)
+  A plain number is in the first unit: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m, with a
+  decimal point. Each is rounded once: 180deg is the double nearest to pi."""
+
+# Names that a message of Pendulum may hold, and the options that they came from.
+NAMES = re.compile(r"(?<![\w-])(theta0|velocity0|omega0|length|gravity)\b")
+
+
+def state_options(parser, frequency):
+    """Add the options of the state and the frequency; `frequency` says what happens without one."""
+    group = parser.add_argument_group("the pendulum")
+    parser.value(group, "--theta0", "ANGLE", "initial angle from the lowest point (required)")
+    parser.value(group, "--velocity0", "VELOCITY", "initial angular velocity (default 0)")
+    parser.value(group, "--length", "LENGTH", f"length of the pendulum {frequency}")
+    parser.value(group, "--gravity", "G", "acceleration of gravity, with --length (default 9.80665 m/s2)")
+    parser.value(group, "--omega0", "OMEGA0", "angular frequency of small swings, instead of --length")
+
+
+def state(options):
+    """The keyword arguments of Pendulum that the options give, as doubles in SI units."""
+    if options.theta0 is None:
+        raise Refusal("missing --theta0, the initial angle, such as --theta0 170deg")
+    if options.length is not None and options.omega0 is not None:
+        raise Refusal(f"--length = {options.length} and --omega0 = {options.omega0}: give one of the two")
+    if options.gravity is not None and options.length is None:
+        raise refusal("--gravity", options.gravity, "needs --length beside it; omega0 is sqrt(gravity / length)")
+    given = {"theta0": quantity("--theta0", options.theta0, ANGLE), "velocity0": 0.0}
+    if options.velocity0 is not None:
+        given["velocity0"] = quantity("--velocity0", options.velocity0, VELOCITY)
+    if options.length is not None:
+        given["length"] = quantity("--length", options.length, LENGTH, above=0)
+        given["gravity"] = 9.80665
+    if options.gravity is not None:
+        given["gravity"] = quantity("--gravity", options.gravity, GRAVITY, above=0)
+    if options.omega0 is not None:
+        given["omega0"] = quantity("--omega0", options.omega0, FREQUENCY, above=0)
+    if options.velocity0 is not None and has_unit(options.velocity0) and len(given) == 2:
+        reason = "has a unit, but no frequency is given; add --length or --omega0, or give a multiple of omega0"
+        raise refusal("--velocity0", options.velocity0, reason)
+    return given
+
+
+def pendulum(given):
+    """The Pendulum, or a Refusal that names the option."""
+    from libration import Pendulum
+
+    try:
+        motion = Pendulum(**given)
+    except ValueError as error:
+        raise Refusal(NAMES.sub(r"--\1", str(error))) from error
+    if not math.isfinite(motion.omega0):
+        reason = f"with --gravity = {given['gravity']:g} gives an infinite omega0"
+        raise refusal("--length", f"{given['length']:g}", reason)
+    return motion
+
+
+def small_swing_period(given):
+    """The period of small swings: that of the same pendulum at rest."""
+    return pendulum(given | {"theta0": 0.0, "velocity0": 0.0}).period
+
+
+def period_phase(given, motion):
+    """The period times omega0: from rest it depends on the angle alone and is a period itself."""
+    if given["velocity0"] == 0:
+        return pendulum({"theta0": given["theta0"]}).period
+    return motion.period * motion.omega0

@@ -1,0 +1,214 @@
+"""Instants: evenly spaced (`--until`, `--samples`) or read from a column of a text file (`--times`, `--column`).
+
+A file is read in whole before the first number is used: `#` lines and blank lines are skipped, the first other line may
+be a header, the columns are separated by tab, semicolon or comma, order and repetitions are kept.
+"""
+
+import csv
+import io
+import itertools
+import math
+import re
+from decimal import Decimal
+
+from libration.cli.files import readable
+from libration.cli.memory import available_bytes, bytes_text
+from libration.cli.parser import Refusal, refusal, shown
+from libration.cli.quantities import ONE, TIME, quantity, scaled
+
+LARGEST_FILE = 256 * 2**20
+# Four columns of doubles, and as much again while they are formed and compared.
+BYTES_PER_SAMPLE = 64
+BLOCK = 100_000
+# What no text file holds: control characters other than tab, line feed, vertical tab, form feed, return.
+CONTROL = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f\x7f]")
+HEADER_CELL = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\)|[/_]\s*(s|ms|min|h))?")
+TIME_NAMES = ("t", "time", "times")
+
+
+def even_times(until, samples):
+    """Evenly spaced instants from 0 to `until`, both ends among them; None stands for 10 s and 501."""
+    last = 10.0 if until is None else quantity("--until", until, TIME, above=0)
+    count = 501 if samples is None else sample_count(samples)
+    import numpy as np
+
+    return np.linspace(0.0, last, count)
+
+
+def sample_count(text):
+    """A whole number of samples that fits into the memory, or a Refusal."""
+    try:
+        # float() bounds the exponent before a whole number of that many digits is formed.
+        typed = Decimal(text) if math.isfinite(float(text)) and "_" not in text else None
+    except (ArithmeticError, ValueError):
+        typed = None
+    if typed is None or typed != typed.to_integral_value():
+        raise refusal("--samples", text, "must be a whole number, 2 or greater")
+    count = int(typed)
+    if count < 2:
+        raise refusal("--samples", text, "must be 2 or greater: both ends are sampled; for one instant use --times")
+    fits_memory("--samples", text, count)
+    return count
+
+
+def fits_memory(option, text, count):
+    """Refuse a number of samples that the memory does not hold."""
+    need, have = count * BYTES_PER_SAMPLE, available_bytes()
+    if need > have:
+        raise refusal(option, text, f"would take {bytes_text(need)} of memory, and {bytes_text(have)} are available")
+
+
+def file_times(path, column):
+    """The instants in a column of a text file, in seconds, as an array, and the column's name."""
+    data = text_bytes(path)
+    lines = numbered(data)
+    first = next(lines, None)
+    if first is None:
+        raise refusal("--times", path, "holds no instants: it is empty, but for comments")
+    separator = next((each for each in "\t;," if each in first[1]), ",")
+    cells = row(first[1], separator)
+    header = cells if is_header(cells) else None
+    index, name, factor = chosen(path, column, cells, header)
+    if header is None:
+        lines = itertools.chain([first], lines)
+    times = read_column(path, lines, separator, len(cells), index, factor)
+    if not len(times):
+        raise refusal("--times", path, f"holds no instants: no row follows the header in line {first[0]}")
+    fits_memory("--times", path, len(times))
+    return times, name
+
+
+def text_bytes(path):
+    """The bytes of a text file that is not too large, or a Refusal."""
+    size, regular = readable("--times", path)
+    limit = bytes_text(LARGEST_FILE)
+    advice = "; in Python, Pendulum(...).theta(t) takes any array"
+    if regular and size > LARGEST_FILE:
+        raise refusal("--times", path, f"has {bytes_text(size)}, more than the {limit} that are read{advice}")
+    parts, total = [], 0
+    try:
+        with open(path, "rb") as file:
+            while part := file.read(2**20):
+                if found := CONTROL.search(part):
+                    raise refusal("--times", path, f"is not text: byte {total + found.start()} is 0x{found[0].hex()}")
+                parts.append(part)
+                total += len(part)
+                if total > LARGEST_FILE:
+                    raise refusal("--times", path, f"has more than the {limit} that are read{advice}")
+    except OSError as error:
+        raise refusal("--times", path, f"cannot be read: {error.strerror or error}") from error
+    if not total:
+        raise refusal("--times", path, "is empty")
+    return b"".join(parts)
+
+
+def numbered(data):
+    """The lines that are not blank and not comments, with their numbers; UTF-8, or else Latin-1."""
+    try:
+        data.decode()
+        encoding = "utf-8-sig"
+    except UnicodeDecodeError:
+        encoding = "latin-1"
+    # Tabs at the end stay: they may separate empty cells.
+    for count, line in enumerate(io.TextIOWrapper(io.BytesIO(data), encoding=encoding), 1):
+        kept = line.strip(" \r\n")
+        if kept and not kept.isspace() and not kept.startswith("#"):
+            yield count, kept
+
+
+def row(line, separator):
+    """The cells of a line, stripped."""
+    if '"' in line:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
+    return [cell.strip() for cell in line.split(separator)]
+
+
+def is_header(cells):
+    """Whether the first line names columns: no cell is a number, and the first does not begin like one."""
+    return not any(number(cell) is not None for cell in cells) and cells[0][:1] not in tuple("0123456789+-.")
+
+
+def number(cell):
+    """The double a cell holds, or None."""
+    try:
+        return None if "_" in cell else float(cell)
+    except ValueError:
+        return None
+
+
+def chosen(path, column, cells, header):
+    """Index, name and factor to seconds of the column to read."""
+    if header is None:
+        names = [str(k) for k in range(1, len(cells) + 1)]
+        if column is None:
+            return 0, "1", ONE
+        if column not in names:
+            raise refusal("--column", column, f"{shown(path)} has no header; its columns are {listed(names)}")
+        return names.index(column), column, ONE
+    bare = [HEADER_CELL.fullmatch(cell)[1] for cell in header]
+    if column is None:
+        index = next((k for k, each in enumerate(bare) if each.lower() in TIME_NAMES), 0)
+    elif header.count(column) == 1:
+        index = header.index(column)
+    elif bare.count(column) == 1:
+        index = bare.index(column)
+    else:
+        several = "names several columns" if column in header + bare else "is no column"
+        raise refusal("--column", column, f"{several} of {shown(path)}; it has {listed(header)}")
+    found = HEADER_CELL.fullmatch(header[index])
+    unit = found[2] or found[3] or found[4] or "s"
+    factor = TIME.factor(unit.strip())
+    if factor is None:
+        raise refusal(
+            "--times",
+            path,
+            f"column '{shown(header[index])}' is in '{shown(unit)}'; times take {', '.join(TIME.units)}",
+        )
+    return index, header[index], factor
+
+
+def listed(names):
+    """Column names for a refusal."""
+    return ", ".join(f"'{shown(name)}'" for name in names[:12]) + (", ..." if len(names) > 12 else "")
+
+
+def read_column(path, lines, separator, width, index, factor):
+    """One column as an array of seconds, block by block."""
+    import numpy as np
+
+    blocks = []
+    while block := list(itertools.islice(lines, BLOCK)):
+        rows = [row(line, separator) for _, line in block]
+        try:
+            ragged = any(len(cells) != width for cells in rows)
+            values = None if ragged else np.array([float(cells[index]) for cells in rows])
+        except ValueError:
+            values = None
+        doubtful = values is None or not np.isfinite(values).all() or any("_" in cells[index] for cells in rows)
+        if doubtful:
+            raise bad_row(path, block, rows, width, index)
+        if factor != ONE:
+            values = np.array([scaled(cells[index], factor) for cells in rows])
+        blocks.append(values)
+    return np.concatenate(blocks) if blocks else np.empty(0)
+
+
+def bad_row(path, block, rows, width, index):
+    """The Refusal for the first bad row of a block."""
+    for (line, _), cells in zip(block, rows, strict=True):
+        if len(cells) != width:
+            reason = f"has {len(cells)} cells, and the first row has {width}"
+            if re.fullmatch(r"[+-]?[0-9]+", cells[0]) and len(cells) == 2 * width:
+                reason += "; a decimal comma? write a point"
+        elif number(cells[index]) is None:
+            reason = f"'{shown(cells[index])}' is not a number"
+            if re.fullmatch(r"[+-]?[0-9]*,[0-9]+", cells[index]):
+                reason += f"; write {cells[index].replace(',', '.')}"
+            elif not cells[index]:
+                reason = "has an empty cell"
+        elif not math.isfinite(number(cells[index])):
+            reason = f"'{shown(cells[index])}' is not finite"
+        else:
+            continue
+        return Refusal(f"--times = {shown(path)}: line {line} {reason}")
+    return Refusal(f"--times = {shown(path)}: cannot be read")

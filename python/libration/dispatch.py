@@ -1,0 +1,86 @@
+"""One call of a ufunc on NumPy, Dask or xarray arguments, or on xarray over Dask.
+
+NumPy, and every array type that implements ``__array_ufunc__`` for several outputs (pandas among them), is called
+directly. Dask refuses ufuncs of several outputs, so its arrays go through ``apply_gufunc``; xarray's go through
+``apply_ufunc``. Neither library is imported unless one of its arrays is an argument. Nothing is computed early.
+"""
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+PLAIN = {float, int, bool, np.float64, np.ndarray, type(None)}
+
+
+def apply(ufunc: np.ufunc, *arguments: Any, out: Any = None, where: Any = True) -> Any:
+    """Call ``ufunc`` on ``arguments``; what ``where`` masks is NaN (integers: 0) unless ``out`` is given."""
+    if out is not None:
+        return ufunc(*arguments, out=out, where=where)
+    given = arguments if where is True else (*arguments, where)
+    library = array_library(given)
+    if library == "xarray":
+        return _xarray(ufunc, given, where is not True)
+    if library == "dask":
+        return _dask(ufunc, given, where is not True)
+    if where is True:
+        return ufunc(*arguments)
+    return _masked(ufunc, *given)
+
+
+def array_library(arguments: tuple[Any, ...]) -> str | None:
+    """``"xarray"`` if any argument is xarray's, else ``"dask"`` if any is Dask's, else ``None``."""
+    found = None
+    for argument in arguments:
+        if type(argument) in PLAIN:
+            continue
+        for base in type(argument).__mro__:
+            if base.__module__.startswith("xarray.core."):
+                return "xarray"
+            if base.__module__.startswith("dask.array."):
+                found = "dask"
+    return found
+
+
+def _masked(ufunc: np.ufunc, *given: Any) -> Any:
+    *arguments, where = given
+    shape = np.broadcast_shapes(*map(np.shape, given))
+    kinds = ufunc.types[0].partition("->")[2]
+    out = tuple(np.full(shape, np.nan if kind == "d" else 0, kind) for kind in kinds)
+    ufunc(*arguments, out=out, where=where)
+    results = tuple(result[()] for result in out)
+    return results if ufunc.nout > 1 else results[0]
+
+
+def _dask(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
+    from dask.array import apply_gufunc, asarray, unify_chunks
+
+    arrays = [asarray(argument) for argument in given]
+    most = max(array.ndim for array in arrays)
+    labelled = [(array, tuple(range(most - array.ndim, most))) for array in arrays]
+    _, arrays = unify_chunks(*(item for pair in labelled for item in pair))
+    kinds = ufunc.types[0].partition("->")[2]
+    dtypes = [np.dtype(kind) for kind in kinds]
+    return apply_gufunc(
+        partial(_masked, ufunc) if masked else ufunc,
+        ",".join(["()"] * len(arrays)) + "->" + ",".join(["()"] * ufunc.nout),
+        *arrays,
+        output_dtypes=dtypes if ufunc.nout > 1 else dtypes[0],
+    )
+
+
+def _xarray(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
+    import xarray
+
+    def rows(*arrays: Any) -> Any:
+        return apply(ufunc, *arrays[:-1], where=arrays[-1]) if masked else apply(ufunc, *arrays)
+
+    # As for NumPy's own functions on xarray objects: attributes stay unless the user's option says otherwise.
+    keep = xarray.get_options()["keep_attrs"]
+    return xarray.apply_ufunc(
+        rows,
+        *given,
+        output_core_dims=[[]] * ufunc.nout,
+        dask="allowed",
+        keep_attrs=True if keep == "default" else keep,
+    )

@@ -1,0 +1,279 @@
+"""Pictures of a motion: theta(t) with the linear solution, and the phase portrait with the separatrix.
+
+matplotlib is needed only here (`pip install 'libration[plot]'`) and only its Figure is used: no pyplot, no global
+state, no window.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from .pendulum import Pendulum
+
+
+def linear_theta(t: Any, theta0: float, velocity0: float, omega0: float) -> Any:
+    """The linear solution theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t).
+
+    Parameters
+    ----------
+    t : array_like
+        Instants, s.
+    theta0, velocity0 : float
+        Initial angle, rad, and angular velocity, rad/s.
+    omega0 : float
+        Angular frequency of small swings, rad/s; 0 gives theta0 + velocity0 t.
+
+    Returns
+    -------
+    ndarray
+        Angle, rad.
+
+    Examples
+    --------
+    >>> from libration.plot import linear_theta
+    >>> linear_theta(0.0, 3.0, 0.0, 2.0).item()
+    3.0
+    """
+    t = np.asarray(t, dtype=float)
+    if omega0 == 0:
+        with np.errstate(over="ignore"):
+            return theta0 + velocity0 * t
+    # Phases and velocities beyond the doubles give infinity or NaN, without a warning.
+    with np.errstate(over="ignore", invalid="ignore"):
+        phase = omega0 * t
+        theta = theta0 * np.cos(phase)
+        return theta + velocity0 * (np.sin(phase) / omega0) if velocity0 else theta
+
+
+def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = None) -> None:
+    """Draw theta(t) beside the phase portrait and save the picture.
+
+    Left: the exact angle over the range of `t` with the linear solution, and a dot at each instant if they are few.
+    Right: velocity over omega0 against the angle, wrapped to one turn, with the separatrix, the whole orbit (thin),
+    the part of it that the range of `t` covers (strong), and neighbouring orbits (faint).
+
+    Parameters
+    ----------
+    pendulum : Pendulum
+        The motion.
+    t : array_like
+        Instants, s, in any order; at least one.
+    path : str, path or binary file
+        Where to save.
+    form : str, optional
+        `png` or `svg`; by default the ending of `path`.
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is missing.
+    ValueError
+        If there is no finite instant; it or an OverflowError if the motion is too large for an axis (about 1e150).
+
+    Examples
+    --------
+    >>> from io import BytesIO
+    >>> from libration import Pendulum
+    >>> from libration.plot import plot_motion
+    >>> picture = BytesIO()
+    >>> plot_motion(Pendulum(3.0, length=1.0), [0.0, 10.0], picture, form="png")
+    >>> picture.getvalue()[1:4]
+    b'PNG'
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    t = np.asarray(t, dtype=float).ravel()
+    t = t[np.isfinite(t)]
+    if not t.size:
+        raise ValueError("t = []: at least one finite instant is needed for a picture")
+    figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
+    FigureCanvasAgg(figure)
+    left, right = figure.subplots(1, 2, width_ratios=(1.35, 1))
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        draw_angle(left, pendulum, t)
+        draw_portrait(right, pendulum, t)
+        figure.suptitle(headline(pendulum), x=0.012, ha="left", fontsize=13)
+        figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
+
+
+EXACT = "#1f5fa8"
+LINEAR = "#8a8a8a"
+SEPARATRIX = "#b5442e"
+FAINT = "#d9d9d9"
+# Of more than MANY swings or turns, only the first SHOWN are drawn over t.
+MANY, SHOWN = 60, 20
+# Instants are drawn as dots up to this number.
+FEW = 60
+# Neighbouring orbits: their energy ratios.
+LEVELS = (0.05, 0.2, 0.45, 0.75, 1.4, 2.0)
+# Below this energy ratio an orbit is too small to see and is enlarged in a corner.
+SMALL = 0.01
+
+
+def is_svg(path, form):
+    """Whether the picture is SVG."""
+    return form == "svg" or (form is None and str(path).lower().endswith(".svg"))
+
+
+def headline(pendulum):
+    """Regime and period in one line."""
+    regime = str(pendulum.regime)
+    if regime == "separatrix":
+        return "separatrix: the top is approached and never reached"
+    if regime == "rotation":
+        return f"rotation, one turn in {pendulum.period:.6g} s"
+    if regime == "rest":
+        return f"rest, small swings would take {pendulum.period:.6g} s"
+    degrees = np.degrees(pendulum.theta_max)
+    return f"libration, period {pendulum.period:.6g} s, turning angle {degrees:.4g}°"
+
+
+def draw_angle(axes, pendulum, t):
+    """The left panel: theta over t."""
+    first, last = t.min(), t.max()
+    if first == last:
+        first, last = sorted((0.0, first))
+    scale = time_scale(pendulum)
+    unit = "t [s]"
+    if last - first > MANY * scale:
+        # More swings than the picture has room for would be a solid band.
+        unit = f"t [s], the first {SHOWN * scale:.3g} of {last - first:.6g} s"
+        last = first + SHOWN * scale
+        t = t[t <= last]
+    fine = np.linspace(first, last, int(np.clip(200 * (last - first) / scale, 600, 20_000)))
+    theta = pendulum.theta(fine)
+    if last > first:
+        axes.plot(fine, theta, color=EXACT, lw=2, label="exact")
+        if pendulum.omega2 > 0:
+            linear = linear_theta(fine, pendulum.theta0, pendulum.velocity0, pendulum.omega0)
+            axes.plot(fine, linear, color=LINEAR, lw=1.3, ls=(0, (5, 3)), label="linear")
+        axes.set_xlim(first, last)
+    if t.size <= FEW:
+        axes.plot(t, pendulum.theta(t), "o", ms=4, color=EXACT, label="instants", clip_on=False)
+    axes.set_xlabel(unit)
+    axes.set_ylabel(r"$\theta$ [rad]")
+    quiet(axes)
+    angle_ticks(axes.yaxis, *axes.get_ylim())
+    legend(axes)
+
+
+def time_scale(pendulum):
+    """The time in which the angle changes: the small-swing period, or one turn if that is shorter."""
+    times = [pendulum.period]
+    if pendulum.omega0 > 0:
+        times.append(2 * np.pi / pendulum.omega0)
+    return min(times)
+
+
+def draw_portrait(axes, pendulum, t):
+    """The right panel: velocity / omega0 over theta, on one turn around the stable equilibrium."""
+    free = pendulum.omega0 == 0
+    omega0 = 1.0 if free else pendulum.omega0
+    bottom = np.pi if pendulum.omega2 < 0 else 0.0
+    velocity0 = pendulum.velocity0 / omega0
+    # The energy ratio seen from the stable equilibrium; only the picture depends on it.
+    ratio = np.inf if free else np.sin((pendulum.theta0 - bottom) / 2) ** 2 + (velocity0 / 2) ** 2
+    if not free:
+        for level in LEVELS:
+            if abs(level - ratio) > 0.1:
+                draw_level(axes, level, bottom, color=FAINT, lw=0.9)
+        draw_level(axes, 1.0, bottom, color=SEPARATRIX, lw=1.1, label="separatrix", zorder=3)
+    if ratio > 0 and np.isfinite(ratio) and np.isfinite(pendulum.period):
+        draw_level(axes, ratio, bottom, sign=np.sign(velocity0) if ratio > 1 else 0, color=EXACT, lw=0.9)
+    where, velocity = covered(pendulum, t, omega0, bottom)
+    axes.plot(where, velocity, color=EXACT, lw=2.4, label="this motion")
+    axes.plot(where[:1], velocity[:1], "o", ms=6, color=EXACT, label=f"t = {t.min():.7g} s", clip_on=False)
+    fastest = np.nanmax(np.abs(velocity), initial=abs(velocity0) if free else 2 * np.sqrt(ratio))
+    height = 1.12 * max(0.1 if free else 2.2, fastest)
+    axes.set(xlim=(bottom - np.pi, bottom + np.pi), ylim=(-height, height))
+    axes.set_xlabel(r"$\theta$ wrapped to one turn [rad]")
+    axes.set_ylabel(r"$\dot\theta$ [rad/s]" if free else r"$\dot\theta\,/\,\omega_0$ [rad]")
+    quiet(axes)
+    angle_ticks(axes.xaxis, *axes.get_xlim())
+    legend(axes)
+    if 0 < ratio < SMALL:
+        draw_enlarged(axes, np.sqrt(ratio), where - bottom, velocity)
+
+
+def draw_level(axes, ratio, bottom, sign=0, **style):
+    """The orbit of an energy ratio k^2: a closed curve below 1, one or two branches from there on."""
+    if ratio < 1:
+        turn = np.linspace(0, 2 * np.pi, 400)
+        k = np.sqrt(ratio)
+        axes.plot(bottom + 2 * np.arcsin(k * np.sin(turn)), 2 * k * np.cos(turn), **style)
+        return
+    angle = np.linspace(-np.pi, np.pi, 400)
+    velocity = 2 * np.sqrt(ratio - np.sin(angle / 2) ** 2)
+    for branch in (1, -1):
+        if sign in (0, branch):
+            axes.plot(bottom + angle, branch * velocity, **style)
+            style.pop("label", None)
+
+
+def covered(pendulum, t, omega0, bottom):
+    """The part of the orbit that the range of t covers, on one turn around the bottom, with a gap at each jump."""
+    first = t.min()
+    span = min(t.max() - first, pendulum.period)
+    count = int(np.clip(200 * span / time_scale(pendulum), 6000, 100_000)) if span > 0 else 1
+    theta, velocity = pendulum.motion(first + span * np.linspace(0, 1, count))
+    wrapped = theta
+    if np.nanmax(np.abs(theta - bottom), initial=0) > np.pi:
+        wrapped = np.mod(theta - bottom + np.pi, 2 * np.pi) - np.pi + bottom
+    velocity = velocity / omega0
+    jumps = np.flatnonzero(np.abs(np.diff(wrapped)) > np.pi) + 1
+    return np.insert(wrapped, jumps, np.nan), np.insert(velocity, jumps, np.nan)
+
+
+def draw_enlarged(axes, k, where, velocity):
+    """An orbit too small to see, enlarged in a corner."""
+    inset = axes.inset_axes((0.8, 0.75, 0.2, 0.25))
+    draw_level(inset, k * k, 0.0, color=EXACT, lw=0.9)
+    inset.plot(where, velocity, color=EXACT, lw=2)
+    inset.plot(where[:1], velocity[:1], "o", ms=5, color=EXACT)
+    inset.set(xlim=(-2.8 * k, 2.8 * k), ylim=(-2.8 * k, 2.8 * k), xticks=[], yticks=[])
+    inset.text(0, 0, f"enlarged\n±{2 * k:.3g}", fontsize=8, color="#555555", ha="center", va="center")
+    for side in inset.spines.values():
+        side.set_color("#cccccc")
+
+
+def quiet(axes):
+    """Thin grey frame on two sides, a light grid."""
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    for side in ("left", "bottom"):
+        axes.spines[side].set_color("#777777")
+    axes.tick_params(color="#777777")
+    axes.grid(color="#f0f0f0", lw=0.8)
+    axes.set_axisbelow(True)
+
+
+def legend(axes):
+    """One line above the panel, clear of every curve."""
+    axes.legend(
+        loc="lower right", bbox_to_anchor=(1.01, 1.0), ncols=4, frameon=False, handlelength=1.8, columnspacing=1.4
+    )
+
+
+def angle_ticks(axis, low, high):
+    """Ticks at multiples of pi if the range spans some; else decimal radians."""
+    from matplotlib.ticker import FuncFormatter, MultipleLocator
+
+    steps = [0.25, 0.5] + [digit * 10.0**power for power in range(9) for digit in (1, 2, 5)]
+    step = next((each for each in steps if (high - low) / np.pi <= 7 * each), None)
+    if high - low < 2 or step is None:
+        return
+    axis.set_major_locator(MultipleLocator(step * np.pi))
+    axis.set_major_formatter(FuncFormatter(pi_text))
+
+
+def pi_text(value, _position=None):
+    """`-π/2`, `0`, `3π`: a multiple of pi/4 in words."""
+    quarters = round(4 * value / np.pi)
+    whole, below = quarters, 4
+    while below > 1 and whole % 2 == 0:
+        whole, below = whole // 2, below // 2
+    if whole == 0:
+        return "0"
+    front = {1: "", -1: "−"}.get(whole, f"{whole}".replace("-", "−"))
+    return f"{front}π" + (f"/{below}" if below > 1 else "")

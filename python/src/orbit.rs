@@ -1,0 +1,142 @@
+//! One orbit as a Python object: built strictly, answering one instant per call without NumPy's machinery.
+
+use libration::{Domain, Frequency};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyFloat, PyType};
+
+/// One orbit, set up once: what `libration.Pendulum` stands on.
+///
+/// `omega0`, `omega2` and `length` exclude each other; none of them means `omega0 = 1`. `gravity` needs `length`.
+#[pyclass(frozen, module = "libration._core")]
+pub struct Orbit {
+    orbit: libration::Orbit,
+    theta0: f64,
+    velocity0: f64,
+    frequency: Frequency,
+}
+
+#[pymethods]
+impl Orbit {
+    #[new]
+    #[pyo3(signature = (theta0, velocity0, omega0=None, omega2=None, length=None, gravity=None))]
+    fn new(
+        theta0: f64,
+        velocity0: f64,
+        omega0: Option<f64>,
+        omega2: Option<f64>,
+        length: Option<f64>,
+        gravity: Option<f64>,
+    ) -> PyResult<Self> {
+        let frequency = Frequency::from_arguments(omega0, omega2, length, gravity).map_err(refused)?;
+        let orbit = libration::Orbit::new(theta0, velocity0, frequency).map_err(refused)?;
+        Ok(Self { orbit, theta0, velocity0, frequency })
+    }
+
+    /// Angle at the time `t`, a NumPy float64.
+    fn theta<'py>(&self, py: Python<'py>, t: f64) -> PyResult<Bound<'py, PyAny>> {
+        float64(py, self.orbit.theta(t))
+    }
+
+    /// Angular velocity at the time `t`, a NumPy float64.
+    fn velocity<'py>(&self, py: Python<'py>, t: f64) -> PyResult<Bound<'py, PyAny>> {
+        float64(py, self.orbit.velocity(t))
+    }
+
+    /// Angle and angular velocity at the time `t`.
+    fn motion<'py>(&self, py: Python<'py>, t: f64) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let (theta, velocity) = self.orbit.motion(t);
+        Ok((float64(py, theta)?, float64(py, velocity)?))
+    }
+
+    /// Whole turns, a NumPy int64, and the angle in [-pi, pi) at the time `t`.
+    fn turns<'py>(&self, py: Python<'py>, t: f64) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let (turns, angle) = self.orbit.turns(t);
+        Ok((int64(py, turns)?, float64(py, angle)?))
+    }
+
+    /// The five operands by which a ufunc knows this orbit: theta0, velocity0 and the factors a, b, c.
+    #[getter]
+    fn operands(&self) -> (f64, f64, f64, f64, f64) {
+        let (a, b, c) = self.frequency.factors();
+        (self.theta0, self.velocity0, a, b, c)
+    }
+
+    /// Initial angle.
+    #[getter]
+    fn theta0(&self) -> f64 {
+        self.theta0
+    }
+
+    /// Initial angular velocity.
+    #[getter]
+    fn velocity0(&self) -> f64 {
+        self.velocity0
+    }
+
+    /// `rest`, `libration`, `separatrix` or `rotation`.
+    #[getter]
+    fn regime(&self) -> &'static str {
+        self.orbit.regime().name()
+    }
+
+    /// Period; of one turn in rotation, infinite on the separatrix.
+    #[getter]
+    fn period(&self) -> f64 {
+        self.orbit.period()
+    }
+
+    /// Turning angle; NaN in rotation.
+    #[getter]
+    fn theta_max(&self) -> f64 {
+        self.orbit.theta_max()
+    }
+
+    /// Energy ratio.
+    #[getter]
+    fn energy_ratio(&self) -> f64 {
+        self.orbit.energy_ratio()
+    }
+
+    /// Complement of the energy ratio.
+    #[getter]
+    fn energy_ratio_c(&self) -> f64 {
+        self.orbit.energy_ratio_c()
+    }
+
+    /// Energy per unit inertia, zero at the bottom.
+    #[getter]
+    fn energy(&self) -> f64 {
+        self.orbit.energy()
+    }
+
+    /// Angular frequency of small swings.
+    #[getter]
+    fn omega0(&self) -> f64 {
+        self.orbit.omega0()
+    }
+
+    /// Its square, with its sign.
+    #[getter]
+    fn omega2(&self) -> f64 {
+        self.orbit.omega2()
+    }
+}
+
+/// A refused argument as Python's `ValueError`, in the words of the core.
+fn refused(domain: Domain) -> PyErr {
+    PyValueError::new_err(domain.to_string())
+}
+
+/// A NumPy float64.
+fn float64(py: Python<'_>, value: f64) -> PyResult<Bound<'_, PyAny>> {
+    static FLOAT64: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    FLOAT64.import(py, "numpy", "float64")?.call1((PyFloat::new(py, value),))
+}
+
+/// A NumPy int64.
+fn int64(py: Python<'_>, value: i64) -> PyResult<Bound<'_, PyAny>> {
+    static INT64: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    INT64.import(py, "numpy", "int64")?.call1((value,))
+}

@@ -1,0 +1,209 @@
+"""The command `libration` as people run it: numbers, help, exit codes."""
+
+import json
+import math
+import os
+import resource
+import signal
+import subprocess
+import sys
+
+import pytest
+
+import libration
+from libration.cli import main
+
+HORSLEY = ["--theta0", "3", "--length", "1m", "--gravity", "9.8"]
+
+
+@pytest.fixture
+def answer(capsys):
+    """Run with --json; return the one object, which must be strict JSON."""
+
+    def run(*words):
+        assert main([*words, "--json"]) == 0
+        shown = capsys.readouterr()
+        assert shown.err == ""
+        return json.loads(shown.out, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
+
+    return run
+
+
+def command(*words, **options):
+    """Run `python -m libration` in a process of its own."""
+    made = {"capture_output": True, "text": True, "timeout": 60} | options
+    return subprocess.run([sys.executable, "-m", "libration", *words], **made)
+
+
+def test_horsley_period_and_difference(answer):
+    got = answer("solve", *HORSLEY, "--until", "10s", "--samples", "500")
+    assert got["regime"] == "libration"
+    assert got["period_s"] == pytest.approx(5.16069774997798, rel=3e-15)
+    assert got["theta_max_rad"] == pytest.approx(3.0, rel=3e-16)
+    assert got["energy_rad2_per_s2"] == pytest.approx(9.8 * (1 - math.cos(3.0)), rel=1e-15)
+    assert got["energy_ratio"] + got["energy_ratio_c"] == pytest.approx(1.0, rel=1e-15)
+    assert got["linear_difference_rad"] == pytest.approx(5.9858, abs=5e-5)
+    assert got["linear_difference_t_s"] == pytest.approx(5.03, abs=0.011)
+    assert got["samples"] == 500
+    assert (got["length_m"], got["gravity_m_per_s2"]) == (1.0, 9.8)
+
+
+def test_horsley_small_angle_period(answer):
+    got = answer("period", "--theta0", "0.4", "--length", "1m", "--gravity", "9.8")
+    assert got["period_s"] == pytest.approx(2.0273467577909, rel=1e-13)
+    assert got["small_swing_period_s"] == pytest.approx(math.tau / math.sqrt(9.8), rel=1e-15)
+
+
+def test_summary_for_people(capsys):
+    assert main(["solve", *HORSLEY, "--samples", "500"]) == 0
+    lines = dict(line.split("  ", 1) for line in capsys.readouterr().out.splitlines())
+    texts = {label: text.strip() for label, text in lines.items()}
+    assert texts["regime"] == "libration"
+    assert texts["period"] == "5.16069774997798 s"
+    assert texts["turning angle"] == "3 rad = 171.88734 deg"
+    assert texts["off the linear solution"] == "by up to 5.9858 rad, at t = 5.03006 s"
+    assert texts["sampled"] == "500 instants, 0 s to 10 s"
+    assert "per unit inertia" in texts["energy"]
+
+
+def test_defaults_of_solve(answer):
+    got = answer("solve", "--theta0", "1", "--length", "1")
+    assert (got["samples"], got["first_t_s"], got["last_t_s"]) == (501, 0.0, 10.0)
+    assert got["gravity_m_per_s2"] == 9.80665
+
+
+def test_ratio_of_periods_without_a_frequency(answer):
+    got = answer("period", "--theta0", "150deg")
+    assert got["period_ratio"] == pytest.approx(1.762204, abs=5e-7)
+    assert got["period_omega0_rad"] == pytest.approx(1.762204 * math.tau, abs=4e-6)
+    assert "period_s" not in got
+
+
+def test_period_in_the_other_regimes(answer):
+    rest = answer("period", "--theta0", "0", "--omega0", "2")
+    assert (rest["regime"], rest["period_s"]) == ("rest", math.pi)
+    separatrix = answer("period", "--theta0", "0", "--velocity0", "2")
+    assert (separatrix["regime"], separatrix["period_ratio"]) == ("separatrix", None)
+    rotation = answer("period", "--theta0", "0", "--velocity0", "-1", "--omega0", "1e-3")
+    assert rotation["regime"] == "rotation"
+    assert rotation["theta_max_rad"] is None
+    assert rotation["period_s"] == pytest.approx(math.tau, rel=1e-5)
+
+
+def test_velocity_without_a_frequency_counts_in_omega0(answer):
+    plain = answer("period", "--theta0", "1", "--velocity0", "0.5")
+    scaled = answer("period", "--theta0", "1", "--velocity0", "2rad/s", "--omega0", "4")
+    assert plain["period_ratio"] == pytest.approx(scaled["period_ratio"], rel=1e-15)
+    assert plain["velocity0_per_omega0"] == 0.5
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["--theta0", "0.3", "--length", "1"], "s"),
+        (["--theta0", "0"], "T / T0         1"),
+        (["--theta0", "0", "--velocity0", "2"], "infinite"),
+        (["--theta0", "0", "--velocity0", "3"], "none, it turns over the top"),
+    ],
+)
+def test_period_for_people(capsys, words, expected):
+    assert main(["period", *words]) == 0
+    assert expected in capsys.readouterr().out
+
+
+def test_negative_quantities_are_values_not_options(answer):
+    assert answer("solve", "--theta0", "-170deg", "--length", "1")["theta0_rad"] == pytest.approx(-math.radians(170))
+    assert answer("period", "--theta0=-.5", "--omega0", "1")["theta0_rad"] == -0.5
+
+
+@pytest.mark.parametrize("words", [["--help"], ["solve", "--help"], ["period", "-h"]])
+def test_help_has_an_example_and_fits_a_screen(capsys, words):
+    assert main(words) == 0
+    shown = capsys.readouterr()
+    assert shown.err == ""
+    examples = shown.out.partition("examples:\n")[2]
+    assert "  libration " in examples
+    assert max(len(line) for line in shown.out.splitlines()) <= 92
+
+
+def test_every_example_of_the_help_runs(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "instants.csv").write_text("t [s]\n0\n1\n2\n")
+    examples = []
+    for words in (["--help"], ["solve", "--help"], ["period", "--help"]):
+        main(words)
+        text = capsys.readouterr().out.partition("examples:\n")[2]
+        examples += [line.split()[1:] for line in text.splitlines() if line.startswith("  libration ")]
+    assert len(examples) == 8
+    for words in examples:
+        assert main(words) == 0, words
+
+
+def test_version(capsys):
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"libration {libration.__version__}\n"
+
+
+def test_help_is_quick_and_loads_no_matplotlib():
+    def seconds(words):
+        # Processor time of the child: what the clock shows when nothing else runs, whatever else runs now.
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        assert command(*words).returncode == 0
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+    for words in (["--help"], ["solve", "--help"], ["period", "--help"]):
+        assert min(seconds(words) for _ in range(3)) <= 0.3
+    code = (
+        "import sys; from libration.cli import main; main(['solve', '--help']); sys.exit('matplotlib' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0
+
+
+def test_process_prints_and_exits_zero():
+    done = command("period", "--theta0", "150deg")
+    assert done.returncode == 0
+    assert "1.76220372950376" in done.stdout
+    assert done.stderr == ""
+
+
+def test_process_refuses_in_one_line():
+    done = command("solve", "--theta0", "3", "--length", "12 parsecs")
+    assert done.returncode == 2
+    assert done.stdout == ""
+    said = "--length = 12 parsecs: unknown unit 'parsecs'; lengths take m, cm, mm, km, in, ft"
+    assert done.stderr == f"libration solve: {said}\n"
+
+
+@pytest.mark.parametrize("words", [["--help"], ["period", "--theta0", "1"]])
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_broken_pipe_ends_quietly(words, unbuffered):
+    environment = os.environ | {"PYTHONUNBUFFERED": unbuffered}
+    run = [sys.executable, "-m", "libration", *words]
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run(run, stdout=writer, stderr=subprocess.PIPE, env=environment, timeout=60)
+    os.close(writer)
+    assert done.returncode == 141
+    assert done.stderr == b""
+
+
+def test_full_disk_behind_the_standard_output():
+    with open("/dev/full", "w") as full:
+        done = command("period", "--theta0", "1", capture_output=False, stdout=full, stderr=subprocess.PIPE)
+    assert done.returncode == 2
+    assert done.stderr == "libration period: standard output: No space left on device\n"
+
+
+def test_interrupt_ends_quietly_and_leaves_nothing(tmp_path):
+    fifo = tmp_path / "instants"
+    os.mkfifo(fifo)
+    words = ["solve", "--theta0", "1", "--length", "1", "--times", str(fifo), "--out", str(tmp_path / "a.csv")]
+    running = subprocess.Popen([sys.executable, "-m", "libration", *words], stderr=subprocess.PIPE)
+    # Opening waits for the reader; then the process waits for the instants.
+    with open(fifo, "wb"):
+        running.send_signal(signal.SIGINT)
+        said = running.communicate(timeout=60)[1]
+    assert running.returncode == 130
+    assert said == b""
+    assert [each.name for each in tmp_path.iterdir()] == ["instants"]

@@ -1,0 +1,114 @@
+"""Quantities with units: correctly rounded, and nothing odd let through."""
+
+import math
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from libration.cli.parser import Refusal
+from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, quantity
+
+# pi to 60 digits (OEIS A000796), apart from the constant under test.
+PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459")
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "expected"),
+    [
+        ("25cm", LENGTH, 0.25),
+        ("25 cm", LENGTH, 0.25),
+        (" 1.1mm ", LENGTH, 0.0011),
+        ("0.3in", LENGTH, 0.00762),
+        ("3ft", LENGTH, 0.9144),
+        ("1e-3km", LENGTH, 1.0),
+        ("1e309mm", LENGTH, 1e306),
+        ("180deg", ANGLE, math.pi),
+        ("-180deg", ANGLE, -math.pi),
+        ("\N{MINUS SIGN}90°", ANGLE, -math.pi / 2),
+        ("0.5turn", ANGLE, math.pi),
+        ("1.2rad", ANGLE, 1.2),
+        ("+.5", ANGLE, 0.5),
+        ("3.", ANGLE, 3.0),
+        ("0", ANGLE, 0.0),
+        ("1e-400", ANGLE, 0.0),
+        ("3min", TIME, 180.0),
+        ("0.1 h", TIME, 360.0),
+        ("1.1ms", TIME, 0.0011),
+        ("9.8m/s2", GRAVITY, 9.8),
+        ("9.8 m/s^2", GRAVITY, 9.8),
+        ("0.5Hz", FREQUENCY, math.pi),
+        ("2 1/s", FREQUENCY, 2.0),
+        ("180deg/s", FREQUENCY, math.pi),
+        ("360 deg/s", VELOCITY, math.tau),
+        ("-2.5rad/s", VELOCITY, -2.5),
+    ],
+)
+def test_values(text, dimension, expected):
+    got = quantity("--x", text, dimension)
+    assert got.hex() == expected.hex()
+
+
+def nearest(exact):
+    """The double nearest to a fraction: Python rounds the quotient of whole numbers correctly."""
+    return exact.numerator / exact.denominator
+
+
+@given(st.decimals(-(10**6), 10**6, allow_nan=False, places=12))
+def test_one_rounding(number):
+    text, exact = f"{number:f}", Fraction(number)
+    assert quantity("--x", f"{text}deg", ANGLE) == nearest(exact * PI / 180)
+    assert quantity("--x", f"{text}turn", ANGLE) == nearest(exact * 2 * PI)
+    assert quantity("--x", f"{text}in", LENGTH) == nearest(exact * Fraction(254, 10000))
+    assert quantity("--x", f"{text}ms", TIME) == nearest(exact / 1000)
+    assert quantity("--x", text, TIME) == nearest(exact)
+
+
+def test_the_naive_product_would_not_do():
+    """The sibling: number times factor in doubles rounds twice, and these tests see it."""
+    assert any(quantity("--x", f"{k}.1mm", LENGTH) != float(f"{k}.1") * 0.001 for k in range(100))
+    assert any(quantity("--x", f"{k}deg", ANGLE) != k * (math.pi / 180) for k in range(1, 360))
+    assert any(quantity("--x", f"{k}deg", ANGLE) != math.radians(k) for k in range(1, 360))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("12 parsecs", "unknown unit 'parsecs'; lengths take m, cm, mm, km, in, ft"),
+        ("1CM", "unknown unit 'CM'"),
+        ("1deg", "unknown unit 'deg'"),
+        ("1e", "unknown unit 'e'"),
+        ("1,5m", "has a decimal comma; write 1.5"),
+        (",5", "has a decimal comma; write 0.5"),
+        ("nan", "must be a finite number"),
+        ("-inf", "must be a finite number"),
+        ("infinity m", "must be a finite number"),
+        ("1e400", "is beyond the largest double"),
+        ("1e99999999999999999999999m", "is beyond the largest double"),
+        ("1e300 km 2", "unknown unit 'km 2'"),
+        ("1e306km", "is beyond the largest double"),
+        ("", "is not a number with a unit; lengths look like 1.5 or 1.5m"),
+        ("m", "is not a number with a unit"),
+        ("1.5.2m", "is not a number with a unit"),
+        ("1_000", "unknown unit '_000'"),
+        ("\u0663m", "is not a number with a unit"),
+        ("0x10", "unknown unit 'x10'"),
+        ("0", "must be greater than 0"),
+        ("-1m", "must be greater than 0"),
+        ("1e-400m", "must be greater than 0"),
+    ],
+)
+def test_refusals(text, said):
+    with pytest.raises(Refusal) as caught:
+        quantity("--length", text, LENGTH, above=0)
+    assert said in str(caught.value)
+    assert str(caught.value).startswith("--length = ")
+
+
+@given(st.text(max_size=30))
+def test_any_text_gives_a_finite_double_or_a_refusal(text):
+    try:
+        assert math.isfinite(quantity("--x", text, ANGLE))
+    except Refusal as refusal:
+        assert str(refusal).startswith("--x = ")

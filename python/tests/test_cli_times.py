@@ -1,0 +1,95 @@
+"""Instants from a text file: which column, which unit, which order."""
+
+import numpy as np
+import pytest
+
+from libration.cli.parser import Refusal
+from libration.cli.times import BLOCK, even_times, file_times
+
+
+@pytest.fixture
+def read(tmp_path):
+    """Read instants from a file with this content."""
+
+    def read(content, column=None):
+        path = tmp_path / "instants.csv"
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        times, name = file_times(str(path), column)
+        return times.tolist(), name
+
+    return read
+
+
+@pytest.mark.parametrize(
+    ("content", "column", "expected", "name"),
+    [
+        ("0\n1\n2", None, [0, 1, 2], "1"),
+        ("2\n1\n1\n-3\n", None, [2, 1, 1, -3], "1"),
+        ("# a comment\n\n  # another\nt\n0.5\n# inside\n1e-3\n", None, [0.5, 1e-3], "t"),
+        ("t [ms]\n250\n1.1\n", None, [0.25, 0.0011], "t [ms]"),
+        ("t_min\n1.5\n", None, [90], "t_min"),
+        ("time (h)\n0.1\n", None, [360], "time (h)"),
+        ("t/s,theta\n1,2\n", None, [1], "t/s"),
+        ("theta [rad];t [s]\n9;1\n8;2\n", None, [1, 2], "t [s]"),
+        ("x\ty\n1\t2\n", None, [1], "x"),
+        ("x\ty\n1\t2\n", "y", [2], "y"),
+        ("1,2\n3,4\n", "2", [2, 4], "2"),
+        ("t_start [s],t_end [ms]\n1,2\n", "t_end", [0.002], "t_end [ms]"),
+        ("Time,x\r\n1,2\r\n3,4\r\n", None, [1, 3], "Time"),
+        (b"\xef\xbb\xbft [s]\n1\n", None, [1], "t [s]"),
+        (b"winkel [\xb0],t\n1,2\n", None, [2], "t"),
+        ('"t [s]","a, b"\n"1","x"\n', None, [1], "t [s]"),
+        ("t,x\n1,\n2,\n", None, [1, 2], "t"),
+        ("x\tt\n\t1\n\t2\n", None, [1, 2], "t"),
+    ],
+)
+def test_columns(read, content, column, expected, name):
+    assert read(content, column) == (expected, name)
+
+
+@pytest.mark.parametrize(
+    ("content", "column", "said"),
+    [
+        ("", None, "is empty"),
+        ("# only\n#comments\n\n", None, "holds no instants: it is empty, but for comments"),
+        ("t [s]\n", None, "holds no instants: no row follows the header in line 1"),
+        ("# c\nt,x\n1,2\n3\n", None, "line 4 has 1 cells, and the first row has 2"),
+        ("t\n1\ntwo\n", None, "line 3 'two' is not a number"),
+        ("1.2.3\n", None, "line 1 '1.2.3' is not a number"),
+        ("t\n1\n1_0\n", None, "line 3 '1_0' is not a number"),
+        ("t,x\n1,2\n,3\n", None, "line 3 has an empty cell"),
+        ("t\n1\nnan\n", None, "line 3 'nan' is not finite"),
+        ("t\n1e400\n", None, "line 2 '1e400' is not finite"),
+        ("t\n0,5\n", None, "line 2 has 2 cells, and the first row has 1; a decimal comma? write a point"),
+        ("t;x\n0,5;1\n", None, "line 2 '0,5' is not a number; write 0.5"),
+        ("theta [rad]\n1\n", None, "column 'theta [rad]' is in 'rad'; times take s, ms, min, h"),
+        (b"t\n1\x00\n", None, "is not text: byte 3 is 0x00"),
+        (b"\x89PNG\r\n\x1a\n\x00", None, "is not text: byte 6 is 0x1a"),
+        ("t,x\n1,2\n", "z", "--column = z: is no column of "),
+        ("t,x\n1,2\n", "z", "it has 't', 'x'"),
+        ("t,t\n1,2\n", "t", "--column = t: names several columns of "),
+        ("1,2\n", "t", "has no header; its columns are '1', '2'"),
+    ],
+)
+def test_refusals(read, content, column, said):
+    with pytest.raises(Refusal) as caught:
+        read(content, column)
+    assert said in str(caught.value)
+
+
+def test_doubles_read_back_bit_equal(read):
+    values = np.random.default_rng(1).standard_normal(2 * BLOCK + 7) * 10.0 ** np.arange(
+        -300, 300, 600 / (2 * BLOCK + 7)
+    )
+    got, _ = read("\n".join(map(repr, values.tolist())))
+    assert np.array_equal(np.array(got).view(np.int64), values.view(np.int64))
+
+
+def test_line_number_past_the_first_block(read):
+    with pytest.raises(Refusal, match=f"line {BLOCK + 3} 'x' is not a number"):
+        read("t\n" + "1\n" * (BLOCK + 1) + "x\n")
+
+
+def test_even_times_hold_both_ends():
+    assert even_times("1min", "7").tolist() == [0, 10, 20, 30, 40, 50, 60]
+    assert len(even_times(None, "1e3")) == 1000

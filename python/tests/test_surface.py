@@ -1,0 +1,261 @@
+"""The pinned surface: names, signatures, attributes, and numbers from the mathematics (mpmath, 40 digits)."""
+
+import copy
+import inspect
+import math
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import libration
+from libration import Pendulum, Regime
+
+PACKAGE = Path(libration.__file__).parent
+
+
+def close(got, truth, relative=1e-14):
+    return abs(got - truth) <= relative * abs(truth)
+
+
+def test_close_sees_nan_signs_and_negative_truth():
+    assert not close(math.nan, 1.0)
+    assert not close(-1.0, 1.0)
+    assert not close(-1.1, -1.0)
+    assert close(-1.0, -1.0)
+
+
+def test_every_public_name_is_there_and_documented():
+    names = [
+        "JacobiValues Pendulum Regime __version__ advance complete_e complete_k incomplete_e incomplete_f jacobi",
+        "motion nome theta velocity",
+    ]
+    assert libration.__all__ == " ".join(names).split()
+    for name in libration.__all__:
+        value = getattr(libration, name)
+        assert isinstance(value, str) or inspect.getdoc(value)
+
+
+@pytest.mark.parametrize(
+    ("function", "signature"),
+    [
+        (Pendulum, "(theta0, velocity0=0.0, *, omega0=None, omega2=None, length=None, gravity=None)"),
+        (Pendulum.theta, "(self, t, out=None)"),
+        (Pendulum.velocity, "(self, t, out=None)"),
+        (Pendulum.motion, "(self, t)"),
+        (Pendulum.turns, "(self, t)"),
+        (libration.theta, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
+        (libration.velocity, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
+        (libration.motion, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
+        (libration.advance, "(theta, velocity, dt, omega0=1.0, *, out=None, where=True)"),
+        (libration.jacobi, "(u, *, m=None, mc=None, k=None, out=None, where=True)"),
+        (libration.incomplete_f, "(phi, *, m=None, mc=None, k=None, out=None, where=True)"),
+        (libration.incomplete_e, "(phi, *, m=None, mc=None, k=None, out=None, where=True)"),
+        (libration.complete_k, "(*, m=None, mc=None, k=None, out=None, where=True)"),
+        (libration.complete_e, "(*, m=None, mc=None, k=None, out=None, where=True)"),
+        (libration.nome, "(*, m=None, mc=None, k=None, out=None, where=True)"),
+    ],
+)
+def test_signature(function, signature):
+    shown = inspect.signature(function)
+    bare = [parameter.replace(annotation=inspect.Parameter.empty) for parameter in shown.parameters.values()]
+    assert str(inspect.Signature(bare)) == signature
+
+
+@pytest.mark.parametrize(
+    ("arguments", "regime", "period"),
+    [
+        ({"theta0": math.pi}, "libration", 154.87260221755525),
+        ({"theta0": 0.0, "velocity0": math.nextafter(2.0, 0.0)}, "libration", 77.632484222713879),
+        ({"theta0": 0.0, "velocity0": 2.0}, "separatrix", math.inf),
+        ({"theta0": 0.0, "velocity0": math.nextafter(2.0, 3.0)}, "rotation", 38.123094930796988),
+        ({"theta0": 0.0, "velocity0": 3.0}, "rotation", 2.4128899939821179),
+        ({"theta0": 3.0, "length": 1.0, "gravity": 9.8}, "libration", 5.1606977499779820),
+        ({"theta0": 1.0, "length": 0.25}, "libration", 1.0697514696687809),
+        ({"theta0": 1.0, "velocity0": 0.5, "omega2": 4.0}, "libration", 3.3666131703061800),
+        ({"theta0": 0.0, "omega0": 2.0}, "rest", math.pi),
+    ],
+)
+def test_regime_and_period(arguments, regime, period):
+    pendulum = Pendulum(**arguments)
+    assert pendulum.regime == regime
+    assert pendulum.regime is Regime(regime)
+    assert pendulum.period == period or close(pendulum.period, period)
+
+
+def test_attributes_of_a_libration():
+    pendulum = Pendulum(1.0, 0.5, omega0=2.0)
+    assert (pendulum.theta0, pendulum.velocity0, pendulum.omega0, pendulum.omega2) == (1.0, 0.5, 2.0, 4.0)
+    assert close(pendulum.energy_ratio, 0.2454738470659301413)
+    assert close(pendulum.energy_ratio_c, 0.7545261529340698587)
+    assert close(pendulum.energy, 1.9637907765274411304)
+    assert close(pendulum.theta_max, 1.0367129236260946589)
+
+
+def test_attributes_next_to_the_separatrix_and_beyond():
+    assert close(Pendulum(math.pi).energy_ratio_c, 3.7493994566546439866e-33)
+    assert Pendulum(0.0, 2.0).theta_max == math.pi
+    assert Pendulum(0.0, 2.0).energy_ratio_c == 0.0
+    rotation = Pendulum(0.0, 3.0)
+    assert (rotation.energy_ratio, rotation.energy_ratio_c, rotation.energy) == (2.25, -1.25, 4.5)
+    assert math.isnan(rotation.theta_max)
+
+
+def test_hanging_from_the_other_side_is_the_same_pendulum_half_a_turn_away():
+    upside_down = Pendulum(0.1, omega2=-4.0)
+    upright = Pendulum(0.1 - math.pi, omega2=4.0)
+    assert (upside_down.regime, upside_down.omega0, upside_down.omega2) == ("libration", 2.0, -4.0)
+    t = np.linspace(0.0, 20.0, 50)
+    assert np.allclose(upside_down.theta(t), math.pi + upright.theta(t), rtol=0.0, atol=1e-12)
+    assert np.ptp(upside_down.theta(t)) > 6.0
+
+
+def test_free_rotation_has_no_force():
+    assert np.array_equal(Pendulum(0.5, 2.0, omega0=0.0).theta([0.0, 1.0, 1e6]), [0.5, 2.5, 2000000.5])
+
+
+@pytest.mark.parametrize(
+    ("pendulum", "t", "theta", "velocity"),
+    [
+        (Pendulum(3.0, length=1.0, gravity=9.8), 10.0, 2.92241948221262057, None),
+        (Pendulum(1.0, 0.5, omega0=2.0), 3.0, 0.60644189582150069932, 1.5814647422444923477),
+        (Pendulum(0.0, 3.0), 10.0, 26.15812972521963137, 2.8350544242380382689),
+        (Pendulum(0.0, 2.0), 1.0, 1.7315389664793172486, 1.2961085473277707991),
+        (Pendulum(0.0, 2.0), 5.0, 3.1146412734521020444, None),
+    ],
+)
+def test_motion_has_the_numbers_of_the_equation(pendulum, t, theta, velocity):
+    assert close(pendulum.theta(t), theta)
+    assert velocity is None or close(pendulum.velocity(t), velocity)
+    assert libration.theta(t, pendulum.theta0, pendulum.velocity0, 2.0) == (
+        Pendulum(pendulum.theta0, pendulum.velocity0, omega0=2.0).theta(t)
+    )
+
+
+def test_turns_counts_whole_turns():
+    n, angle = Pendulum(0.0, 3.0).turns(10.0)
+    assert (type(n), type(angle)) == (np.int64, np.float64)
+    assert n == 4
+    assert close(angle, 26.15812972521963137 - 8 * math.pi, 1e-13)
+    n, angle = Pendulum(0.0, 3.0).turns(np.linspace(-1e6, 1e6, 2001))
+    assert n.dtype == np.int64
+    assert np.all((-math.pi <= angle) & (angle <= math.pi))
+    assert np.allclose(2 * math.pi * n + angle, Pendulum(0.0, 3.0).theta(np.linspace(-1e6, 1e6, 2001)), rtol=1e-15)
+
+
+def test_advance_is_the_flow_and_goes_on_through_turns():
+    theta, velocity = libration.advance(0.0, 3.0, 10.0)
+    assert close(theta, 26.15812972521963137)
+    assert close(velocity, 2.8350544242380382689)
+
+
+@pytest.mark.parametrize(
+    ("u", "m", "sn", "cn", "dn", "am"),
+    [
+        (1.5, -3.0, 0.71142786525254073, -0.70275912839479556, 1.5869432322466238, 2.3500647291894077),
+        (2.5, 0.7, 0.97194035058174875, -0.23522745356575054, 0.58200718933507958, 1.8082489083520841),
+        (0.9, 2.0, 0.64498686029008459, 0.76419366004510853, 0.40985839030850376, 0.70100608888778660),
+        (1.5, 1.0, 0.90514825364486644, 0.42509603494228046, 0.42509603494228046, 1.1317283452505091),
+    ],
+)
+def test_jacobi(u, m, sn, cn, dn, am):
+    values = libration.jacobi(u, m=m)
+    for got, truth in zip(values, (sn, cn, dn, am), strict=True):
+        assert close(got, truth, 2e-15)
+    assert values._fields == ("sn", "cn", "dn", "am")
+    assert np.allclose(libration.jacobi(u, mc=1.0 - m), values, rtol=2e-15)
+    if m >= 0:
+        assert np.allclose(libration.jacobi(u, k=math.sqrt(m)), values, rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("m", "complete_k", "complete_e", "nome", "f", "e"),
+    [
+        (-2.0, 1.1714200841467699, 2.1844381427462012, None, 3.0786434343282144, 5.3853750615186297),
+        (0.3, 1.7138894481787911, 1.4453630644126653, 0.022277436157153507, 4.3159433883995853, 3.7210652682686023),
+        (0.99, 3.6956373629898742, 1.0159935450252239, 0.26219626791770932, 8.3780176712203761, 2.7899470306145861),
+    ],
+)
+def test_integrals(m, complete_k, complete_e, nome, f, e):
+    assert close(libration.complete_k(m=m), complete_k, 2e-15)
+    assert close(libration.complete_e(m=m), complete_e, 2e-15)
+    assert nome is None or close(libration.nome(m=m), nome, 2e-15)
+    assert close(libration.incomplete_f(4.0, m=m), f, 2e-15)
+    assert close(libration.incomplete_e(4.0, m=m), e, 2e-15)
+
+
+def test_the_complement_keeps_its_digits():
+    assert close(libration.complete_k(mc=1e-300), 346.77405831022674322)
+    assert libration.complete_k(m=1.0) == math.inf
+
+
+def test_scalars_give_float64():
+    pendulum = Pendulum(3.0)
+    for t in (1.0, 1, np.float64(1.0), np.float32(1.0), np.int64(1), np.array(1.0)):
+        for value in (pendulum.theta(t), pendulum.velocity(t), *pendulum.motion(t), pendulum.turns(t)[1]):
+            assert type(value) is np.float64
+        assert type(pendulum.turns(t)[0]) is np.int64
+        assert type(libration.theta(t, 3.0)) is np.float64
+        assert type(libration.jacobi(t, m=0.5).am) is np.float64
+    assert type(libration.complete_k(m=0.5)) is np.float64
+
+
+@pytest.mark.parametrize(
+    ("pendulum", "shown"),
+    [
+        (Pendulum(3.0, length=1.0, gravity=9.8), "Pendulum(theta0=3.0, velocity0=0.0, length=1.0, gravity=9.8)"),
+        (Pendulum(3, -1), "Pendulum(theta0=3.0, velocity0=-1.0, omega0=1.0)"),
+        (Pendulum(3.0, omega2=-2), "Pendulum(theta0=3.0, velocity0=0.0, omega2=-2.0)"),
+    ],
+)
+def test_repr_evaluates_to_an_equal_pendulum(pendulum, shown):
+    assert repr(pendulum) == shown
+    assert eval(shown, {"Pendulum": Pendulum}) == pendulum
+
+
+def test_equality_and_hash_go_by_state_and_exact_frequency():
+    assert Pendulum(3.0) == Pendulum(3, 0, omega0=1)
+    assert Pendulum(3.0, length=1.0) == Pendulum(3.0, length=1.0, gravity=9.80665)
+    assert Pendulum(3.0) != Pendulum(3.0, omega0=1.0000000000000002)
+    assert Pendulum(3.0) != 3.0
+    assert len({Pendulum(3.0), Pendulum(3.0), Pendulum(2.0)}) == 2
+
+
+@pytest.mark.parametrize("duplicate", [lambda p: pickle.loads(pickle.dumps(p)), copy.copy, copy.deepcopy])
+def test_a_copy_answers_the_same(duplicate):
+    pendulum = Pendulum(3.0, 0.1, length=0.3, gravity=9.81)
+    twin = duplicate(pendulum)
+    assert (twin, repr(twin), twin.theta(1e5)) == (pendulum, repr(pendulum), pendulum.theta(1e5))
+
+
+def test_a_pendulum_does_not_change():
+    pendulum = Pendulum(3.0)
+    for change in (lambda: setattr(pendulum, "theta0", 1.0), lambda: setattr(pendulum, "new", 1.0)):
+        with pytest.raises(AttributeError):
+            change()
+    with pytest.raises(AttributeError):
+        del pendulum._orbit
+
+
+def test_regime_is_its_string():
+    assert [str(regime) for regime in Regime] == ["rest", "libration", "separatrix", "rotation"]
+    assert f"{Pendulum(3.0).regime}" == "libration"
+
+
+def test_stub_agrees_with_the_compiled_module():
+    command = [sys.executable, "-m", "mypy.stubtest", "libration._core"]
+    run = subprocess.run(command, cwd=PACKAGE.parent, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert (PACKAGE / "py.typed").is_file()
+
+
+def test_import_brings_no_heavy_library():
+    heavy = "{'dask', 'xarray', 'scipy', 'matplotlib', 'pandas', 'argparse', 'importlib.metadata'}"
+    code = (
+        f"import numpy, sys; before = set(sys.modules); import libration; print({heavy} & (set(sys.modules) - before))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "set()"
