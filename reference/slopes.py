@@ -65,7 +65,9 @@ def elliptic(name, row):
         return []
     m = balls.parameters(row["given"], inputs[1])[0]
     values = balls.rising(lambda: formula(*inputs))
-    moved = {"jacobi.csv": [2], "complete.csv": [1] if m != 1 else [], "incomplete.csv": [2] if m == 1 else [1, 2]}[name]
+    moved = {"jacobi.csv": [2], "complete.csv": [1] if m != 1 else [], "incomplete.csv": [2] if m == 1 else [1, 2]}[
+        name
+    ]
     if name == "incomplete.csv" and m == 1 and "incomplete_f" in values and row["given"] != "mc":
         moved = [1, 2]
     found = []

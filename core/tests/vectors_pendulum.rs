@@ -93,7 +93,7 @@ fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64
 }
 
 #[test]
-fn every_stratum_keeps_its_last_digits_on_every_instruction_set() {
+fn every_stratum_keeps_its_last_digits() {
     let rows = rows(PENDULUM, 1998);
     let corners = rows_of_corners();
     for set in InstructionSet::available() {

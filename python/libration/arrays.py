@@ -21,7 +21,7 @@ def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: 
     Parameters
     ----------
     t : scalar or array
-        Time in s. NaN, and more than 2**53 half periods (in rotation: turns), give NaN.
+        Time in s. NaN, and more than 2**53 half periods, give NaN.
     theta0 : scalar or array
         Initial angle in rad, finite.
     velocity0 : scalar or array, default 0.0
@@ -68,7 +68,7 @@ def velocity(
     Parameters
     ----------
     t : scalar or array
-        Time in s. NaN, and more than 2**53 half periods (in rotation: turns), give NaN.
+        Time in s. NaN, and more than 2**53 half periods, give NaN.
     theta0 : scalar or array
         Initial angle in rad, finite.
     velocity0 : scalar or array, default 0.0
@@ -110,7 +110,7 @@ def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out:
     Parameters
     ----------
     t : scalar or array
-        Time in s. NaN, and more than 2**53 half periods (in rotation: turns), give NaN.
+        Time in s. NaN, and more than 2**53 half periods, give NaN.
     theta0 : scalar or array
         Initial angle in rad, finite.
     velocity0 : scalar or array, default 0.0
@@ -157,7 +157,7 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     velocity : scalar or array
         Angular velocity in rad/s, finite.
     dt : scalar or array
-        Time to go in s, of any sign. NaN, and more than 2**53 half periods (in rotation: turns), give NaN.
+        Time to go in s, of any sign. NaN, and more than 2**53 half periods, give NaN.
     omega0 : scalar or array, default 1.0
         Angular frequency of small swings in rad/s, finite and >= 0.
     out : pair of ndarray, optional

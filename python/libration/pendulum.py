@@ -114,8 +114,8 @@ class Pendulum:
         Parameters
         ----------
         t : scalar or array
-            Time in s, of any shape and sign. NaN gives NaN, and so does a time more than 2**53 half periods away
-            (in rotation: turns); rest and the separatrix have no such limit.
+            Time in s, of any shape and sign. NaN gives NaN, and so does a time more than 2**53 half periods away;
+            rest and the separatrix have no such limit.
         out : ndarray, optional
             Where to put the result, as for every NumPy ufunc.
 

@@ -76,7 +76,7 @@ def test_attributes_and_methods(theta0, velocity0, frequency, t):
         assert same(array, np.array([scalar, scalar]))
     # Rest and the separatrix have no limit; theta0 + velocity0 t, left by a negligible force, may do without one.
     unforced = abs(velocity0) >= 2.0**100 * pendulum.omega0
-    periods = {"rest": math.inf, "libration": 0.5 * LIMIT, "separatrix": math.inf, "rotation": LIMIT}
+    periods = {"rest": math.inf, "libration": 0.5 * LIMIT, "separatrix": math.inf, "rotation": 0.5 * LIMIT}
     limit = periods[pendulum.regime] * pendulum.period
     if math.isnan(t) or (abs(t) > 1.001 * limit and not unforced):
         assert all(map(math.isnan, (theta, velocity, angle)))

@@ -4,6 +4,7 @@
 //! Method: duplication until the arguments agree to 2^-14, then the series in their elementary symmetric
 //! functions. Source: DLMF 19.26.18, 19.36.1, 19.36.2; Carlson, Numer. Algorithms 10 (1995) 13.
 
+use super::agm::quarter_period;
 use crate::float::Dd;
 
 /// The next term of the series is of eighth order: 2^-112.
@@ -13,10 +14,14 @@ const THIRD: Dd = Dd::new(0.3333333333333333, 1.850371707708594e-17);
 const FIFTH: Dd = Dd::new(0.2, -1.1102230246251566e-17);
 const TENTH: Dd = Dd::new(0.1, -5.551115123125783e-18);
 const FOURTEENTH: Dd = Dd::new(0.07142857142857142, 3.965082230804129e-18);
+const LN_2: Dd = Dd::new(0.6931471805599453, 2.3190468138462996e-17);
 const SIXTH: Dd = Dd::new(0.16666666666666666, 9.25185853854297e-18);
 
 /// R_F(x, y, z) = 1/2 int_0^inf dt / sqrt((t + x)(t + y)(t + z)).
 pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
+    if x.hi + y.hi == 0.0 || y.hi + z.hi == 0.0 || z.hi + x.hi == 0.0 {
+        return Dd::from(f64::INFINITY);
+    }
     let (mut x, mut y, mut z) = (x, y, z);
     loop {
         let mean = (x + y + z) * THIRD;
@@ -46,15 +51,23 @@ pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
     }
 }
 
-/// R_F(x^2, y^2, z^2) from the roots, whose squares may be below the range: one duplication by hand.
-pub fn rf_of_roots(x: Dd, y: Dd, z: Dd) -> Dd {
-    let shift = x * (y + z) + y * z;
+/// R_F(x^2, y^2, 1) from the roots, whose squares may be below the range: one duplication by hand, or, where
+/// both are tiny, ln(8/(x + y)) as a complete integral.
+pub fn rf_of_roots(x: Dd, y: Dd) -> Dd {
+    let sum = x + y;
+    if sum.hi < 1e-100 {
+        return quarter_period(sum) + LN_2;
+    }
+    let shift = x * (y + Dd::ONE) + y;
     let next = |root: Dd| (root.square() + shift).scale(0.25);
-    rf(next(x), next(y), next(z))
+    rf(next(x), next(y), next(Dd::ONE))
 }
 
 /// R_D(x, y, z) = 3/2 int_0^inf dt / ((t + z) sqrt((t + x)(t + y)(t + z))).
 pub fn rd(x: Dd, y: Dd, z: Dd) -> Dd {
+    if x.hi + y.hi == 0.0 || z.hi == 0.0 {
+        return Dd::from(f64::INFINITY);
+    }
     let (mut x, mut y, mut z) = (x, y, z);
     let mut sum = Dd::ZERO;
     let mut power = 1.0;

@@ -74,6 +74,15 @@ pub struct Thetas<L: Lane> {
     pub folded: L::Mask,
 }
 
+/// Where sinh^2 is larger, its nome is 0 in double: the product must not become 0 times infinity.
+const LARGE: f64 = 1e300;
+
+#[inline(always)]
+fn bounded_square<L: Lane>(sine: L) -> L {
+    let square = sine * sine;
+    L::select(square.less(L::splat(LARGE)), square, L::splat(LARGE))
+}
+
 impl Lattice {
     /// From m, k and k' of 0 <= m < 1 (k and k' apart, because either may be below the range of its square).
     pub fn new(m: Dd, mc: Dd, k: Dd, kc: Dd) -> Lattice {
@@ -113,7 +122,7 @@ impl Lattice {
             }
             Side::Hyperbolic => {
                 let (sine, cosine) = sinh_cosh(angle);
-                let x = -(sine.hi * sine.hi);
+                let x = -bounded_square(sine.hi);
                 [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
             }
         };
@@ -140,7 +149,8 @@ impl Lattice {
             }
             Side::Hyperbolic => {
                 let (sine, cosine) = exact_sinh_cosh(angle);
-                let x = -sine.square();
+                let square = sine.square();
+                let x = if square.hi < LARGE { -square } else { Dd::from(-LARGE) };
                 [
                     times(sine, t1.exactly_at(x)),
                     times(Dd::ONE, t4.exactly_at(x)),

@@ -6,7 +6,8 @@
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
 use super::frequency::Frequency;
-use super::orbit::Orbit;
+use super::motion::LAST_HALF_PERIOD;
+use super::orbit::{Orbit, carried};
 use super::regime::Regime;
 use super::state::{Plain, State};
 use crate::elliptic::phase::Phase;
@@ -71,9 +72,9 @@ fn plain_step(theta: f64, velocity: f64, dt: f64, frequency: Frequency, plain: P
 
 fn step(state: &State, dt: f64) -> Step {
     let State { c, x, k, kc, m, mc, power, omega, omega_power, regime, .. } = *state;
-    let (factor, power_of_two) = if omega_power.abs() <= 300 { (omega_power, 0) } else { (0, omega_power) };
-    let dt = ldexp(dt, power_of_two);
-    let fast = omega.scale(ldexp(1.0, factor));
+    let (rate_power, time_power) = carried(omega_power);
+    let dt = ldexp(dt, time_power);
+    let fast = omega.scale(ldexp(1.0, rate_power));
     if regime == Regime::Separatrix {
         let passed = if c.hi == 0.0 && x.hi == 0.0 { Dd::ZERO } else { fast * dt };
         let bounded = if passed.hi.abs() < 800.0 { passed } else { Dd::from(800f64.copysign(passed.hi)) };
@@ -92,7 +93,8 @@ fn step(state: &State, dt: f64) -> Step {
     };
     let phase = Phase { rate: stretch / lattice.quarter.scale(2.0), start: Dd::ZERO };
     let at = phase.reduce(dt);
-    if at.n.hi.abs() >= 9_007_199_254_740_992.0 {
+    let half_periods = if rotation { 2.0 * at.n.hi } else { at.n.hi };
+    if half_periods.abs() >= LAST_HALF_PERIOD {
         return Step {
             sn: Dd::from(f64::NAN),
             cn: Dd::from(f64::NAN),

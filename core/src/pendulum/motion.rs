@@ -50,10 +50,13 @@ impl Wanted for Both {
     const VELOCITY: bool = true;
 }
 
-/// The phase while its count of half periods is a whole double, below 2^53; NaN from there.
+/// 2^53 half periods: beyond, doubles are further apart than the motion repeats.
+pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
+
+/// The phase while fewer than 2^53 half periods have passed; NaN from there.
 #[inline(always)]
-fn within_count<L: Lane>(n: L, f: Dd<L>) -> Dd<L> {
-    let within = n.abs().less(L::splat(9_007_199_254_740_992.0));
+fn within_count<L: Lane>(half_periods: L, f: Dd<L>) -> Dd<L> {
+    let within = half_periods.abs().less(L::splat(LAST_HALF_PERIOD));
     Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo)
 }
 
@@ -91,7 +94,7 @@ impl Elliptic {
     #[inline(always)]
     fn rotation<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
         let Reduced { n, sign, f, .. } = self.phase.reduce(t);
-        let thetas = self.lattice.thetas(within_count(n.hi, f));
+        let thetas = self.lattice.thetas(within_count(n.hi + n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
         let mut motion = Canonical { turns: n.hi, ..Canonical::at(sign) };
         if W::ANGLE {
@@ -153,7 +156,8 @@ impl Orbit {
             Course::Still | Course::Free => return self.straight(t),
         };
         let side = L::splat(self.frame.side);
-        let (turns, sign, velocity) = (motion.turns * side, motion.sign * side, motion.velocity * side);
+        let (turns, sign) = (motion.turns * side, motion.sign * side);
+        let velocity = motion.velocity * L::splat(self.velocity_scale);
         let two = L::splat(2.0);
         let angle = if self.frame.half_turn == 0.0 {
             Angle { turns, local: arctangent(motion.opposite, motion.adjacent).scale(sign * two) }
@@ -254,15 +258,19 @@ impl Orbit {
         }
         let (n, angle) = match self.course {
             Course::Still | Course::Free => {
+                // Far out the second word has turns of its own.
                 let total = self.frame.base + local;
-                let reduced = circle::reduce(total.hi);
-                (reduced.turns, (reduced.from_bottom * reduced.side).to_dd() + Dd::from(total.lo))
+                let [hi, lo] = [total.hi, total.lo].map(circle::reduce);
+                let rest = (hi.from_bottom * hi.side + lo.from_bottom * lo.side).to_dd();
+                let shift = (rest.hi / TWO_PI.hi).round();
+                (hi.turns + lo.turns + shift, rest - TWO_PI * shift)
             }
             _ => (self.frame.turns + turns, local),
         };
         // The half-open interval in doubles: its upper end is the lower end one turn on.
         match angle.value() {
             value if value >= PI.hi => (n as i64 + 1, (angle - TWO_PI).value().max(-PI.hi)),
+            value if value < -PI.hi => (n as i64 - 1, (angle + TWO_PI).value()),
             value => (n as i64, value),
         }
     }

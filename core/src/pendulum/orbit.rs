@@ -54,6 +54,8 @@ pub struct Orbit {
     pub(crate) course: Course,
     /// Factor that brings t into the range where the phase is formed: a power of two, 1 for ordinary omega0.
     pub(crate) time_scale: f64,
+    /// Factor of the velocity: its side, and the powers of two that its other factors cannot carry.
+    pub(crate) velocity_scale: f64,
     regime: Regime,
     period: f64,
     theta_max: f64,
@@ -63,8 +65,19 @@ pub struct Orbit {
     frequency: Frequency,
 }
 
-/// Powers of two of omega0 that the phase rate can carry.
-const RATE_POWER: i32 = 300;
+/// Powers of two that a double-double can carry beside its digits; larger ones stand apart.
+const CARRIED: i32 = 300;
+
+/// The part of a power of two that is carried, and the part that stands apart.
+pub(crate) fn carried(power: i32) -> (i32, i32) {
+    let inside = power.clamp(-CARRIED, CARRIED);
+    (inside, power - inside)
+}
+
+/// k' as a divisor whose inverse stays in range: an angle of 1e-290 from the top is as good as none.
+fn divisor(kc: Dd) -> Dd {
+    if kc.hi < 1e-290 { Dd::from(1e-290) } else { kc }
+}
 
 /// The frame of a straight motion: its own start.
 fn unturned(theta0: f64) -> Frame {
@@ -105,6 +118,7 @@ impl Orbit {
             frame,
             course,
             time_scale: 1.0,
+            velocity_scale: 1.0,
             regime,
             period,
             theta_max,
@@ -117,12 +131,12 @@ impl Orbit {
 
     fn shaped(theta0: f64, velocity0: f64, frequency: Frequency, state: &State) -> Orbit {
         let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = *state;
-        let (rate_power, time_power) =
-            if omega_power.abs() <= RATE_POWER { (omega_power, 0) } else { (0, omega_power) };
+        let (rate_power, time_power) = carried(omega_power);
+        let (speed_power, velocity_power) = carried(power + omega_power);
         let fast = (omega * 2.0).scale(exp2(rate_power));
         let scaled = |value: Dd, power: i32| Dd::new(ldexp(value.hi, power), ldexp(value.lo, power));
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
-        let start = || (s / k) * rf_of_roots(x / k, c, Dd::ONE);
+        let start = || (s / k) * rf_of_roots(x / k, c);
         let (course, period, theta_max) = match regime {
             Regime::Libration => {
                 let lattice = Lattice::new(scaled(m, 2 * power), mc, scaled(k, power), kc);
@@ -133,8 +147,8 @@ impl Orbit {
                 let speed = (omega * k).scale(2.0);
                 let elliptic = Elliptic {
                     phase: Phase { rate, start },
-                    tangent: [scaled(amplitude, power), scaled(k / kc, power)],
-                    velocity: [speed, speed * kc * lattice.amplitude].map(|v| scaled(v, power + omega_power)),
+                    tangent: [scaled(amplitude, power), scaled(k / divisor(kc), power)],
+                    velocity: [speed, speed * kc * lattice.amplitude].map(|v| scaled(v, speed_power)),
                     lattice,
                 };
                 let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
@@ -150,8 +164,8 @@ impl Orbit {
                 let speed = (omega * k).scale(2.0);
                 let elliptic = Elliptic {
                     phase: Phase { rate, start: k * start() / halves },
-                    tangent: [lattice.amplitude, Dd::ONE / (inner_c * lattice.amplitude)],
-                    velocity: [speed, speed * inner_c].map(|v| scaled(v, omega_power)),
+                    tangent: [lattice.amplitude, Dd::ONE / (divisor(inner_c) * lattice.amplitude)],
+                    velocity: [speed, speed * inner_c].map(|v| scaled(v, speed_power)),
                     lattice,
                 };
                 let period = ldexp((halves / (omega * k)).value(), -omega_power);
@@ -160,7 +174,7 @@ impl Orbit {
             _ if c.hi == 0.0 && x.hi == 0.0 => (Course::Still, f64::INFINITY, core::f64::consts::PI),
             _ => {
                 let phase = Phase { rate: fast.scale(0.5), start: start() };
-                let speed = scaled(omega.scale(2.0), omega_power);
+                let speed = scaled(omega.scale(2.0), speed_power);
                 (Course::Separatrix(phase, speed), f64::INFINITY, core::f64::consts::PI)
             }
         };
@@ -172,6 +186,7 @@ impl Orbit {
             frame,
             course,
             time_scale: ldexp(1.0, time_power),
+            velocity_scale: ldexp(frame.side, velocity_power),
             regime,
             period,
             theta_max,

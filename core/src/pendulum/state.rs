@@ -86,7 +86,12 @@ impl State {
         } else {
             let mantissa = Td::from(ldexp(velocity.abs(), -exponent(velocity))) / omega;
             let shift = x_power - power;
-            Td::new(ldexp(mantissa.hi, shift), ldexp(mantissa.mid, shift), ldexp(mantissa.lo, shift))
+            let least = f64::from_bits(1); // a velocity at the very top is never none
+            Td::new(
+                ldexp(mantissa.hi, shift).max(least),
+                ldexp(mantissa.mid, shift),
+                ldexp(mantissa.lo, shift),
+            )
         };
         if sine.hi == 0.0 && x.hi == 0.0 {
             return Err(Plain::Still);
