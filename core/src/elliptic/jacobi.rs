@@ -134,7 +134,7 @@ impl Kernel for Values<'_> {
             if self.jacobi.range == Range::One { self.jacobi.hyperbolic(u) } else { self.jacobi.elliptic(u) };
         // Where u^2 counts no more sn and am are u, down to the sign of zero; NaN stays NaN.
         let tiny = u.abs().less(L::splat(1e-290));
-        let odd = |value: L| L::select(tiny, u - (value - value), value).into();
+        let odd = |value: L| L::select(tiny, u - value.abs() * L::splat(0.0), value).into();
         (odd(sn), cn.into(), dn.into(), odd(am))
     }
 }

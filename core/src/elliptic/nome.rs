@@ -32,8 +32,7 @@ pub fn nome(parameter: Parameter) -> f64 {
     if mc.hi == 0.0 {
         return 1.0;
     }
-    // NaN is not above 0 either.
-    if !(mc.hi > 0.0) {
+    if mc.hi.is_nan() || mc.hi < 0.0 {
         return f64::NAN;
     }
     let unit = parameter.unit();
