@@ -10,7 +10,7 @@ fn close(a: f64, b: f64, ulps: f64) -> bool {
 const PARAMETERS: [f64; 9] = [-1e6, -2.0, -1e-3, 0.0, 0.3, 0.5, 0.75, 0.999, 1.0];
 
 #[test]
-fn squares_and_derivatives() {
+fn squares_and_amplitude() {
     for m in PARAMETERS {
         let jacobi = Jacobi::new(Parameter::from_m(m));
         for i in -40..40 {

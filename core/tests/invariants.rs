@@ -82,6 +82,26 @@ fn steps_compose_into_the_orbit_and_keep_their_turns() {
 }
 
 #[test]
+fn steps_that_are_no_steps() {
+    for (theta0, velocity0, omega0) in
+        [(1.0, 0.0, 1.0), (0.0, 2.0, 1.0), (0.0, 3.0, 1.0), (0.0, 0.0, 1.0), (1.0, 2.0, 0.0)]
+    {
+        let force = Frequency::from_omega0(omega0).unwrap();
+        let orbit = Orbit::new(theta0, velocity0, force).unwrap();
+        assert_eq!(advance(theta0, velocity0, 0.0, force), (theta0, velocity0));
+        for dt in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
+            let (theta, velocity) = advance(theta0, velocity0, dt, force);
+            let (expected, speed) = orbit.motion(dt);
+            assert!(
+                theta == expected || (theta.is_nan() && expected.is_nan()),
+                "{theta0} {velocity0} {dt} {theta} {expected}"
+            );
+            assert!(velocity == speed || (velocity.is_nan() && speed.is_nan()), "{theta0} {velocity0} {dt}");
+        }
+    }
+}
+
+#[test]
 fn reversal_reflection_and_whole_turns() {
     for part in spread(500) {
         let (theta0, velocity0, t) = (6.0 * part - 3.0, 5.0 * (part * 31.0).sin(), 40.0 * part);

@@ -63,7 +63,6 @@ fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64
             println!("regime of {} is {}", row.text("id"), orbit.regime().name());
         }
         let (theta, velocity) = motion(&orbit, t);
-        assert!(theta.to_bits() == orbit.theta(t).to_bits() || !corners);
         let (theta_scale, velocity_scale) = scales(row, &orbit);
         let floor = 2f64.powi(-30);
         let errors = [
@@ -116,6 +115,30 @@ fn rows_of_corners() -> Vec<Row<'static>> {
     rows(CORNERS, 554)
 }
 
+/// Energy ratio, its complement, energy and turning angle: 4 ulp, plus what 2^-150 of the condition makes of the
+/// complement, and of the angle through it.
+#[test]
+fn energies_and_turning_angles() {
+    for (rows, corners) in [(rows(PENDULUM, 1998), false), (rows_of_corners(), true)] {
+        for row in &rows {
+            let (theta0, velocity0) = (row.hex("theta0"), row.hex("velocity0"));
+            let orbit = Orbit::new(theta0, velocity0, frequency(row, corners)).unwrap();
+            let complement = row.truth("energy_ratio_c");
+            let turn = theta0.abs().max(4.0) * 2f64.powi(-150);
+            for (name, got, ease) in [
+                ("energy_ratio", orbit.energy_ratio(), 0.0),
+                ("energy_ratio_c", orbit.energy_ratio_c(), turn * complement[0].abs().sqrt().max(1e-3)),
+                ("energy", orbit.energy(), 0.0),
+                ("theta_max", orbit.theta_max(), 0.0),
+            ] {
+                let truth = row.truth(name);
+                let error = distance(got, truth, ruler::ulp(truth[0]) + ease);
+                assert!(error <= 4.0, "{} {name} {got:e} {truth:?} {error}", row.text("id"));
+            }
+        }
+    }
+}
+
 /// `advance` of one step against the truth, with the floor at the scale.
 fn advanced(rows: &[Row], corners: bool, step: impl Fn(f64, f64, f64, Frequency) -> (f64, f64)) -> f64 {
     let mut worst = 0.0;
@@ -160,9 +183,9 @@ fn spoiled_siblings_are_found() {
     assert!(worst(&|orbit, t| (orbit.turns(t).1, orbit.velocity(t))) > 4.0);
     assert!(worst(&|orbit, t| (orbit.theta(t), if t > 1e6 { f64::NAN } else { orbit.velocity(t) })) > 4.0);
     assert!(worst(&|orbit, t| orbit.motion(t.rem_euclid(orbit.period()))) > 4.0);
-    // Half an ulp more, everywhere: only the median sees it.
-    let half = |value: f64| if value == 0.0 { value } else { f64::from_bits(value.to_bits() + 1) };
-    let medians = report(&rows, false, |orbit, t| (half(orbit.theta(t)), half(orbit.velocity(t)))).worst();
+    // One ulp more, everywhere: the median sees it.
+    let next = |value: f64| if value == 0.0 { value } else { f64::from_bits(value.to_bits() + 1) };
+    let medians = report(&rows, false, |orbit, t| (next(orbit.theta(t)), next(orbit.velocity(t)))).worst();
     assert!(medians.1 > 0.5);
     // A step with the wrong angle, and one that forgets its turns.
     assert!(advanced(&rows, false, |a, b, t, f| advance(a, b, t * (1.0 + 1e-12), f)) > 8.0);

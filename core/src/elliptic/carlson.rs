@@ -5,17 +5,22 @@
 //! functions. Source: DLMF 19.26.18, 19.36.1, 19.36.2; Carlson, Numer. Algorithms 10 (1995) 13.
 
 use super::agm::quarter_period;
-use crate::float::Dd;
+use crate::float::{Dd, LN_2};
 
 /// The next term of the series is of eighth order: 2^-112.
 const CLOSE: f64 = 6.1e-5;
 
-const THIRD: Dd = Dd::new(0.3333333333333333, 1.850371707708594e-17);
+pub(super) const THIRD: Dd = Dd::new(0.3333333333333333, 1.850371707708594e-17);
 const FIFTH: Dd = Dd::new(0.2, -1.1102230246251566e-17);
 const TENTH: Dd = Dd::new(0.1, -5.551115123125783e-18);
 const FOURTEENTH: Dd = Dd::new(0.07142857142857142, 3.965082230804129e-18);
-const LN_2: Dd = Dd::new(0.6931471805599453, 2.3190468138462996e-17);
 const SIXTH: Dd = Dd::new(0.16666666666666666, 9.25185853854297e-18);
+
+/// Largest distance from the mean.
+fn spread(mean: Dd, x: Dd, y: Dd, z: Dd) -> f64 {
+    let from = |value: Dd| (mean.hi - value.hi).abs();
+    from(x).max(from(y)).max(from(z))
+}
 
 /// R_F(x, y, z) = 1/2 int_0^inf dt / sqrt((t + x)(t + y)(t + z)).
 pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
@@ -25,8 +30,7 @@ pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
     let (mut x, mut y, mut z) = (x, y, z);
     loop {
         let mean = (x + y + z) * THIRD;
-        let spread =
-            f64::max((mean.hi - x.hi).abs(), f64::max((mean.hi - y.hi).abs(), (mean.hi - z.hi).abs()));
+        let spread = spread(mean, x, y, z);
         if spread < CLOSE * mean.hi {
             let dx = (mean - x) / mean;
             let dy = (mean - y) / mean;
@@ -56,7 +60,7 @@ pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
 pub fn rf_of_roots(x: Dd, y: Dd) -> Dd {
     let sum = x + y;
     if sum.hi < 1e-100 {
-        return quarter_period(sum) + LN_2;
+        return quarter_period(sum) + LN_2.to_dd();
     }
     let shift = x * (y + Dd::ONE) + y;
     let next = |root: Dd| (root.square() + shift).scale(0.25);
@@ -73,8 +77,7 @@ pub fn rd(x: Dd, y: Dd, z: Dd) -> Dd {
     let mut power = 1.0;
     loop {
         let mean = (x + y + z * 3.0) * FIFTH;
-        let spread =
-            f64::max((mean.hi - x.hi).abs(), f64::max((mean.hi - y.hi).abs(), (mean.hi - z.hi).abs()));
+        let spread = spread(mean, x, y, z);
         if spread < CLOSE * mean.hi {
             let dx = (mean - x) / mean;
             let dy = (mean - y) / mean;

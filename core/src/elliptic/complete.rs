@@ -4,7 +4,7 @@
 //! 19.25.1. For m < 0 both follow from -m/(1 - m), DLMF 19.7.5.
 
 use super::agm::quarter_period;
-use super::carlson::rd;
+use super::carlson::{THIRD, rd};
 use super::parameter::{Parameter, Unit};
 use crate::float::Dd;
 
@@ -22,7 +22,7 @@ pub(crate) fn complete_e_dd(parameter: Parameter) -> Dd {
         return if parameter.m.hi < 0.0 { Dd::ONE / kc } else { Dd::ONE };
     }
     let sum = rd(Dd::ZERO, mc, Dd::ONE) + rd(Dd::ZERO, Dd::ONE, mc);
-    let inner = mc * sum * Dd::new(0.3333333333333333, 1.850371707708594e-17);
+    let inner = mc * sum * THIRD;
     if parameter.m.hi < 0.0 { inner / kc } else { inner }
 }
 

@@ -4,20 +4,20 @@
 //! Method: phi = n pi + r with r reduced in triple-double, then Carlson's integrals in the one of DLMF
 //! 19.25.5, 19.25.9 to 19.25.11 whose terms are all positive for the given m, plus 2 n K or 2 n E.
 
-use super::carlson::{rd, rf};
+use super::carlson::{THIRD, rd, rf};
 use super::complete::{complete_e_dd, complete_k_dd};
 use super::parameter::Parameter;
-use crate::float::{Dd, circle};
+use crate::float::{Dd, circle, series};
 
 /// phi = n pi + side * r, 0 <= r <= pi/2.
-struct Amplitude {
+struct Reduced {
     n: f64,
     side: f64,
     sine: Dd,
     cosine: Dd,
 }
 
-fn reduce(phi: f64) -> Amplitude {
+fn reduce(phi: f64) -> Reduced {
     let full = circle::reduce(phi);
     let beyond = full.from_top.hi < full.from_bottom.hi;
     let (n, side, r, other) = if beyond {
@@ -28,12 +28,12 @@ fn reduce(phi: f64) -> Amplitude {
     // pi/2 - r, half the difference of r and pi - r.
     let rest = (other - r).scale(0.5);
     let (sine, cosine) = if r.hi <= rest.hi {
-        circle::sin_cos(r)
+        series::sin_cos(r)
     } else {
-        let (cosine, sine) = circle::sin_cos(rest);
+        let (cosine, sine) = series::sin_cos(rest);
         (sine, cosine)
     };
-    Amplitude { n, side, sine: sine.to_dd(), cosine: cosine.to_dd() }
+    Reduced { n, side, sine: sine.to_dd(), cosine: cosine.to_dd() }
 }
 
 /// Which of the two integrals.
@@ -55,18 +55,18 @@ fn reduced(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd 
         let inverse = Dd::ONE / d;
         let scaled = rd(c * inverse, Dd::ONE, inverse);
         return sine * rf(c, d, Dd::ONE)
-            - m * inverse * sine.square() * (sine * inverse.sqrt()) * scaled / Dd::from(3.0);
+            - m * inverse * sine.square() * (sine * inverse.sqrt()) * scaled * THIRD;
     }
     if mc.hi < 0.0 {
         // 19.25.11
-        let part = mc * sine.square() * sine * rd(d, Dd::ONE, c) / Dd::from(3.0);
+        let part = mc * sine.square() * sine * rd(d, Dd::ONE, c) * THIRD;
         return d.sqrt() * sine / cosine - part;
     }
     if mc.hi == 0.0 {
         return sine;
     }
     // 19.25.10
-    let first = mc * rf(c, d, Dd::ONE) + m * mc * sine.square() * rd(c, Dd::ONE, d) / Dd::from(3.0);
+    let first = mc * rf(c, d, Dd::ONE) + m * mc * sine.square() * rd(c, Dd::ONE, d) * THIRD;
     sine * first + m * sine * cosine / d.sqrt()
 }
 
@@ -81,7 +81,7 @@ fn incomplete(kind: Kind, phi: f64, parameter: Parameter) -> f64 {
     if phi.is_infinite() {
         return phi;
     }
-    let Amplitude { n, side, sine, cosine } = reduce(phi);
+    let Reduced { n, side, sine, cosine } = reduce(phi);
     let d = cosine.square() + mc * sine.square();
     if mc.hi < 0.0 && (n != 0.0 || d.hi < 0.0) {
         return f64::NAN;
@@ -98,15 +98,15 @@ fn incomplete(kind: Kind, phi: f64, parameter: Parameter) -> f64 {
 
 /// F(phi | m) = int_0^phi dt / sqrt(1 - m sin^2 t).
 ///
-/// For m > 1 real only while m sin^2 t <= 1 on the way, NaN beyond; at m = 1 infinite beyond pi/2.
-/// **Error** at most 3 ulp (plus 2^-100 of the condition).
+/// Infinite phi gives its infinity for m <= 1. For m > 1 real only while m sin^2 t <= 1 on the way, NaN beyond; at m = 1 infinite beyond pi/2.
+/// **Error** at most 3 ulp.
 pub fn incomplete_f(phi: f64, parameter: Parameter) -> f64 {
     incomplete(Kind::First, phi, parameter)
 }
 
 /// E(phi | m) = int_0^phi sqrt(1 - m sin^2 t) dt, with the domain of [`incomplete_f`].
 ///
-/// **Error** at most 3 ulp (plus 2^-100 of the condition).
+/// **Error** at most 3 ulp.
 pub fn incomplete_e(phi: f64, parameter: Parameter) -> f64 {
     incomplete(Kind::Second, phi, parameter)
 }

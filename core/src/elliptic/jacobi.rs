@@ -9,7 +9,7 @@ use super::phase::Phase;
 use super::theta::Lattice;
 use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
 use crate::float::{Dd, PI};
-use crate::lanes::{Kernel, Scalar, dispatch};
+use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
 
 /// Where the parameter lies, which decides the formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,9 +39,10 @@ pub struct Jacobi {
     phase: Phase,
     /// The factor of theta1 in sn, and in cn counted from K.
     sine: [Dd; 2],
-    /// The factor of dn counted from K, and 1/k for m > 1.
+    /// The factor of dn counted from K.
     edge: Dd,
-    inverse_modulus: Dd,
+    /// Modulus of the parameter in [0, 1]: 1/k of the given one for m > 1.
+    unit_modulus: Dd,
 }
 
 impl Jacobi {
@@ -60,8 +61,8 @@ impl Jacobi {
         let (k, kc) = (unit.k, unit.kc);
         let lattice = Lattice::new(unit.m, unit.mc, k, kc);
         let (a, edge) = match range {
-            Range::Negative => (lattice.amplitude * kc, Dd::ONE / kc),
-            _ => (lattice.amplitude, kc),
+            Range::Negative => (lattice.theta1_factor * kc, Dd::ONE / kc),
+            _ => (lattice.theta1_factor, kc),
         };
         // Half periods per unit of u: sqrt(mc), 1 or sqrt(m) times 1/2K.
         let stretch = match range {
@@ -71,20 +72,32 @@ impl Jacobi {
         };
         let rate = (stretch / lattice.quarter).scale(0.5);
         let phase = Phase { rate, start: Dd::ZERO };
-        Jacobi { range, lattice, phase, sine: [a, a * edge], edge, inverse_modulus: k }
+        Jacobi { range, lattice, phase, sine: [a, a * edge], edge, unit_modulus: k }
     }
 
     /// (sn, cn, dn, am) at u, where am = int_0^u dn: it grows by pi per 2K for m < 1, is the Gudermannian at
     /// m = 1 and stays within its turning points for m > 1.
     ///
-    /// Infinite u gives the limits at m = 1, NaN elsewhere, as more than 2^96 half periods do.
+    /// Infinite u gives the limits at m = 1, NaN elsewhere, as more than 2^100 half periods do.
     /// **Error** at most 3 ulp (plus 2^-100 of the condition in u).
     pub fn values(&self, u: f64) -> (f64, f64, f64, f64) {
-        dispatch(Values { jacobi: self, u })
+        let [mut sn, mut cn, mut dn, mut am] = [[0.0]; 4];
+        single(Fill { jacobi: self, u: &[u], results: [&mut sn, &mut cn, &mut dn, &mut am] });
+        (sn[0], cn[0], dn[0], am[0])
+    }
+
+    /// [`Jacobi::values`] of every u, bit for bit, on the widest lanes, into sn, cn, dn and am; panics where the
+    /// lengths differ.
+    pub fn values_into(&self, u: &[f64], results: [&mut [f64]; 4]) {
+        assert!(
+            results.iter().all(|result| result.len() == u.len()),
+            "results of another length than the arguments"
+        );
+        wide(Fill { jacobi: self, u, results });
     }
 
     #[inline(always)]
-    fn hyperbolic<L: Scalar>(&self, u: L) -> [L; 4] {
+    fn hyperbolic<L: Lane>(&self, u: L) -> [L; 4] {
         let sign = L::splat(1.0).copysign(u);
         let y = Dd::from_double(u.abs());
         let (sinh, cosh) = saturated_sinh_cosh(y);
@@ -95,9 +108,9 @@ impl Jacobi {
     }
 
     #[inline(always)]
-    fn elliptic<L: Scalar>(&self, u: L) -> [L; 4] {
+    fn elliptic<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> [L; 4] {
         let at = self.phase.reduce(u);
-        let thetas = self.lattice.thetas(at.f);
+        let thetas = self.lattice.thetas_on::<HYPERBOLIC, L>(at.f);
         let folded = thetas.folded;
         let [t1, t2, t3, t4] = thetas.theta;
         let (t3, t4) = if self.range == Range::Negative { (t4, t3) } else { (t3, t4) };
@@ -107,7 +120,7 @@ impl Jacobi {
         let common = Dd::select(folded, t3, t4);
         let odd = at.parity * at.sign;
         if self.range == Range::Greater {
-            let sn = sn * Dd::splat(self.inverse_modulus);
+            let sn = sn * Dd::splat(self.unit_modulus);
             let am = arctangent(sn, dn).value() * odd;
             let sn = quotient(sn, common).value() * odd;
             return [sn, quotient(dn, common).value(), quotient(cn, common).value() * at.parity, am];
@@ -120,21 +133,50 @@ impl Jacobi {
     }
 }
 
-struct Values<'a> {
-    jacobi: &'a Jacobi,
-    u: f64,
+/// Where u^2 counts no more sn and am are u, down to the sign of zero; NaN stays NaN.
+#[inline(always)]
+fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
+    let tiny = u.abs().less(L::splat(1e-290));
+    let small = |value: L| L::select(tiny, u - value.abs() * L::splat(0.0), value);
+    [small(sn), cn, dn, small(am)]
 }
 
-impl Kernel for Values<'_> {
-    type Output = (f64, f64, f64, f64);
+struct Doubly<'a, const HYPERBOLIC: bool>(&'a Jacobi);
+
+impl<const HYPERBOLIC: bool> Sampler<4> for Doubly<'_, HYPERBOLIC> {
     #[inline(always)]
-    fn run<L: Scalar>(self) -> Self::Output {
-        let u = L::splat(self.u);
-        let [sn, cn, dn, am] =
-            if self.jacobi.range == Range::One { self.jacobi.hyperbolic(u) } else { self.jacobi.elliptic(u) };
-        // Where u^2 counts no more sn and am are u, down to the sign of zero; NaN stays NaN.
-        let tiny = u.abs().less(L::splat(1e-290));
-        let odd = |value: L| L::select(tiny, u - value.abs() * L::splat(0.0), value).into();
-        (odd(sn), cn.into(), dn.into(), odd(am))
+    fn at<L: Lane>(&self, u: L) -> [L; 4] {
+        odd(u, self.0.elliptic::<HYPERBOLIC, L>(u))
+    }
+}
+
+struct Singly<'a>(&'a Jacobi);
+
+impl Sampler<4> for Singly<'_> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, u: L) -> [L; 4] {
+        odd(u, self.0.hyperbolic(u))
+    }
+}
+
+/// Arguments into slices of results of the same length.
+struct Fill<'a, 'b> {
+    jacobi: &'a Jacobi,
+    u: &'a [f64],
+    results: [&'b mut [f64]; 4],
+}
+
+impl Kernel for Fill<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(mut self) {
+        let (jacobi, u, results) = (self.jacobi, self.u, &mut self.results);
+        if jacobi.range == Range::One {
+            sweep::<L, 4>(&Singly(jacobi), u, results);
+        } else if jacobi.lattice.hyperbolic() {
+            sweep::<L, 4>(&Doubly::<true>(jacobi), u, results);
+        } else {
+            sweep::<L, 4>(&Doubly::<false>(jacobi), u, results);
+        }
     }
 }

@@ -12,7 +12,7 @@
 
 use super::agm::agm;
 use super::nome::small_nome;
-use crate::float::elementary::{exact_sin_cos, exact_sinh_cosh, sin_cos, sinh_cosh};
+use crate::float::elementary::{long_sin_cos, long_sinh_cosh, sin_cos, sinh_cosh};
 use crate::float::{Dd, HALF_PI, PI};
 use crate::lanes::Lane;
 
@@ -40,7 +40,7 @@ impl Correction {
         Correction { first: first / origin, second: second / origin.hi, third: third / origin.hi }
     }
     /// The same in double-double, good to 2^-66.
-    fn exactly_at(&self, x: Dd) -> Dd {
+    fn long_at(&self, x: Dd) -> Dd {
         x * (self.first + Dd::product(x.hi, self.second + x.hi * self.third))
     }
     #[inline(always)]
@@ -57,7 +57,7 @@ pub struct Lattice {
     /// Circular or hyperbolic angle of one half period 2K.
     pub angle: Dd,
     /// 2K/pi or 2K'/pi: the factor A of theta1.
-    pub amplitude: Dd,
+    pub theta1_factor: Dd,
     /// Quarter period K (infinite at m = 1).
     pub quarter: Dd,
     /// Complementary modulus k'.
@@ -93,7 +93,7 @@ impl Lattice {
             return Lattice {
                 side: Side::Circular,
                 angle: PI,
-                amplitude: Dd::ONE / mean,
+                theta1_factor: Dd::ONE / mean,
                 quarter,
                 kc,
                 theta,
@@ -102,35 +102,37 @@ impl Lattice {
         let other = agm(k);
         let theta = corrections(small_nome(mc, k));
         let angle = PI * other / mean;
-        Lattice { side: Side::Hyperbolic, angle, amplitude: Dd::ONE / other, quarter, kc, theta }
+        Lattice { side: Side::Hyperbolic, angle, theta1_factor: Dd::ONE / other, quarter, kc, theta }
     }
 
-    /// Theta functions at v = 2K f, 0 <= f <= 1/2.
+    /// Whether [`Lattice::thetas_on`] takes the hyperbolic side.
+    pub fn hyperbolic(&self) -> bool {
+        self.side == Side::Hyperbolic
+    }
+
+    /// Theta functions at v = 2K f, 0 <= f <= 1/2, for a lattice on that side.
     #[inline(always)]
-    pub fn thetas<L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
+    pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
         let folded = L::splat(0.25).less(f.hi);
         let half = Dd::from_double(L::splat(0.5));
         let v = Dd::select(folded, Dd::ordered_sum(half.hi - f.hi, -f.lo), f);
         let angle = v * Dd::splat(self.angle);
         let [t1, t2, t3, t4] = &self.theta;
         let one = Dd::from_double(L::splat(1.0));
-        let theta = match self.side {
-            Side::Circular => {
-                let (sine, cosine) = sin_cos(angle);
-                let x = sine.hi * sine.hi;
-                [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
-            }
-            Side::Hyperbolic => {
-                let (sine, cosine) = sinh_cosh(angle);
-                let x = -bounded_square(sine.hi);
-                [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
-            }
+        let theta = if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let x = -bounded_square(sine.hi);
+            [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let x = sine.hi * sine.hi;
+            [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
         };
         Thetas { theta, folded }
     }
 
-    /// [`Lattice::thetas`] good to 2^-64: for steps that are repeated, whose errors would add up.
-    pub fn exact_thetas(&self, f: Dd) -> Thetas<f64> {
+    /// [`Lattice::thetas_on`] good to 2^-64: for steps that are repeated, whose errors would add up.
+    pub fn long_thetas(&self, f: Dd) -> Thetas<f64> {
         let folded = f.hi > 0.25;
         let v = if folded { Dd::from(0.5) - f } else { f };
         let angle = v * self.angle;
@@ -138,24 +140,24 @@ impl Lattice {
         let times = |lead: Dd, correction: Dd| lead + lead * correction;
         let theta = match self.side {
             Side::Circular => {
-                let (sine, cosine) = exact_sin_cos(angle);
+                let (sine, cosine) = long_sin_cos(angle);
                 let x = sine.square();
                 [
-                    times(sine, t1.exactly_at(x)),
-                    times(cosine, t2.exactly_at(x)),
-                    times(Dd::ONE, t3.exactly_at(x)),
-                    times(Dd::ONE, t4.exactly_at(x)),
+                    times(sine, t1.long_at(x)),
+                    times(cosine, t2.long_at(x)),
+                    times(Dd::ONE, t3.long_at(x)),
+                    times(Dd::ONE, t4.long_at(x)),
                 ]
             }
             Side::Hyperbolic => {
-                let (sine, cosine) = exact_sinh_cosh(angle);
+                let (sine, cosine) = long_sinh_cosh(angle);
                 let square = sine.square();
                 let x = if square.hi < LARGE { -square } else { Dd::from(-LARGE) };
                 [
-                    times(sine, t1.exactly_at(x)),
-                    times(Dd::ONE, t4.exactly_at(x)),
-                    times(Dd::ONE, t3.exactly_at(x)),
-                    times(cosine, t2.exactly_at(x)),
+                    times(sine, t1.long_at(x)),
+                    times(Dd::ONE, t4.long_at(x)),
+                    times(Dd::ONE, t3.long_at(x)),
+                    times(cosine, t2.long_at(x)),
                 ]
             }
         };

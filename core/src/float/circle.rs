@@ -1,9 +1,10 @@
-//! Angles on the circle: reduction of any double modulo 2 pi, and sine and cosine of the half angle, to
-//! triple-double, with the distance from the top kept as carefully as the distance from the bottom.
+//! Angles on the circle: reduction of any double modulo 2 pi to triple-double, with the distance from the top
+//! kept as carefully as the distance from the bottom.
 //!
 //! Method: Payne & Hanek (1983) with 384 of 1408 bits of 1/(2 pi), in integers, so nothing cancels.
 
-use super::double_double::{Dd, two_sum};
+use super::TWO_PI_LONG;
+use super::double_double::two_sum;
 use super::scaling::exp2;
 use super::triple_double::Td;
 
@@ -28,8 +29,6 @@ const INVERSE_TWO_PI: [u64; 22] = [
     0x5d49eeb1faf97c5e, 0xcf41ce7de294a4ba, 0x9afed7ec47e35742, 0x1580cc11bf1edaea, 0xfc33ef0826bd0d87,
     0x6a78e45857b986c2, 0x19666157c5281a10,
 ];
-
-const TWO_PI: Td = Td::new(6.283185307179586, 2.4492935982947064e-16, -5.989539619436679e-33);
 
 /// theta modulo 2 pi, for finite theta.
 pub fn reduce(theta: f64) -> Reduced {
@@ -74,8 +73,8 @@ pub fn reduce(theta: f64) -> Reduced {
     Reduced {
         turns: signed_turns,
         side,
-        from_bottom: to_td(&fraction, point) * TWO_PI,
-        from_top: to_td(&from_top, point) * TWO_PI,
+        from_bottom: to_td(&fraction, point) * TWO_PI_LONG,
+        from_top: to_td(&from_top, point) * TWO_PI_LONG,
     }
 }
 
@@ -137,78 +136,3 @@ fn to_td(limbs: &[u64; 7], point: usize) -> Td {
     let top = top as i32;
     Td::normalised(chunk(top), chunk(top - 53), chunk(top - 106))
 }
-
-/// Sine and cosine of an angle in [0, pi/4], to triple-double.
-pub fn sin_cos(angle: Td) -> (Td, Td) {
-    doubled_series(angle, 1.0)
-}
-
-/// Hyperbolic sine and cosine of a number in [0, 0.8], to triple-double.
-pub fn sinh_cosh(y: Td) -> (Td, Td) {
-    doubled_series(y, -1.0)
-}
-
-/// Taylor's series of an eighth of the argument, doubled three times through 1 - cos, so both keep their
-/// relative digits; `sign` is that of the square: +1 circular, -1 hyperbolic.
-fn doubled_series(argument: Td, sign: f64) -> (Td, Td) {
-    let eighth = argument.scale(0.125);
-    let square = eighth.square().scale(sign);
-    let mut sine = eighth * (Td::ONE - square * series(&ODD, square));
-    let mut versine = square * series(&EVEN, square);
-    for _ in 0..3 {
-        let doubled = sine.scale(2.0) * (Td::ONE - versine);
-        versine = sine.square().scale(2.0 * sign);
-        sine = doubled;
-    }
-    (sine, Td::ONE - versine)
-}
-
-/// c[0] - x (c[1] - x (c[2] - ...)): a term below 2^-53 of the first needs two words only, below 2^-106 one.
-fn series(coefficients: &[Td; 12], x: Td) -> Td {
-    let mut tail = 0.0;
-    for c in coefficients[8..].iter().rev() {
-        tail = c.hi - x.hi * tail;
-    }
-    let x_dd = x.to_dd();
-    let mut middle = Dd::from(tail);
-    for c in coefficients[4..8].iter().rev() {
-        middle = Dd::new(c.hi, c.mid) - x_dd * middle;
-    }
-    let mut sum = Td::from(middle);
-    for c in coefficients[..4].iter().rev() {
-        sum = *c - x * sum;
-    }
-    sum
-}
-
-/// 1/3!, 1/5!, ... 1/25!
-const ODD: [Td; 12] = [
-    Td::new(0.16666666666666666, 9.25185853854297e-18, 5.135813185032629e-34),
-    Td::new(0.008333333333333333, 1.1564823173178714e-19, 1.6049416203226965e-36),
-    Td::new(0.0001984126984126984, 1.7209558293420705e-22, 1.4926912391394127e-40),
-    Td::new(2.7557319223985893e-06, -1.858393274046472e-22, 8.491754604881993e-39),
-    Td::new(2.505210838544172e-08, -1.448814070935912e-24, 0.0),
-    Td::new(1.6059043836821613e-10, 1.2585294588752098e-26, 0.0),
-    Td::new(7.647163731819816e-13, 7.03872877733453e-30, 0.0),
-    Td::new(2.8114572543455206e-15, 1.6508842730861433e-31, 0.0),
-    Td::new(8.22063524662433e-18, 0.0, 0.0),
-    Td::new(1.9572941063391263e-20, 0.0, 0.0),
-    Td::new(3.868170170630684e-23, 0.0, 0.0),
-    Td::new(6.446950284384474e-26, 0.0, 0.0),
-];
-
-/// 1/2!, 1/4!, ... 1/24!
-const EVEN: [Td; 12] = [
-    Td::new(0.5, 0.0, 0.0),
-    Td::new(0.041666666666666664, 2.3129646346357427e-18, 1.2839532962581572e-34),
-    Td::new(0.001388888888888889, -5.300543954373577e-20, -1.7386867553495878e-36),
-    Td::new(2.48015873015873e-05, 2.1511947866775882e-23, 1.865864048924266e-41),
-    Td::new(2.755731922398589e-07, 2.3767714622250297e-23, 0.0),
-    Td::new(2.08767569878681e-09, -1.20734505911326e-25, 0.0),
-    Td::new(1.1470745597729725e-11, 2.0655512752830745e-28, 0.0),
-    Td::new(4.779477332387385e-14, 4.399205485834081e-31, 0.0),
-    Td::new(1.5619206968586225e-16, 0.0, 0.0),
-    Td::new(4.110317623312165e-19, 0.0, 0.0),
-    Td::new(8.896791392450574e-22, 0.0, 0.0),
-    Td::new(1.6117375710961184e-24, 0.0, 0.0),
-];

@@ -3,6 +3,7 @@
 //! Relative errors in units of 2^-106: sum 3, product 5, quotient 10, square root 4.
 //! Source: Joldes, Muller & Popescu, ACM TOMS 44 (2017) 15.
 
+use super::scaling::ldexp;
 use crate::lanes::Lane;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -158,6 +159,10 @@ impl Dd<f64> {
     /// One.
     pub const ONE: Dd = Dd::new(1.0, 0.0);
 
+    /// Half of it, exactly (for constants).
+    pub const fn half(self) -> Dd {
+        Dd::new(0.5 * self.hi, 0.5 * self.lo)
+    }
     /// Square root; zero for zero, NaN below.
     pub fn sqrt(self) -> Dd {
         if self.hi == 0.0 {
@@ -166,6 +171,10 @@ impl Dd<f64> {
         let root = f64::sqrt(self.hi);
         let rest = self - Dd::product(root, root);
         Dd::ordered_sum(root, rest.hi / (2.0 * root))
+    }
+    /// Times 2^power, each word rounded once where it leaves the normal numbers.
+    pub fn ldexp(self, power: i32) -> Dd {
+        Dd::new(ldexp(self.hi, power), ldexp(self.lo, power))
     }
     /// Absolute value.
     pub fn abs(self) -> Dd {

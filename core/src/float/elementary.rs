@@ -6,7 +6,7 @@
 
 use super::double_double::{Dd, fast_two_sum, two_sum};
 use super::triple_double::Td;
-use super::{HALF_PI, circle};
+use super::{HALF_PI, LN_2, series};
 use crate::lanes::Lane;
 
 /// c[0] + x (c[1] + x (c[2] + ...)).
@@ -86,19 +86,16 @@ fn hyperbolic_reduced<L: Lane>(y: Dd<L>) -> (L, Dd<L>, Dd<L>) {
 }
 
 /// Sine and cosine of |z| <= pi/4 to all digits of a double-double.
-pub fn exact_sin_cos(z: Dd) -> (Dd, Dd) {
-    let (sine, cosine) = circle::sin_cos(z.into());
+pub fn long_sin_cos(z: Dd) -> (Dd, Dd) {
+    let (sine, cosine) = series::sin_cos(z.into());
     (sine.to_dd(), cosine.to_dd())
 }
 
-/// ln 2 in three doubles.
-const LN_2: Td = Td::new(0.6931471805599453, 2.3190468138462996e-17, 5.707708438416212e-34);
-
 /// Hyperbolic sine and cosine of y in [0, 700] to all digits of a double-double.
-pub fn exact_sinh_cosh(y: Dd) -> (Dd, Dd) {
+pub fn long_sinh_cosh(y: Dd) -> (Dd, Dd) {
     let k = Lane::round(y.hi * INVERSE_LN_2);
     let r = Td::from(y) - LN_2 * k;
-    let (sine, cosine) = circle::sinh_cosh(r);
+    let (sine, cosine) = series::sinh_cosh(r);
     if k == 0.0 {
         return (sine.to_dd(), cosine.to_dd());
     }
@@ -151,7 +148,7 @@ pub fn sech<L: Lane>(y: Dd<L>) -> (Dd<L>, L) {
     (quotient(falling.scale(L::splat(2.0)), denominator), (-k - head).exp2_integer())
 }
 
-/// sinh y for any y >= 0, held at the end of its range.
+/// sinh y and cosh y for any y >= 0, held at the end of their range.
 #[inline(always)]
 pub fn saturated_sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
     sinh_cosh(at_most(y, SINH_END))

@@ -4,14 +4,19 @@ pub mod circle;
 pub mod double_double;
 pub mod elementary;
 pub mod scaling;
+pub mod series;
 pub mod triple_double;
 
 pub use double_double::Dd;
 pub use triple_double::Td;
 
-/// pi, its double and its multiples, to the digits that double-double holds.
-pub const PI: Dd = Dd::new(core::f64::consts::PI, 1.2246467991473532e-16);
+/// pi to a double-double.
+pub const PI: Dd = TWO_PI.half();
 /// 2 pi.
-pub const TWO_PI: Dd = Dd::new(2.0 * core::f64::consts::PI, 2.4492935982947064e-16);
+pub const TWO_PI: Dd = Dd::new(TWO_PI_LONG.hi, TWO_PI_LONG.mid);
 /// pi / 2.
-pub const HALF_PI: Dd = Dd::new(core::f64::consts::FRAC_PI_2, 6.123233995736766e-17);
+pub const HALF_PI: Dd = PI.half();
+/// 2 pi to a triple-double.
+pub const TWO_PI_LONG: Td = Td::new(6.283185307179586, 2.4492935982947064e-16, -5.989539619436679e-33);
+/// ln 2 to a triple-double.
+pub const LN_2: Td = Td::new(0.6931471805599453, 2.3190468138462996e-17, 5.707708438416212e-34);

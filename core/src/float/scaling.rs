@@ -6,6 +6,11 @@ pub fn exponent(value: f64) -> i32 {
     if bits == 0 { 63 - 1074 - (value.to_bits() << 1 >> 1).leading_zeros() as i32 } else { bits - 1023 }
 }
 
+/// |value| over its power of two, in [1, 2), for finite non-zero values.
+pub fn mantissa(value: f64) -> f64 {
+    ldexp(value.abs(), -exponent(value))
+}
+
 /// 2^power for -1074 <= power <= 1023; 0 below, infinite above.
 pub fn exp2(power: i32) -> f64 {
     match power {

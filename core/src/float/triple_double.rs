@@ -144,8 +144,8 @@ impl Div for Td {
     }
 }
 
-/// Whether a sum of doubles is exactly zero, and its sign otherwise: error-free passes leave the exact sum
-/// spread over the terms, and with n terms n passes order them, so the last non-zero term decides.
+/// The sum of six doubles, zero only if it is exactly zero: error-free passes leave the exact sum spread over the
+/// terms, and six passes over six terms order them, so no rounding comes before the last line.
 pub fn exact_sum(mut terms: [f64; 6]) -> Td {
     for _ in 0..terms.len() {
         for i in 1..terms.len() {

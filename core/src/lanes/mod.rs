@@ -4,6 +4,19 @@
 //! IEEE operation (or an error-free pair of them), so all widths of one instruction set give the same bits.
 //! Instruction sets differ only in whether `mul_add` is fused.
 
+mod scalar;
+mod twice;
+
+#[cfg(target_arch = "x86_64")]
+#[path = "x86.rs"]
+mod host;
+#[cfg(target_arch = "aarch64")]
+#[path = "neon.rs"]
+mod host;
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+#[path = "plain.rs"]
+mod host;
+
 use crate::domain::Domain;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{AtomicU8, Ordering};
@@ -14,6 +27,20 @@ pub trait Lane:
 {
     /// The answer of a comparison, one flag per double.
     type Mask: Copy;
+    /// How many doubles.
+    const WIDTH: usize;
+
+    /// The first WIDTH doubles of a slice that has them.
+    fn load(from: &[f64]) -> Self;
+    /// Into the first WIDTH doubles of a slice that has them.
+    fn store(self, to: &mut [f64]);
+    /// The first double.
+    #[inline(always)]
+    fn first(self) -> f64 {
+        let mut places = [0.0; WIDEST];
+        self.store(&mut places);
+        places[0]
+    }
 
     /// The same value in every place.
     fn splat(value: f64) -> Self;
@@ -39,16 +66,50 @@ pub trait Lane:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// A lane of width one, which can be read as a plain double.
-pub trait Scalar: Lane + Into<f64> {}
-impl<L: Lane + Into<f64>> Scalar for L {}
-
-/// A computation over any width-one lane, handed to [`dispatch`].
+/// A computation over any lane type, handed to [`single`] or [`wide`].
 pub trait Kernel {
     /// What it returns.
     type Output;
-    /// Runs it on the lane type of the chosen instruction set.
-    fn run<L: Scalar>(self) -> Self::Output;
+    /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
+    fn run<L: Lane>(self) -> Self::Output;
+}
+
+/// A function of one lane with N results, for [`sweep`].
+pub trait Sampler<const N: usize> {
+    /// The results at one lane of arguments; `#[inline(always)]`.
+    fn at<L: Lane>(&self, argument: L) -> [L; N];
+}
+
+/// Widest lane.
+const WIDEST: usize = 16;
+
+/// The sampler at every argument, each result into its own slice of the same length. The last block is padded
+/// with zeros, so every value comes from the same operations wherever it stands.
+#[inline(always)]
+pub fn sweep<L: Lane, const N: usize>(
+    sampler: &impl Sampler<N>,
+    arguments: &[f64],
+    results: &mut [&mut [f64]; N],
+) {
+    let whole = arguments.len() - arguments.len() % L::WIDTH;
+    let mut at = 0;
+    while at < whole {
+        let values = sampler.at(L::load(&arguments[at..at + L::WIDTH]));
+        for (result, value) in results.iter_mut().zip(values) {
+            value.store(&mut result[at..at + L::WIDTH]);
+        }
+        at += L::WIDTH;
+    }
+    let rest = arguments.len() - whole;
+    if rest > 0 {
+        let mut padded = [0.0; WIDEST];
+        padded[..rest].copy_from_slice(&arguments[whole..]);
+        let values = sampler.at(L::load(&padded));
+        for (result, value) in results.iter_mut().zip(values) {
+            value.store(&mut padded);
+            result[whole..].copy_from_slice(&padded[..rest]);
+        }
+    }
 }
 
 /// What a processor can do that changes the last digits or the speed.
@@ -57,8 +118,10 @@ pub trait Kernel {
 pub enum InstructionSet {
     /// No fused multiplication: every processor, and WebAssembly.
     Plain = 1,
-    /// Fused multiplication: AVX2 with FMA on x86-64, every aarch64.
+    /// Fused multiplication: four lanes of AVX2 with FMA on x86-64, two of NEON on aarch64.
     Fused = 2,
+    /// Eight lanes of AVX-512; the digits of `Fused`.
+    Avx512 = 3,
 }
 
 /// The set in use; 0 until it is first asked for.
@@ -67,11 +130,17 @@ static IN_USE: AtomicU8 = AtomicU8::new(0);
 impl InstructionSet {
     /// The sets that this processor has, best last.
     pub fn available() -> &'static [InstructionSet] {
+        const ALL: [InstructionSet; 3] =
+            [InstructionSet::Plain, InstructionSet::Fused, InstructionSet::Avx512];
         #[cfg(target_arch = "x86_64")]
-        let fused = std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
+        let count = {
+            let fused =
+                std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
+            1 + usize::from(fused) + usize::from(fused && std::arch::is_x86_feature_detected!("avx512f"))
+        };
         #[cfg(not(target_arch = "x86_64"))]
-        let fused = cfg!(target_arch = "aarch64");
-        if fused { &[InstructionSet::Plain, InstructionSet::Fused] } else { &[InstructionSet::Plain] }
+        let count = if cfg!(target_arch = "aarch64") { 2 } else { 1 };
+        &ALL[..count]
     }
 
     /// The set in use: the best one, unless [`InstructionSet::force`] has chosen another.
@@ -80,6 +149,7 @@ impl InstructionSet {
         match IN_USE.load(Ordering::Relaxed) {
             1 => InstructionSet::Plain,
             2 => InstructionSet::Fused,
+            3 => InstructionSet::Avx512,
             _ => InstructionSet::first_use(),
         }
     }
@@ -103,192 +173,21 @@ impl InstructionSet {
     }
 }
 
-/// Runs the kernel on the instruction set in use.
+/// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
-pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+pub fn single<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
         InstructionSet::Plain => kernel.run::<f64>(),
-        InstructionSet::Fused => run_fused(kernel),
+        InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
     }
 }
 
-#[cfg(target_arch = "x86_64")]
+/// Runs the kernel on the widest lanes of the instruction set in use.
 #[inline]
-fn run_fused<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx2,fma")]
-    fn with_fma<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<Fused>()
-    }
-    // SAFETY: `InstructionSet::Fused` is in use only where `available` has seen both features.
-    unsafe { with_fma(kernel) }
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-#[inline]
-fn run_fused<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<Fused>()
-}
-
-/// 1.5 * 2^52: adding it leaves the nearest integer in the low bits of the mantissa.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
-
-impl Lane for f64 {
-    type Mask = bool;
-
-    #[inline(always)]
-    fn splat(value: f64) -> f64 {
-        value
-    }
-    #[inline(always)]
-    fn mul_add(self, factor: f64, term: f64) -> f64 {
-        self * factor + term
-    }
-    /// Dekker's product with Veltkamp's splitting; factors above 2^990 are scaled so that splitting does
-    /// not overflow.
-    #[inline(always)]
-    fn two_product(self, factor: f64) -> (f64, f64) {
-        const HUGE: f64 = 1.046_336_793_293_362_4e298; // 2^990
-        const DOWN: f64 = 1.387_778_780_781_445_7e-17; // 2^-56
-        const UP: f64 = 72_057_594_037_927_936.0; // 2^56
-        let product = self * factor;
-        let (a, up_a) = if f64::abs(self) > HUGE { (self * DOWN, UP) } else { (self, 1.0) };
-        let (b, up_b) = if f64::abs(factor) > HUGE { (factor * DOWN, UP) } else { (factor, 1.0) };
-        let (a_hi, a_lo) = split(a);
-        let (b_hi, b_lo) = split(b);
-        let error = ((a_hi * b_hi - a * b) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
-        (product, error * up_a * up_b)
-    }
-    #[inline(always)]
-    fn round(self) -> f64 {
-        if f64::abs(self) < 2_251_799_813_685_248.0 { (self + ROUNDER) - ROUNDER } else { round_large(self) }
-    }
-    #[inline(always)]
-    fn sqrt(self) -> f64 {
-        f64::sqrt(self)
-    }
-    #[inline(always)]
-    fn abs(self) -> f64 {
-        f64::abs(self)
-    }
-    #[inline(always)]
-    fn copysign(self, sign: f64) -> f64 {
-        f64::copysign(self, sign)
-    }
-    #[inline(always)]
-    fn exp2_integer(self) -> f64 {
-        f64::from_bits(((self + (ROUNDER + 1023.0)).to_bits()) << 52)
-    }
-    #[inline(always)]
-    fn less(self, other: f64) -> bool {
-        self < other
-    }
-    #[inline(always)]
-    fn equal(self, other: f64) -> bool {
-        self == other
-    }
-    #[inline(always)]
-    fn select(mask: bool, yes: f64, no: f64) -> f64 {
-        if mask { yes } else { no }
-    }
-}
-
-/// Veltkamp's splitting into 26 + 26 bits.
-#[inline(always)]
-fn split(value: f64) -> (f64, f64) {
-    let scaled = 134_217_729.0 * value;
-    let hi = scaled - (scaled - value);
-    (hi, value - hi)
-}
-
-/// Between 2^51 and 2^52 a half is left; above, every double is an integer.
-fn round_large(value: f64) -> f64 {
-    if f64::abs(value) < 4_503_599_627_370_496.0 {
-        let whole = (f64::abs(value) + 4_503_599_627_370_496.0) - 4_503_599_627_370_496.0;
-        f64::copysign(whole, value)
-    } else {
-        value
-    }
-}
-
-/// One double on a processor with fused multiplication.
-#[derive(Clone, Copy)]
-#[repr(transparent)]
-pub struct Fused(f64);
-
-impl From<Fused> for f64 {
-    #[inline(always)]
-    fn from(lane: Fused) -> f64 {
-        lane.0
-    }
-}
-
-macro_rules! fused_operator {
-    ($($trait:ident $method:ident),*) => {$(
-        impl $trait for Fused {
-            type Output = Fused;
-            #[inline(always)]
-            fn $method(self, other: Fused) -> Fused {
-                Fused(self.0.$method(other.0))
-            }
-        }
-    )*};
-}
-fused_operator!(Add add, Sub sub, Mul mul, Div div);
-
-impl Neg for Fused {
-    type Output = Fused;
-    #[inline(always)]
-    fn neg(self) -> Fused {
-        Fused(-self.0)
-    }
-}
-
-impl Lane for Fused {
-    type Mask = bool;
-
-    #[inline(always)]
-    fn splat(value: f64) -> Fused {
-        Fused(value)
-    }
-    #[inline(always)]
-    fn mul_add(self, factor: Fused, term: Fused) -> Fused {
-        Fused(f64::mul_add(self.0, factor.0, term.0))
-    }
-    #[inline(always)]
-    fn two_product(self, factor: Fused) -> (Fused, Fused) {
-        let product = self.0 * factor.0;
-        (Fused(product), Fused(f64::mul_add(self.0, factor.0, -product)))
-    }
-    #[inline(always)]
-    fn round(self) -> Fused {
-        Fused(f64::round_ties_even(self.0))
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Fused {
-        Fused(f64::sqrt(self.0))
-    }
-    #[inline(always)]
-    fn abs(self) -> Fused {
-        Fused(f64::abs(self.0))
-    }
-    #[inline(always)]
-    fn copysign(self, sign: Fused) -> Fused {
-        Fused(f64::copysign(self.0, sign.0))
-    }
-    #[inline(always)]
-    fn exp2_integer(self) -> Fused {
-        Fused(Lane::exp2_integer(self.0))
-    }
-    #[inline(always)]
-    fn less(self, other: Fused) -> bool {
-        self.0 < other.0
-    }
-    #[inline(always)]
-    fn equal(self, other: Fused) -> bool {
-        self.0 == other.0
-    }
-    #[inline(always)]
-    fn select(mask: bool, yes: Fused, no: Fused) -> Fused {
-        Fused(Lane::select(mask, yes.0, no.0))
+pub fn wide<K: Kernel>(kernel: K) -> K::Output {
+    match InstructionSet::in_use() {
+        InstructionSet::Plain => kernel.run::<f64>(),
+        InstructionSet::Fused => host::wide_fused(kernel),
+        InstructionSet::Avx512 => host::wide_avx512(kernel),
     }
 }

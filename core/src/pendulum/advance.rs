@@ -9,7 +9,7 @@ use super::frequency::Frequency;
 use super::motion::LAST_HALF_PERIOD;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
-use super::state::{Plain, State};
+use super::state::State;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
@@ -29,15 +29,14 @@ struct Step {
 /// Domain as for [`Orbit`]: NaN for states that are not finite and for steps beyond 2^53 half periods.
 /// **Error** at most 8 ulp of the largest angle and velocity of the orbit.
 pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
-    if !(theta.is_finite() && velocity.is_finite()) {
+    if !(theta.is_finite() && velocity.is_finite()) || dt.is_nan() {
         return (f64::NAN, f64::NAN);
     }
     if dt == 0.0 {
         return (theta, velocity);
     }
-    let state = match State::new(theta, velocity, frequency) {
-        Ok(state) => state,
-        Err(plain) => return plain_step(theta, velocity, dt, frequency, plain),
+    let Ok(state) = State::new(theta, velocity, frequency) else {
+        return Orbit::new(theta, velocity, frequency).map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(dt));
     };
     let State { s, c, x, power, frame, omega, omega_power, .. } = state;
     let Step { sn, cn, dn, turns } = step(&state, dt);
@@ -47,12 +46,11 @@ pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64
     let next_c = c * dn - (s * x).scale(tiny) * sn * cn;
     let next_x = (x * cn - s * c * sn * dn) / (c.square() + square * cn.square());
     // The point (c', s') turns by half of theta: its angle is known modulo 4 pi of theta.
-    let sign = |value: Dd| if value.hi < 0.0 { -1.0 } else { 1.0 };
-    let scaled = |value: Dd, power: i32| Dd::new(ldexp(value.hi, power), ldexp(value.lo, power));
-    let quadrant = arctangent(scaled(next_s, power).abs(), next_c.abs());
+    let sign = |value: Dd| 1f64.copysign(value.hi);
+    let quadrant = arctangent(next_s.ldexp(power).abs(), next_c.abs());
     let half = if next_c.hi < 0.0 { PI - quadrant } else { quadrant };
     let local = half.scale(2.0 * sign(next_s));
-    let start = arctangent(scaled(s, power).abs(), c).scale(2.0 * sign(s));
+    let start = arctangent(s.ldexp(power).abs(), c).scale(2.0 * sign(s));
     // Two whole turns at a time; the mean motion is never wrong by one.
     let mean = turns + (start - local).hi / TWO_PI.hi;
     let pairs = if state.regime == Regime::Rotation { (0.5 * mean).round() } else { 0.0 };
@@ -63,22 +61,20 @@ pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64
     (theta, ldexp(speed, power + omega_power))
 }
 
-fn plain_step(theta: f64, velocity: f64, dt: f64, frequency: Frequency, plain: Plain) -> (f64, f64) {
-    match (plain, Orbit::new(theta, velocity, frequency)) {
-        (Plain::Still | Plain::Free, Ok(orbit)) => orbit.motion(dt),
-        (_, Err(_)) => (f64::NAN, f64::NAN),
-    }
-}
-
 fn step(state: &State, dt: f64) -> Step {
     let State { c, x, k, kc, m, mc, power, omega, omega_power, regime, .. } = *state;
     let (rate_power, time_power) = carried(omega_power);
     let dt = ldexp(dt, time_power);
-    let fast = omega.scale(ldexp(1.0, rate_power));
+    let omega = omega.ldexp(rate_power);
     if regime == Regime::Separatrix {
-        let passed = if c.hi == 0.0 && x.hi == 0.0 { Dd::ZERO } else { fast * dt };
-        let bounded = if passed.hi.abs() < 800.0 { passed } else { Dd::from(800f64.copysign(passed.hi)) };
-        let sign = if bounded.hi < 0.0 { -1.0 } else { 1.0 };
+        let bounded = if c.hi == 0.0 && x.hi == 0.0 {
+            Dd::ZERO
+        } else if (omega.hi * dt).abs() < 800.0 {
+            omega * dt
+        } else {
+            Dd::from(800f64.copysign(dt))
+        };
+        let sign = 1f64.copysign(bounded.hi);
         let (sinh, cosh) = saturated_sinh_cosh(bounded.abs());
         let (falling, exponent) = sech(bounded.abs());
         let falling = falling.scale(exponent);
@@ -86,10 +82,9 @@ fn step(state: &State, dt: f64) -> Step {
     }
     let rotation = regime == Regime::Rotation;
     let (lattice, stretch) = if rotation {
-        (Lattice::new(Dd::ONE / m, -mc / m, Dd::ONE / k, kc / k), fast * k)
+        (Lattice::new(Dd::ONE / m, -mc / m, Dd::ONE / k, kc / k), omega * k)
     } else {
-        let scaled = |value: Dd, power: i32| Dd::new(ldexp(value.hi, power), ldexp(value.lo, power));
-        (Lattice::new(scaled(m, 2 * power), mc, scaled(k, power), kc), fast)
+        (Lattice::new(m.ldexp(2 * power), mc, k.ldexp(power), kc), omega)
     };
     let phase = Phase { rate: stretch / lattice.quarter.scale(2.0), start: Dd::ZERO };
     let at = phase.reduce(dt);
@@ -102,9 +97,9 @@ fn step(state: &State, dt: f64) -> Step {
             turns: f64::NAN,
         };
     }
-    let thetas = lattice.exact_thetas(at.f);
+    let thetas = lattice.long_thetas(at.f);
     let [t1, t2, t3, t4] = thetas.theta;
-    let t1 = t1 * lattice.amplitude * at.sign;
+    let t1 = t1 * lattice.theta1_factor * at.sign;
     let (sn, cn, dn) = if thetas.folded {
         (t2.scale(at.sign) / t3, lattice.kc * t1.abs() / t3, lattice.kc * t4 / t3)
     } else {

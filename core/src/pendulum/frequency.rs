@@ -3,7 +3,7 @@
 
 use crate::domain::Domain;
 use crate::float::Td;
-use crate::float::scaling::{exponent, ldexp};
+use crate::float::scaling::{exponent, mantissa};
 
 /// Standard gravity in m/s^2, taken where a length comes without gravity.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -89,7 +89,7 @@ impl Frequency {
         if self.a == 0.0 || self.b == 0.0 {
             return None;
         }
-        let [a, b, c] = [self.a, self.b, self.c].map(|factor| ldexp(factor.abs(), -exponent(factor)));
+        let [a, b, c] = [self.a, self.b, self.c].map(mantissa);
         let power = exponent(self.a) + exponent(self.b) - exponent(self.c);
         let odd = power.rem_euclid(2);
         let square = Td::product(a, b) / Td::from(c);

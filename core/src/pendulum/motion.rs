@@ -12,7 +12,8 @@ use crate::elliptic::phase::{Phase, Reduced};
 use crate::float::double_double::two_sum;
 use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
 use crate::float::{Dd, PI, TWO_PI, circle};
-use crate::lanes::{Kernel, Lane, Scalar, dispatch};
+use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use core::marker::PhantomData;
 
 /// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
 struct Canonical<L: Lane> {
@@ -60,49 +61,64 @@ fn within_count<L: Lane>(half_periods: L, f: Dd<L>) -> Dd<L> {
     Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo)
 }
 
-impl Elliptic {
-    /// Picks numerator and denominator by fold, and the factor with them.
-    #[inline(always)]
-    fn ratio<L: Lane>(
-        folded: L::Mask,
-        plain: [Dd<L>; 2],
-        turned: [Dd<L>; 2],
-        factors: &[Dd; 2],
-    ) -> [Dd<L>; 2] {
-        let factor = Dd::select(folded, Dd::splat(factors[1]), Dd::splat(factors[0]));
-        let numerator = Dd::select(folded, turned[0], plain[0]);
-        [numerator * factor, Dd::select(folded, turned[1], plain[1])]
-    }
+/// A formula for the canonical motion.
+trait Path {
+    /// Whether it makes whole turns.
+    const TURNS: bool;
+    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L>;
+}
 
+/// Libration, on the circular or the hyperbolic side of the theta functions.
+struct Swing<'a, const HYPERBOLIC: bool>(&'a Elliptic);
+
+/// Rotation, likewise.
+struct Spin<'a, const HYPERBOLIC: bool>(&'a Elliptic);
+
+/// The separatrix: hyperbolic phase, and twice omega0.
+struct Ridge<'a>(&'a Phase, Dd);
+
+/// Picks numerator and denominator by fold, and the factor with them.
+#[inline(always)]
+fn ratio<L: Lane>(folded: L::Mask, plain: [Dd<L>; 2], turned: [Dd<L>; 2], factors: &[Dd; 2]) -> [Dd<L>; 2] {
+    let factor = Dd::select(folded, Dd::splat(factors[1]), Dd::splat(factors[0]));
+    let numerator = Dd::select(folded, turned[0], plain[0]);
+    [numerator * factor, Dd::select(folded, turned[1], plain[1])]
+}
+
+impl<const HYPERBOLIC: bool> Path for Swing<'_, HYPERBOLIC> {
+    const TURNS: bool = false;
     #[inline(always)]
-    fn libration<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Reduced { n, sign, f, parity } = self.phase.reduce(t);
-        let thetas = self.lattice.thetas(within_count(n.hi, f));
+    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
+        let Swing(Elliptic { lattice, phase, tangent, velocity }) = self;
+        let Reduced { n, sign, f, parity } = phase.reduce(t);
+        let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
         let mut motion = Canonical::at(sign * parity);
         if W::ANGLE {
-            [motion.opposite, motion.adjacent] =
-                Self::ratio(thetas.folded, [t1, t3], [t2, t4], &self.tangent);
+            [motion.opposite, motion.adjacent] = ratio(thetas.folded, [t1, t3], [t2, t4], tangent);
         }
         if W::VELOCITY {
-            let [numerator, denominator] = Self::ratio(thetas.folded, [t2, t4], [t1, t3], &self.velocity);
+            let [numerator, denominator] = ratio(thetas.folded, [t2, t4], [t1, t3], velocity);
             motion.velocity = quotient(numerator, denominator).value() * parity;
         }
         motion
     }
+}
 
+impl<const HYPERBOLIC: bool> Path for Spin<'_, HYPERBOLIC> {
+    const TURNS: bool = true;
     #[inline(always)]
-    fn rotation<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Reduced { n, sign, f, .. } = self.phase.reduce(t);
-        let thetas = self.lattice.thetas(within_count(n.hi + n.hi, f));
+    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
+        let Spin(Elliptic { lattice, phase, tangent, velocity }) = self;
+        let Reduced { n, sign, f, .. } = phase.reduce(t);
+        let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi + n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
         let mut motion = Canonical { turns: n.hi, ..Canonical::at(sign) };
         if W::ANGLE {
-            [motion.opposite, motion.adjacent] =
-                Self::ratio(thetas.folded, [t1, t2], [t2, t1], &self.tangent);
+            [motion.opposite, motion.adjacent] = ratio(thetas.folded, [t1, t2], [t2, t1], tangent);
         }
         if W::VELOCITY {
-            let [numerator, denominator] = Self::ratio(thetas.folded, [t3, t4], [t4, t3], &self.velocity);
+            let [numerator, denominator] = ratio(thetas.folded, [t3, t4], [t4, t3], velocity);
             motion.velocity = quotient(numerator, denominator).value();
         }
         motion
@@ -121,76 +137,195 @@ impl<L: Lane> Canonical<L> {
 /// Beyond this hyperbolic phase the angle is pi and the velocity 0.
 const FAR: f64 = 1e6;
 
-#[inline(always)]
-fn separatrix<W: Wanted, L: Lane>(phase: &Phase, speed: Dd, t: L) -> Canonical<L> {
-    let (passed, error) = t.two_product(L::splat(phase.rate.hi));
-    let error = t.mul_add(L::splat(phase.rate.lo), error);
-    let near = passed.abs().less(L::splat(FAR));
-    let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
-    let passed = L::select(near, passed, far);
-    let error = L::select(near, error, L::splat(0.0));
-    let (y, rest) = two_sum(passed, L::splat(phase.start.hi));
-    let y = Dd::ordered_sum(y, rest + (error + L::splat(phase.start.lo)));
-    let sign = L::splat(1.0).copysign(y.hi);
-    let y = y.scale(sign);
-    let mut motion = Canonical::at(sign);
-    if W::ANGLE {
-        motion.opposite = saturated_sinh_cosh(y).0;
+impl Path for Ridge<'_> {
+    const TURNS: bool = false;
+    #[inline(always)]
+    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
+        let Ridge(Phase { rate, start }, speed) = self;
+        let (passed, error) = t.two_product(L::splat(rate.hi));
+        let error = t.mul_add(L::splat(rate.lo), error);
+        let near = passed.abs().less(L::splat(FAR));
+        let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
+        let passed = L::select(near, passed, far);
+        let error = L::select(near, error, L::splat(0.0));
+        let (y, rest) = two_sum(passed, L::splat(start.hi));
+        let y = Dd::ordered_sum(y, rest + (error + L::splat(start.lo)));
+        let sign = L::splat(1.0).copysign(y.hi);
+        let y = y.scale(sign);
+        let mut motion = Canonical::at(sign);
+        if W::ANGLE {
+            motion.opposite = saturated_sinh_cosh(y).0;
+        }
+        if W::VELOCITY {
+            let (factor, power) = sech(y);
+            motion.velocity = (factor * Dd::splat(*speed)).value() * power;
+        }
+        motion
     }
-    if W::VELOCITY {
-        let (factor, power) = sech(y);
-        motion.velocity = (factor * Dd::splat(speed)).value() * power;
-    }
-    motion
 }
 
-impl Orbit {
+/// An orbit on its path, wanted in part: the samplers that fill slices.
+struct Along<'a, P, W>(&'a Orbit, P, PhantomData<W>);
+
+impl<P: Path, W: Wanted> Along<'_, P, W> {
     /// The angle in the frame of the orbit, and the velocity.
     #[inline(always)]
-    fn framed<W: Wanted, L: Lane>(&self, t: L) -> (Angle<L>, L) {
-        let scaled = t * L::splat(self.time_scale);
-        let motion = match &self.course {
-            Course::Libration(elliptic) => elliptic.libration::<W, L>(scaled),
-            Course::Rotation(elliptic) => elliptic.rotation::<W, L>(scaled),
-            Course::Separatrix(phase, speed) => separatrix::<W, L>(phase, *speed, scaled),
-            Course::Still | Course::Free => return self.straight(t),
-        };
-        let side = L::splat(self.frame.side);
+    fn framed<L: Lane>(&self, t: L) -> (Angle<L>, L) {
+        let Along(orbit, path, _) = self;
+        let frame = &orbit.frame;
+        let motion = path.at::<W, L>(t * L::splat(orbit.time_scale));
+        let side = L::splat(frame.side);
         let (turns, sign) = (motion.turns * side, motion.sign * side);
-        let velocity = motion.velocity * L::splat(self.velocity_scale);
+        let velocity = motion.velocity * L::splat(orbit.velocity_scale);
         let two = L::splat(2.0);
-        let angle = if self.frame.half_turn == 0.0 {
+        if !W::ANGLE {
+            return (Angle { turns, local: motion.opposite }, velocity);
+        }
+        let angle = if frame.half_turn == 0.0 {
             Angle { turns, local: arctangent(motion.opposite, motion.adjacent).scale(sign * two) }
         } else {
             // Seen from the other equilibrium, half a turn on: whole turns again, and its own small angles.
-            let turns = turns + (sign + L::splat(self.frame.half_turn)) * L::splat(0.5);
+            let turns = turns + (sign + L::splat(frame.half_turn)) * L::splat(0.5);
             Angle { turns, local: arctangent(motion.adjacent, motion.opposite).scale(-sign * two) }
         };
         (angle, velocity)
     }
 
-    /// No force that counts: theta0 + velocity0 t.
     #[inline(always)]
-    fn straight<L: Lane>(&self, t: L) -> (Angle<L>, L) {
+    fn sample<L: Lane>(&self, t: L) -> (L, L) {
+        let orbit = self.0;
+        let (angle, velocity) = self.framed(t);
+        let theta = if P::TURNS || orbit.frame.shifted() {
+            let turned = Dd::splat(TWO_PI) * angle.turns;
+            (Dd::splat(orbit.frame.base) + turned + angle.local).value()
+        } else {
+            angle.local.value()
+        };
+        // The start is returned as it was given.
+        let start = t.equal(L::splat(0.0));
+        (
+            L::select(start, L::splat(orbit.theta0), theta),
+            L::select(start, L::splat(orbit.velocity0), velocity),
+        )
+    }
+}
+
+impl<P: Path> Sampler<1> for Along<'_, P, AngleOnly> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> [L; 1] {
+        [self.sample(t).0]
+    }
+}
+
+impl<P: Path> Sampler<1> for Along<'_, P, VelocityOnly> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> [L; 1] {
+        [self.sample(t).1]
+    }
+}
+
+impl<P: Path> Sampler<2> for Along<'_, P, Both> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> [L; 2] {
+        self.sample(t).into()
+    }
+}
+
+/// No force that counts: theta0 + velocity0 t.
+struct Straight<'a, W>(&'a Orbit, PhantomData<W>);
+
+impl<W> Straight<'_, W> {
+    /// What is added to theta0, and the velocity.
+    #[inline(always)]
+    fn passed<L: Lane>(&self, t: L) -> (Dd<L>, L) {
+        let orbit = self.0;
         let zero = L::splat(0.0);
         let nothing = L::select(t.equal(t), zero, t);
-        let local = if matches!(self.course, Course::Still) {
-            Dd::from_double(nothing)
-        } else {
-            let (passed, error) = t.two_product(L::splat(self.velocity0));
-            Dd::new(passed, error)
-        };
-        (Angle { turns: zero, local }, nothing + L::splat(self.velocity0))
+        let (passed, error) = t.two_product(L::splat(orbit.velocity0));
+        let still = matches!(orbit.course, Course::Still);
+        let local = if still { Dd::from_double(nothing) } else { Dd::new(passed, error) };
+        (local, nothing + L::splat(orbit.velocity0))
     }
 
     #[inline(always)]
-    fn sample<W: Wanted, L: Lane>(&self, t: L) -> (L, L) {
-        let (angle, velocity) = self.framed::<W, L>(t);
-        let turned = Dd::splat(TWO_PI) * angle.turns;
-        let theta = (Dd::splat(self.frame.base) + turned + angle.local).value();
-        // The start is returned as it was given.
-        let start = t.equal(L::splat(0.0));
-        (L::select(start, L::splat(self.theta0), theta), L::select(start, L::splat(self.velocity0), velocity))
+    fn sample<L: Lane>(&self, t: L) -> (L, L) {
+        let (local, velocity) = self.passed(t);
+        ((Dd::splat(self.0.frame.base) + local).value(), velocity)
+    }
+}
+
+impl Sampler<1> for Straight<'_, AngleOnly> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> [L; 1] {
+        [self.sample(t).0]
+    }
+}
+
+impl Sampler<1> for Straight<'_, VelocityOnly> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> [L; 1] {
+        [self.sample(t).1]
+    }
+}
+
+impl Sampler<2> for Straight<'_, Both> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> [L; 2] {
+        self.sample(t).into()
+    }
+}
+
+/// Times into slices of results, each of the length of the times.
+struct Fill<'a, 'b, W, const N: usize> {
+    orbit: &'a Orbit,
+    t: &'a [f64],
+    results: [&'b mut [f64]; N],
+    wanted: PhantomData<W>,
+}
+
+macro_rules! fill {
+    ($wanted:ty, $count:literal) => {
+        impl Kernel for Fill<'_, '_, $wanted, $count> {
+            type Output = ();
+            #[inline(always)]
+            fn run<L: Lane>(mut self) {
+                let (orbit, t, results) = (self.orbit, self.t, &mut self.results);
+                const W: PhantomData<$wanted> = PhantomData;
+                match &orbit.course {
+                    Course::Libration(e) if e.lattice.hyperbolic() => {
+                        sweep::<L, $count>(&Along(orbit, Swing::<true>(e), W), t, results);
+                    }
+                    Course::Libration(e) => {
+                        sweep::<L, $count>(&Along(orbit, Swing::<false>(e), W), t, results)
+                    }
+                    Course::Rotation(e) if e.lattice.hyperbolic() => {
+                        sweep::<L, $count>(&Along(orbit, Spin::<true>(e), W), t, results);
+                    }
+                    Course::Rotation(e) => sweep::<L, $count>(&Along(orbit, Spin::<false>(e), W), t, results),
+                    Course::Separatrix(phase, speed) => {
+                        sweep::<L, $count>(&Along(orbit, Ridge(phase, *speed), W), t, results);
+                    }
+                    Course::Still | Course::Free => sweep::<L, $count>(&Straight(orbit, W), t, results),
+                }
+            }
+        }
+    };
+}
+fill!(AngleOnly, 1);
+fill!(VelocityOnly, 1);
+fill!(Both, 2);
+
+impl Orbit {
+    fn fill<'a, 'b, W, const N: usize>(
+        &'a self,
+        t: &'a [f64],
+        results: [&'b mut [f64]; N],
+    ) -> Fill<'a, 'b, W, N> {
+        assert!(
+            results.iter().all(|result| result.len() == t.len()),
+            "results of another length than the times"
+        );
+        Fill { orbit: self, t, results, wanted: PhantomData }
     }
 
     /// Angle at t (in s), continuous through the turns.
@@ -198,42 +333,38 @@ impl Orbit {
     /// NaN for times that are not finite (but for the separatrix: its limits) or more than 2^53 half periods
     /// away. **Error** at most 4 ulp of max(|theta|, 2^-30 of the largest), plus 2^-100 of the condition.
     pub fn theta(&self, t: f64) -> f64 {
-        struct Theta<'a>(&'a Orbit, f64);
-        impl Kernel for Theta<'_> {
-            type Output = f64;
-            #[inline(always)]
-            fn run<L: Scalar>(self) -> f64 {
-                self.0.sample::<AngleOnly, L>(L::splat(self.1)).0.into()
-            }
-        }
-        dispatch(Theta(self, t))
+        let mut theta = [0.0];
+        single(self.fill::<AngleOnly, 1>(&[t], [&mut theta]));
+        theta[0]
     }
 
     /// Angular velocity at t; domain and error as for [`Orbit::theta`].
     pub fn velocity(&self, t: f64) -> f64 {
-        struct Velocity<'a>(&'a Orbit, f64);
-        impl Kernel for Velocity<'_> {
-            type Output = f64;
-            #[inline(always)]
-            fn run<L: Scalar>(self) -> f64 {
-                self.0.sample::<VelocityOnly, L>(L::splat(self.1)).1.into()
-            }
-        }
-        dispatch(Velocity(self, t))
+        let mut velocity = [0.0];
+        single(self.fill::<VelocityOnly, 1>(&[t], [&mut velocity]));
+        velocity[0]
     }
 
     /// Angle and angular velocity at t, bit for bit those of [`Orbit::theta`] and [`Orbit::velocity`].
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        struct Motion<'a>(&'a Orbit, f64);
-        impl Kernel for Motion<'_> {
-            type Output = (f64, f64);
-            #[inline(always)]
-            fn run<L: Scalar>(self) -> (f64, f64) {
-                let (theta, velocity) = self.0.sample::<Both, L>(L::splat(self.1));
-                (theta.into(), velocity.into())
-            }
-        }
-        dispatch(Motion(self, t))
+        let (mut theta, mut velocity) = ([0.0], [0.0]);
+        single(self.fill::<Both, 2>(&[t], [&mut theta, &mut velocity]));
+        (theta[0], velocity[0])
+    }
+
+    /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
+        wide(self.fill::<AngleOnly, 1>(t, [theta]));
+    }
+
+    /// [`Orbit::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
+        wide(self.fill::<VelocityOnly, 1>(t, [velocity]));
+    }
+
+    /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
+        wide(self.fill::<Both, 2>(t, [theta, velocity]));
     }
 
     /// Whole turns n and the angle in [-pi, pi) with theta = 2 pi n + angle.
@@ -244,14 +375,31 @@ impl Orbit {
         impl Kernel for Turns<'_> {
             type Output = (f64, Dd);
             #[inline(always)]
-            fn run<L: Scalar>(self) -> (f64, Dd) {
-                let Angle { turns, local } = self.0.framed::<AngleOnly, L>(L::splat(self.1)).0;
-                (turns.into(), Dd::new(local.hi.into(), local.lo.into()))
+            fn run<L: Lane>(self) -> (f64, Dd) {
+                let Turns(orbit, t) = self;
+                let t = L::splat(t);
+                const W: PhantomData<AngleOnly> = PhantomData;
+                let Angle { turns, local } = match &orbit.course {
+                    Course::Libration(e) if e.lattice.hyperbolic() => {
+                        Along(orbit, Swing::<true>(e), W).framed(t).0
+                    }
+                    Course::Libration(e) => Along(orbit, Swing::<false>(e), W).framed(t).0,
+                    Course::Rotation(e) if e.lattice.hyperbolic() => {
+                        Along(orbit, Spin::<true>(e), W).framed(t).0
+                    }
+                    Course::Rotation(e) => Along(orbit, Spin::<false>(e), W).framed(t).0,
+                    Course::Separatrix(phase, speed) => Along(orbit, Ridge(phase, *speed), W).framed(t).0,
+                    Course::Still | Course::Free => {
+                        Angle { turns: L::splat(0.0), local: Straight(orbit, W).passed(t).0 }
+                    }
+                };
+                (turns.first(), Dd::new(local.hi.first(), local.lo.first()))
             }
         }
-        let (turns, local) = dispatch(Turns(self, t));
+        let (turns, local) = single(Turns(self, t));
         self.wrapped(turns, local)
     }
+
     fn wrapped(&self, turns: f64, local: Dd) -> (i64, f64) {
         if local.hi.is_nan() {
             return (0, f64::NAN);

@@ -13,7 +13,7 @@ use crate::elliptic::carlson::rf_of_roots;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::arctangent;
-use crate::float::scaling::{exp2, ldexp};
+use crate::float::scaling::ldexp;
 use crate::float::{Dd, TWO_PI};
 
 /// An orbit that theta functions describe.
@@ -97,14 +97,15 @@ impl Orbit {
 
     fn plain(theta0: f64, velocity0: f64, frequency: Frequency, plain: Plain) -> Orbit {
         let omega = frequency.root();
-        let swing = omega.map_or(f64::INFINITY, |(w, power)| ldexp((TWO_PI / w.to_dd()).value(), -power));
+        let swing =
+            omega.map_or(f64::INFINITY, |(root, power)| ldexp((TWO_PI / root.to_dd()).value(), -power));
         let (course, regime, period, theta_max) = match plain {
             Plain::Still => (Course::Still, Regime::Rest, swing, 0.0),
             Plain::Free => (Course::Free, Regime::Rotation, TWO_PI.hi / velocity0.abs(), f64::NAN),
         };
         let (energy_ratio, energy_ratio_c) = match (plain, omega) {
-            (Plain::Free, Some((w, power))) => {
-                let x = ldexp(velocity0.abs() / w.hi, -1 - power);
+            (Plain::Free, Some((root, power))) => {
+                let x = ldexp(velocity0.abs() / root.hi, -1 - power);
                 (x * x, -(x * x))
             }
             (Plain::Free, None) => (f64::INFINITY, f64::NEG_INFINITY),
@@ -133,26 +134,25 @@ impl Orbit {
         let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = *state;
         let (rate_power, time_power) = carried(omega_power);
         let (speed_power, velocity_power) = carried(power + omega_power);
-        let fast = (omega * 2.0).scale(exp2(rate_power));
-        let scaled = |value: Dd, power: i32| Dd::new(ldexp(value.hi, power), ldexp(value.lo, power));
+        let rate = omega.ldexp(rate_power);
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
         let start = || (s / k) * rf_of_roots(x / k, c);
         let (course, period, theta_max) = match regime {
             Regime::Libration => {
-                let lattice = Lattice::new(scaled(m, 2 * power), mc, scaled(k, power), kc);
+                let lattice = Lattice::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);
                 let halves = lattice.quarter.scale(2.0);
                 let start = if x.hi == 0.0 { Dd::from(f64::copysign(0.5, s.hi)) } else { start() / halves };
-                let rate = fast / halves.scale(2.0);
-                let amplitude = k * lattice.amplitude;
+                let rate = rate / halves;
+                let tangent = k * lattice.theta1_factor;
                 let speed = (omega * k).scale(2.0);
                 let elliptic = Elliptic {
                     phase: Phase { rate, start },
-                    tangent: [scaled(amplitude, power), scaled(k / divisor(kc), power)],
-                    velocity: [speed, speed * kc * lattice.amplitude].map(|v| scaled(v, speed_power)),
+                    tangent: [tangent.ldexp(power), (k / divisor(kc)).ldexp(power)],
+                    velocity: [speed, speed * kc * lattice.theta1_factor].map(|v| v.ldexp(speed_power)),
                     lattice,
                 };
                 let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
-                let theta_max = ldexp(arctangent(scaled(k, power), kc).value(), 1);
+                let theta_max = ldexp(arctangent(k.ldexp(power), kc).value(), 1);
                 (Course::Libration(elliptic), period, theta_max)
             }
             Regime::Rotation => {
@@ -160,12 +160,12 @@ impl Orbit {
                 let (inner, inner_c) = (Dd::ONE / k, kc / k);
                 let lattice = Lattice::new(Dd::ONE / m, -mc / m, inner, inner_c);
                 let halves = lattice.quarter.scale(2.0);
-                let rate = fast * k / halves.scale(2.0);
+                let rate = rate * k / halves;
                 let speed = (omega * k).scale(2.0);
                 let elliptic = Elliptic {
                     phase: Phase { rate, start: k * start() / halves },
-                    tangent: [lattice.amplitude, Dd::ONE / (divisor(inner_c) * lattice.amplitude)],
-                    velocity: [speed, speed * inner_c].map(|v| scaled(v, speed_power)),
+                    tangent: [lattice.theta1_factor, Dd::ONE / (divisor(inner_c) * lattice.theta1_factor)],
+                    velocity: [speed, speed * inner_c].map(|v| v.ldexp(speed_power)),
                     lattice,
                 };
                 let period = ldexp((halves / (omega * k)).value(), -omega_power);
@@ -173,8 +173,8 @@ impl Orbit {
             }
             _ if c.hi == 0.0 && x.hi == 0.0 => (Course::Still, f64::INFINITY, core::f64::consts::PI),
             _ => {
-                let phase = Phase { rate: fast.scale(0.5), start: start() };
-                let speed = scaled(omega.scale(2.0), speed_power);
+                let phase = Phase { rate, start: start() };
+                let speed = omega.scale(2.0).ldexp(speed_power);
                 (Course::Separatrix(phase, speed), f64::INFINITY, core::f64::consts::PI)
             }
         };
@@ -206,11 +206,12 @@ impl Orbit {
     pub fn period(&self) -> f64 {
         self.period
     }
-    /// Turning angle in rad, counted from the equilibrium: pi on the separatrix, NaN in rotation.
+    /// Turning angle in rad, counted from the stable equilibrium: pi on the separatrix, NaN in rotation.
     pub fn theta_max(&self) -> f64 {
         self.theta_max
     }
-    /// kappa^2 = sin^2(theta0/2) + (velocity0/2 omega0)^2: below 1 libration, above 1 rotation.
+    /// kappa^2 = sin^2(theta0/2) + (velocity0/2 omega0)^2: below 1 libration, above 1 rotation. Where the force
+    /// is negative, here and in the energies and angles below, theta0 counts from the equilibrium that is stable.
     pub fn energy_ratio(&self) -> f64 {
         self.energy_ratio
     }
@@ -224,12 +225,14 @@ impl Orbit {
     }
     /// Angular frequency of small swings, sqrt|omega0^2|, in rad/s.
     pub fn omega0(&self) -> f64 {
-        self.frequency.root().map_or(0.0, |(w, power)| ldexp(w.to_dd().value(), power))
+        self.frequency.root().map_or(0.0, |(root, power)| ldexp(root.to_dd().value(), power))
     }
     /// omega0^2, negative where the pendulum hangs from the other side.
     pub fn omega2(&self) -> f64 {
-        let square =
-            self.frequency.root().map_or(0.0, |(w, power)| ldexp(w.square().to_dd().value(), 2 * power));
+        let square = self
+            .frequency
+            .root()
+            .map_or(0.0, |(root, power)| ldexp(root.square().to_dd().value(), 2 * power));
         if self.frequency.upside_down() { -square } else { square }
     }
 }

@@ -3,12 +3,13 @@
 //! With theta0 = 2 pi n + r, |r| <= pi, and the sign of the velocity taken out,
 //!   s = sin(r/2), c = cos(r/2), x = |velocity0|/(2 omega0), m = s^2 + x^2, 1 - m = (c - x)(c + x).
 //! All in triple-double, c from the distance to the top, and 1 - x^2 exactly where it decides.
-//! Source: Salas 2019 (23); house rules for the cancellation.
+//! Source: Salas 2019 (23); docs/decisions/0001.
 
 use super::frequency::Frequency;
 use super::regime::Regime;
 use crate::float::circle::{self, Reduced};
-use crate::float::scaling::{exponent, ldexp};
+use crate::float::scaling::{exponent, ldexp, mantissa};
+use crate::float::series;
 use crate::float::triple_double::exact_sum;
 use crate::float::{Dd, Td};
 use crate::lanes::Lane;
@@ -24,6 +25,14 @@ pub struct Frame {
     pub half_turn: f64,
     /// Direction in which the canonical motion goes upwards through 0: the sign of the velocity.
     pub side: f64,
+}
+
+impl Frame {
+    /// Whether the canonical angle is not the angle itself, but for its side.
+    #[inline(always)]
+    pub fn shifted(&self) -> bool {
+        self.base.hi != 0.0 || self.half_turn != 0.0
+    }
 }
 
 /// The canonical state, in units of omega0 = 1.
@@ -84,7 +93,7 @@ impl State {
         let x = if velocity == 0.0 {
             Td::ZERO
         } else {
-            let mantissa = Td::from(ldexp(velocity.abs(), -exponent(velocity))) / omega;
+            let mantissa = Td::from(mantissa(velocity)) / omega;
             let shift = x_power - power;
             let least = f64::from_bits(1); // a velocity at the very top is never none
             Td::new(
@@ -131,7 +140,7 @@ fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i3
     let near = if low.hi < high.hi { low } else { high };
     let near_stable = (low.hi < high.hi) != upside_down;
     let (small, large) =
-        if near.hi < TINY { (near.scale(0.5), Td::ONE) } else { circle::sin_cos(near.scale(0.5)) };
+        if near.hi < TINY { (near.scale(0.5), Td::ONE) } else { series::sin_cos(near.scale(0.5)) };
     if !near_stable {
         return (large, small, 0);
     }
@@ -184,7 +193,6 @@ fn regime_of(sign: f64) -> Regime {
 /// 1 - velocity^2/(4 omega0^2), where it is near 0 exactly up to one division.
 fn exact_complement(velocity: f64, frequency: Frequency) -> Td {
     let (a, b, c) = frequency.factors();
-    let mantissa = |value: f64| ldexp(value.abs(), -exponent(value));
     let powers = exponent(a) + exponent(b) - exponent(c);
     let (a, b, c, v) = (mantissa(a), mantissa(b), mantissa(c), mantissa(velocity));
     let scale = -ldexp(1.0, 2 * exponent(velocity) - 2 - powers);

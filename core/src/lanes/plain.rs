@@ -1,0 +1,19 @@
+//! Processors without lanes of their own here: width one, without fused multiplication; the other sets are never in
+//! use there.
+
+use super::Kernel;
+
+/// Not on this processor.
+pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<f64>()
+}
+
+/// Not on this processor.
+pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<f64>()
+}
+
+/// Not on this processor.
+pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<f64>()
+}

@@ -1,0 +1,181 @@
+//! Lanes of width one: a double without fused multiplication, and one with it.
+
+use super::Lane;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// 1.5 * 2^52: adding it leaves the nearest integer in the low bits of the mantissa.
+pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+impl Lane for f64 {
+    type Mask = bool;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn load(from: &[f64]) -> f64 {
+        from[0]
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        to[0] = self;
+    }
+
+    #[inline(always)]
+    fn splat(value: f64) -> f64 {
+        value
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: f64, term: f64) -> f64 {
+        self * factor + term
+    }
+    /// Dekker's product with Veltkamp's splitting; factors above 2^990 are scaled so that splitting does
+    /// not overflow.
+    #[inline(always)]
+    fn two_product(self, factor: f64) -> (f64, f64) {
+        const HUGE: f64 = 1.046_336_793_293_362_4e298; // 2^990
+        const DOWN: f64 = 1.387_778_780_781_445_7e-17; // 2^-56
+        const UP: f64 = 72_057_594_037_927_936.0; // 2^56
+        let product = self * factor;
+        let (a, up_a) = if f64::abs(self) > HUGE { (self * DOWN, UP) } else { (self, 1.0) };
+        let (b, up_b) = if f64::abs(factor) > HUGE { (factor * DOWN, UP) } else { (factor, 1.0) };
+        let (a_hi, a_lo) = split(a);
+        let (b_hi, b_lo) = split(b);
+        let error = ((a_hi * b_hi - a * b) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
+        (product, error * up_a * up_b)
+    }
+    #[inline(always)]
+    fn round(self) -> f64 {
+        if f64::abs(self) < 2_251_799_813_685_248.0 { (self + ROUNDER) - ROUNDER } else { round_large(self) }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn copysign(self, sign: f64) -> f64 {
+        f64::copysign(self, sign)
+    }
+    #[inline(always)]
+    fn exp2_integer(self) -> f64 {
+        f64::from_bits(((self + (ROUNDER + 1023.0)).to_bits()) << 52)
+    }
+    #[inline(always)]
+    fn less(self, other: f64) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn equal(self, other: f64) -> bool {
+        self == other
+    }
+    #[inline(always)]
+    fn select(mask: bool, yes: f64, no: f64) -> f64 {
+        if mask { yes } else { no }
+    }
+}
+
+/// Veltkamp's splitting into 26 + 26 bits.
+#[inline(always)]
+fn split(value: f64) -> (f64, f64) {
+    let scaled = 134_217_729.0 * value;
+    let hi = scaled - (scaled - value);
+    (hi, value - hi)
+}
+
+/// Between 2^51 and 2^52 a half is left; above, every double is an integer.
+fn round_large(value: f64) -> f64 {
+    if f64::abs(value) < 4_503_599_627_370_496.0 {
+        let whole = (f64::abs(value) + 4_503_599_627_370_496.0) - 4_503_599_627_370_496.0;
+        f64::copysign(whole, value)
+    } else {
+        value
+    }
+}
+
+/// One double on a processor with fused multiplication.
+#[derive(Clone, Copy)]
+#[repr(transparent)]
+pub struct Fused(f64);
+
+macro_rules! fused_operator {
+    ($($trait:ident $method:ident),*) => {$(
+        impl $trait for Fused {
+            type Output = Fused;
+            #[inline(always)]
+            fn $method(self, other: Fused) -> Fused {
+                Fused(self.0.$method(other.0))
+            }
+        }
+    )*};
+}
+fused_operator!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Fused {
+    type Output = Fused;
+    #[inline(always)]
+    fn neg(self) -> Fused {
+        Fused(-self.0)
+    }
+}
+
+impl Lane for Fused {
+    type Mask = bool;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn load(from: &[f64]) -> Fused {
+        Fused(from[0])
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        to[0] = self.0;
+    }
+
+    #[inline(always)]
+    fn splat(value: f64) -> Fused {
+        Fused(value)
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Fused, term: Fused) -> Fused {
+        Fused(f64::mul_add(self.0, factor.0, term.0))
+    }
+    #[inline(always)]
+    fn two_product(self, factor: Fused) -> (Fused, Fused) {
+        let product = self.0 * factor.0;
+        (Fused(product), Fused(f64::mul_add(self.0, factor.0, -product)))
+    }
+    #[inline(always)]
+    fn round(self) -> Fused {
+        Fused(f64::round_ties_even(self.0))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Fused {
+        Fused(f64::sqrt(self.0))
+    }
+    #[inline(always)]
+    fn abs(self) -> Fused {
+        Fused(f64::abs(self.0))
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Fused) -> Fused {
+        Fused(f64::copysign(self.0, sign.0))
+    }
+    #[inline(always)]
+    fn exp2_integer(self) -> Fused {
+        Fused(Lane::exp2_integer(self.0))
+    }
+    #[inline(always)]
+    fn less(self, other: Fused) -> bool {
+        self.0 < other.0
+    }
+    #[inline(always)]
+    fn equal(self, other: Fused) -> bool {
+        self.0 == other.0
+    }
+    #[inline(always)]
+    fn select(mask: bool, yes: Fused, no: Fused) -> Fused {
+        Fused(Lane::select(mask, yes.0, no.0))
+    }
+}

@@ -1,0 +1,113 @@
+//! The doors of the core agree bit for bit: one value, a pair, slices of any length on lanes of any width.
+
+use libration::lanes::InstructionSet;
+use libration::{Frequency, Jacobi, Orbit, Parameter};
+use std::sync::Mutex;
+
+/// The instruction set is the whole process's: one test at a time.
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+
+/// Starts in every regime, on both sides of kappa^2 = 1/2, in turns, upside down and without force.
+const STARTS: [(f64, f64, f64); 14] = [
+    (0.0, 0.0, 1.0),
+    (1e-200, 0.0, 1.0),
+    (0.3, -0.1, 1.0),
+    (2.0, 0.3, 9.8),
+    (3.1415926, 0.0, 1.0),
+    (0.0, 2.0, 1.0),
+    (0.0, -2.0000000000000004, 1.0),
+    (1.0, 2.5, 1.0),
+    (-2.0, 40.0, 1.0),
+    (50.0, 0.2, 2.0),
+    (3.0, 0.1, -1.0),
+    (0.0, 1.0, -3.0),
+    (1.0, 2.0, 0.0),
+    (0.0, 5e-324, -1.0),
+];
+
+fn times() -> Vec<f64> {
+    let mut times: Vec<f64> = (-40..40).map(|i| 0.37 * f64::from(i)).collect();
+    times.extend([0.0, -0.0, 1e-300, 1e6, -1e12, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN]);
+    times
+}
+
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+/// Every length up to three of the widest lanes, and every place in it.
+#[test]
+fn slices_are_their_scalars_on_every_instruction_set() {
+    let _alone = ONE_AT_A_TIME.lock().unwrap();
+    let times = times();
+    for set in InstructionSet::available() {
+        set.force().unwrap();
+        for (theta0, velocity0, omega2) in STARTS {
+            let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
+            for length in (0..49).chain([times.len()]) {
+                let t = &times[times.len() - length..];
+                let [mut theta, mut velocity, mut pair_theta, mut pair_velocity] =
+                    [(); 4].map(|()| vec![7.0; length]);
+                orbit.theta_into(t, &mut theta);
+                orbit.velocity_into(t, &mut velocity);
+                orbit.motion_into(t, &mut pair_theta, &mut pair_velocity);
+                for (i, &t) in t.iter().enumerate() {
+                    let (a, b) = orbit.motion(t);
+                    assert!(
+                        [orbit.theta(t), theta[i], pair_theta[i]].iter().all(|other| same(a, *other)),
+                        "{set:?} {t}"
+                    );
+                    assert!(
+                        [orbit.velocity(t), velocity[i], pair_velocity[i]]
+                            .iter()
+                            .all(|other| same(b, *other))
+                    );
+                }
+            }
+        }
+        for m in [-1e9, -0.5, 0.0, 0.3, 0.5, 0.9, 1.0, 1.2, 1e9, f64::NAN] {
+            let jacobi = Jacobi::new(Parameter::from_m(m));
+            let [mut sn, mut cn, mut dn, mut am] = [(); 4].map(|()| vec![7.0; times.len()]);
+            jacobi.values_into(&times, [&mut sn, &mut cn, &mut dn, &mut am]);
+            for (i, &u) in times.iter().enumerate() {
+                let (a, b, c, d) = jacobi.values(u);
+                assert!(
+                    same(a, sn[i]) && same(b, cn[i]) && same(c, dn[i]) && same(d, am[i]),
+                    "{set:?} {m} {u}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_set_up_is_the_same_on_every_instruction_set() {
+    let _alone = ONE_AT_A_TIME.lock().unwrap();
+    let attributes = |(theta0, velocity0, omega2): (f64, f64, f64)| {
+        let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
+        [
+            orbit.period(),
+            orbit.theta_max(),
+            orbit.energy_ratio(),
+            orbit.energy_ratio_c(),
+            orbit.energy(),
+            orbit.omega0(),
+        ]
+        .map(f64::to_bits)
+    };
+    for start in STARTS {
+        let mut seen = InstructionSet::available().iter().map(|set| {
+            set.force().unwrap();
+            attributes(start)
+        });
+        let first = seen.next().unwrap();
+        assert!(seen.all(|other| other == first), "{start:?}");
+    }
+}
+
+#[test]
+#[should_panic(expected = "another length")]
+fn lengths_must_agree() {
+    let orbit = Orbit::new(1.0, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
+    orbit.theta_into(&[0.0, 1.0], &mut [0.0]);
+}
