@@ -4,7 +4,10 @@
 //! IEEE operation (or an error-free pair of them), so all widths of one instruction set give the same bits.
 //! Instruction sets differ only in whether `mul_add` is fused.
 
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+mod fused;
 mod scalar;
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod twice;
 
 #[cfg(target_arch = "x86_64")]

@@ -2,7 +2,9 @@
 //!
 //! SAFETY of every intrinsic here: NEON belongs to the target.
 
-use super::scalar::{Fused, ROUNDER};
+use super::fused::Fused;
+use super::scalar::ROUNDER;
+use super::twice::Twice;
 use super::{Kernel, Lane};
 use core::arch::aarch64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -13,10 +15,10 @@ pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Fused>()
 }
 
-/// Width two.
+/// Width four.
 #[inline]
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<F64x2>()
+    kernel.run::<Twice<F64x2>>()
 }
 
 /// Not on this processor, and never in use there.

@@ -3,7 +3,8 @@
 //! SAFETY of every intrinsic here: the lane types are made only inside `wide_fused` and `wide_avx512`, which are
 //! entered only where `InstructionSet::available` has seen the features on this processor.
 
-use super::scalar::{Fused, ROUNDER};
+use super::fused::Fused;
+use super::scalar::ROUNDER;
 use super::twice::Twice;
 use super::{Kernel, Lane};
 use core::arch::x86_64::*;
@@ -25,13 +26,13 @@ pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx2,fma")]
     fn enter<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<F64x4>()
+        kernel.run::<Twice<F64x4>>()
     }
     // SAFETY: see the top of this file.
     unsafe { enter(kernel) }
 }
 
-/// Width eight.
+/// Width sixteen.
 #[inline]
 pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx512f")]
