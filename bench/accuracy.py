@@ -205,7 +205,7 @@ def table(head: list[str], body: list[list[str]]) -> str:
 
 def by_stratum(strata: dict[str, dict], output: str) -> str:
     """Every stratum's errors of one output on every path."""
-    head = ["stratum", "rows", "libration, one orbit: max", "median", "SciPy recipe: max", "median"]
+    head = ["stratum", "rows", "one orbit at many times: max", "median", "SciPy recipe: max", "median"]
     body = []
     for stratum, held in strata.items():
         ways = [held["errors"]["orbit", output], held["errors"]["scipy", output]]
@@ -213,8 +213,15 @@ def by_stratum(strata: dict[str, dict], output: str) -> str:
         body.append([stratum, str(held["rows"]), *numbers])
         if states := held["errors"].get(("states", output)):
             body[-1] += [str(len(states)), shown(max(states))]
-    own = ["own-state rows", "own states: max"] if output != "period" else []
+    own = ["rows of arrays", "arrays of orbits: max"] if output != "period" else []
     return f"## {output}\n\n" + table(head + own, body)
+
+
+def reach(truth: list[Row]) -> tuple[str, str]:
+    """How small the smallest swing of the truth is, rounded up to a power of ten, and how many periods it goes."""
+    smallest = min(row.truth["theta_max"] for row in truth if row.regime == "libration")
+    periods = max(abs(Fraction(row.t)) / row.truth["period"] for row in truth if row.truth["period"] != math.inf)
+    return f"1e{math.ceil(math.log10(smallest))}", f"{float(periods) / 1e6:.0f} million"
 
 
 def page(strata: dict[str, dict]) -> str:
@@ -233,15 +240,23 @@ def page(strata: dict[str, dict]) -> str:
         own = worst("states", output) if output != "period" else ""
         theirs = [shown(max(rival)), shown(statistics.median(rival)), f"{lost:.0f} %"]
         summary.append([*orbit(output), own, *theirs])
-    head = ["error, in units of the last place", "one orbit: max", "worst median", "own states: max"]
+    head = [
+        "error, in units of the last place",
+        "one orbit at many times: max",
+        "worst median",
+        "arrays of orbits: max",
+    ]
     more = [orbit(output) for output in (*ATTRIBUTES, "turns")]
     total, regimes = (sum(held[count] for held in strata.values()) for count in ("rows", "regimes"))
     tables = [by_stratum(strata, output) for output in OUTPUTS]
+    swing, periods = reach(rows())
     tables.append("## attributes and turns\n\n" + table(["over all strata", "max", "worst median"], more))
     return TEXT.format(
         versions=f"libration {libration.__version__}, NumPy {numpy.__version__}, SciPy {scipy.__version__}",
-        summary=table([*head, "SciPy recipe: max", "median", "rows beyond 1000"], summary),
+        summary=table([*head, "SciPy recipe: max", "median", "rows wrong by more than 1000"], summary),
         rows=total,
+        swing=swing,
+        periods=periods,
         strata=len(strata),
         regimes="all" if regimes == total else f"{regimes} of {total}",
         tables="\n\n".join(tables),
@@ -255,17 +270,20 @@ Written by `python bench/accuracy.py` with {versions}.
 <!-- summary -->
 {summary}
 
-Over {rows} orbits and instants in {strata} strata, most of them hard on purpose: from swings below 1e-250 rad to the
-last double before the separatrix and to almost a billion periods. The regime is right in {regimes} rows. *Worst
-median* is the largest of the strata's medians; *inf* means that at least one answer was not a finite number where the
-truth is one, or the reverse.
+One unit is the last place of the true value, but never less than that of 2^-30 of the orbit's largest angle or velocity
+(for arrays of orbits: of the largest itself); the period has no such floor.
+
+Over {rows} orbits and instants in {strata} strata, most of them hard on purpose: from swings below {swing} rad to the
+last double before the separatrix and to {periods} periods. The regime is right in {regimes} rows. *Worst median* is the
+largest of the strata's medians; *inf* means that at least one answer was not a finite number where the truth is one, or
+the reverse.
 <!-- end summary -->
 
 The error is E = |got - truth| / (ulp(max(|truth|, 2^-30 scale)) + ease) with scale the largest |angle| (pi for
 separatrix and rotation) or |velocity| of the orbit and ease = min(2^-100 cond, 2^-44 scale), where cond is by how
 much the output moves when each input moves by its own size; the period has no floor and its ease is 2^-100 cond.
-Attributes have neither floor nor ease. Own states are arrays of orbits in `theta`, `velocity`, `motion` and `advance`,
-measured with the floor at scale on the rows whose omega0 is a double. The truth
+Attributes are measured with neither floor nor ease. Arrays of orbits go through `theta`, `velocity`, `motion` and
+`advance`, measured with the floor at scale on the rows whose omega0 is a double. The truth
 ([reference/](../reference/README.md)) is exact for the doubles passed in and stored as hi + lo; differences are
 taken in fractions. What is promised stands in [functions.md](functions.md).
 

@@ -10,7 +10,7 @@ from tree import code_lines, files, finish
 ROOMS = ["core", "python", "reference", "bench", "docs"]
 FORBIDDEN = [
     (r"\b(k2|ksq|m1)\b", "the parameter is `m`, its complement `mc`, the modulus `k`"),
-    (r"\b(angle0|phase0|freq|circulation)\b", "not the name in NOTATION.md"),
+    (r"\b(angle0|phase0|freq|w0|omega_0|oscillation|circulation|(fn|def) amplitude)\b", "not a name of NOTATION.md"),
     (
         r"\b(fn|def)\s+(get|set|compute|calc|calculate)_",
         "a quantity is a noun: no get_, set_, compute_, calc_",

@@ -1,7 +1,8 @@
 """Functions of arrays of times and states, each element exact: ``theta``, ``velocity``, ``motion``, ``advance``.
 
 Two paths, decided by the call and never by memory layout: orbit arguments without dimensions take the path of one
-orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own.
+orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own. Today both run the
+same code; only the looser bound is promised for arrays, so that a faster one may come.
 Source: DLMF 22.19(i).
 """
 
@@ -21,7 +22,8 @@ def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: 
     Parameters
     ----------
     t : scalar or array
-        Time in s. NaN, and more than 2**53 half periods, give NaN.
+        Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
+        limit.
     theta0 : scalar or array
         Initial angle in rad, finite.
     velocity0 : scalar or array, default 0.0
@@ -68,7 +70,8 @@ def velocity(
     Parameters
     ----------
     t : scalar or array
-        Time in s. NaN, and more than 2**53 half periods, give NaN.
+        Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
+        limit.
     theta0 : scalar or array
         Initial angle in rad, finite.
     velocity0 : scalar or array, default 0.0
@@ -110,7 +113,8 @@ def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out:
     Parameters
     ----------
     t : scalar or array
-        Time in s. NaN, and more than 2**53 half periods, give NaN.
+        Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
+        limit.
     theta0 : scalar or array
         Initial angle in rad, finite.
     velocity0 : scalar or array, default 0.0
@@ -157,7 +161,8 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     velocity : scalar or array
         Angular velocity in rad/s, finite.
     dt : scalar or array
-        Time to go in s, of any sign. NaN, and more than 2**53 half periods, give NaN.
+        Time to go in s, of any sign. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free
+        rotation have no such limit.
     omega0 : scalar or array, default 1.0
         Angular frequency of small swings in rad/s, finite and >= 0.
     out : pair of ndarray, optional

@@ -38,9 +38,10 @@ def jacobi(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = N
     Parameters
     ----------
     u : scalar or array
-        Argument, any real number. Infinite: the limits at m = 1, NaN elsewhere.
+        Argument, any real number; more than 2**100 half periods give NaN. Infinite: the limits at m = 1, NaN
+        elsewhere.
     m, mc, k : scalar or array, exactly one of them
-        Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number; else NaN.
+        Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number, abs(k) <= 1e150; else NaN.
     out : four ndarrays, optional
         Where to put the results.
     where : array of bool, optional
@@ -133,7 +134,7 @@ def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
 
     Notes
     -----
-    Error promised: 3 ulp. Source: DLMF 19.2.8, 19.8.6.
+    Error promised: 3 ulp. Source: DLMF 19.2.8, 19.25.1.
 
     Examples
     --------
@@ -155,7 +156,8 @@ def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     phi : scalar or array
         Amplitude in rad, any real number while m < 1; beyond pi/2 infinite at m = 1.
     m, mc, k : scalar or array, exactly one of them
-        Parameter, its complement 1 - m, or the modulus (m = k**2). NaN where m sin(x)**2 exceeds 1 on the way.
+        Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
+        the way.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -194,7 +196,8 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     phi : scalar or array
         Amplitude in rad, any real number while m <= 1.
     m, mc, k : scalar or array, exactly one of them
-        Parameter, its complement 1 - m, or the modulus (m = k**2). NaN where m sin(x)**2 exceeds 1 on the way.
+        Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
+        the way.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -211,7 +214,7 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
 
     Notes
     -----
-    Error promised: 3 ulp. Source: DLMF 19.2.5, 19.25.9.
+    Error promised: 3 ulp. Source: DLMF 19.2.5, 19.25.9 to 19.25.11.
 
     Examples
     --------

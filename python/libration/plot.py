@@ -50,7 +50,7 @@ def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = Non
 
     Left: the exact angle over the range of `t` with the linear solution, and a dot at each instant if they are few.
     Right: velocity over omega0 against the angle, wrapped to one turn, with the separatrix, the whole orbit (thin),
-    the part of it that the range of `t` covers (strong), and neighbouring orbits (faint).
+    the part of it that the range of `t` covers (strong), and orbits of other energies (faint).
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ FAINT = "#d9d9d9"
 MANY, SHOWN = 60, 20
 # Instants are drawn as dots up to this number.
 FEW = 60
-# Neighbouring orbits: their energy ratios.
+# Orbits of other energies: their energy ratios.
 LEVELS = (0.05, 0.2, 0.45, 0.75, 1.4, 2.0)
 # Below this energy ratio an orbit is too small to see and is enlarged in a corner.
 SMALL = 0.01
@@ -117,16 +117,24 @@ def is_svg(path, form):
 
 
 def headline(pendulum):
-    """Regime and period in one line."""
+    """Initial state, regime and period in one line."""
+    speed = f"{number(pendulum.velocity0)} rad/s" if pendulum.velocity0 else "0"
+    start = rf"$\theta_0$ = {number(pendulum.theta0)} rad, $\dot\theta_0$ = {speed}: "
+    period = f"{number(pendulum.period)} s"
     regime = str(pendulum.regime)
     if regime == "separatrix":
-        return "separatrix: the top is approached and never reached"
+        return start + "separatrix, the top is approached and never reached"
     if regime == "rotation":
-        return f"rotation, one turn in {pendulum.period:.6g} s"
+        return start + f"rotation, one turn in {period}"
     if regime == "rest":
-        return f"rest, small swings would take {pendulum.period:.6g} s"
-    degrees = np.degrees(pendulum.theta_max)
-    return f"libration, period {pendulum.period:.6g} s, turning angle {degrees:.4g}°"
+        return start + ("rest, without a force" if pendulum.omega0 == 0 else f"rest, small swings would take {period}")
+    degrees = f"{number(np.degrees(pendulum.theta_max), 4)}°" + (" from π" if pendulum.omega2 < 0 else "")
+    return start + f"libration, period {period}, turning angle {degrees}"
+
+
+def number(value, digits=6):
+    """A number with a real minus sign."""
+    return f"{value:.{digits}g}".replace("-", "−")
 
 
 def draw_angle(axes, pendulum, t):
@@ -172,18 +180,18 @@ def draw_portrait(axes, pendulum, t):
     omega0 = 1.0 if free else pendulum.omega0
     bottom = np.pi if pendulum.omega2 < 0 else 0.0
     velocity0 = pendulum.velocity0 / omega0
-    # The energy ratio seen from the stable equilibrium; only the picture depends on it.
-    ratio = np.inf if free else np.sin((pendulum.theta0 - bottom) / 2) ** 2 + (velocity0 / 2) ** 2
+    ratio = pendulum.energy_ratio
     if not free:
-        for level in LEVELS:
-            if abs(level - ratio) > 0.1:
-                draw_level(axes, level, bottom, color=FAINT, lw=0.9)
-        draw_level(axes, 1.0, bottom, color=SEPARATRIX, lw=1.1, label="separatrix", zorder=3)
+        others = [level for level in LEVELS if abs(level - ratio) > 0.1]
+        for level in others:
+            label = "other energies" if level == others[0] else None
+            draw_level(axes, level, bottom, color=FAINT, lw=0.9, label=label)
+        draw_level(axes, 1.0, bottom, color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label="separatrix", zorder=3)
     if ratio > 0 and np.isfinite(ratio) and np.isfinite(pendulum.period):
         draw_level(axes, ratio, bottom, sign=np.sign(velocity0) if ratio > 1 else 0, color=EXACT, lw=0.9)
     where, velocity = covered(pendulum, t, omega0, bottom)
-    axes.plot(where, velocity, color=EXACT, lw=2.4, label="this motion")
-    axes.plot(where[:1], velocity[:1], "o", ms=6, color=EXACT, label=f"t = {t.min():.7g} s", clip_on=False)
+    axes.plot(where, velocity, color=EXACT, lw=1.6, label="this motion")
+    axes.plot(where[:1], velocity[:1], "o", ms=6, color=EXACT, label=f"t = {number(t.min(), 7)} s", clip_on=False)
     fastest = np.nanmax(np.abs(velocity), initial=abs(velocity0) if free else 2 * np.sqrt(ratio))
     height = 1.12 * max(0.1 if free else 2.2, fastest)
     axes.set(xlim=(bottom - np.pi, bottom + np.pi), ylim=(-height, height))
@@ -232,7 +240,7 @@ def draw_enlarged(axes, k, where, velocity):
     inset.plot(where, velocity, color=EXACT, lw=2)
     inset.plot(where[:1], velocity[:1], "o", ms=5, color=EXACT)
     inset.set(xlim=(-2.8 * k, 2.8 * k), ylim=(-2.8 * k, 2.8 * k), xticks=[], yticks=[])
-    inset.text(0, 0, f"enlarged\n±{2 * k:.3g}", fontsize=8, color="#555555", ha="center", va="center")
+    inset.text(0, 0, f"enlarged\n±{number(2 * k, 3)}", fontsize=7, color="#555555", ha="center", va="center")
     for side in inset.spines.values():
         side.set_color("#cccccc")
 
@@ -251,7 +259,14 @@ def quiet(axes):
 def legend(axes):
     """One line above the panel, clear of every curve."""
     axes.legend(
-        loc="lower right", bbox_to_anchor=(1.01, 1.0), ncols=4, frameon=False, handlelength=1.8, columnspacing=1.4
+        loc="lower right",
+        bbox_to_anchor=(1.01, 1.0),
+        ncols=4,
+        frameon=False,
+        fontsize=9.5,
+        handlelength=1.6,
+        handletextpad=0.5,
+        columnspacing=1.0,
     )
 
 

@@ -6,41 +6,73 @@
 use libration::{Frequency, Jacobi, Orbit, Parameter};
 use pyo3::prelude::*;
 
-use crate::ufunc::add;
+use crate::ufunc::{BLOCK, add, each, whole};
 
 /// Adds all ufuncs to the module.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    add(module, "factors", frequency, |frequency, []| <[f64; 3]>::from(frequency.factors()))?;
+    add(
+        module,
+        "factors",
+        frequency,
+        each(|frequency: &Frequency, []| <[f64; 3]>::from(frequency.factors())),
+    )?;
 
-    add(module, "orbit_theta", orbit, |orbit, [t]| [orbit.theta(t)])?;
-    add(module, "orbit_velocity", orbit, |orbit, [t]| [orbit.velocity(t)])?;
-    add(module, "orbit_motion", orbit, |orbit, [t]| <[f64; 2]>::from(orbit.motion(t)))?;
-    add(module, "turns", orbit, |orbit, [t]| orbit.turns(t))?;
+    add(module, "orbit_theta", orbit, whole::<[f64; 1], _>(theta))?;
+    add(module, "orbit_velocity", orbit, whole::<[f64; 1], _>(velocity))?;
+    add(module, "orbit_motion", orbit, whole::<[f64; 2], _>(motion))?;
+    add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
 
-    add(module, "state_theta", state, |orbit, [t]| [orbit.theta(t)])?;
-    add(module, "state_velocity", state, |orbit, [t]| [orbit.velocity(t)])?;
-    add(module, "state_motion", state, |orbit, [t]| <[f64; 2]>::from(orbit.motion(t)))?;
-    add(module, "advance", frequency, |frequency, [theta, velocity, dt]| {
+    add(module, "state_theta", state, whole::<[f64; 1], _>(theta))?;
+    add(module, "state_velocity", state, whole::<[f64; 1], _>(velocity))?;
+    add(module, "state_motion", state, whole::<[f64; 2], _>(motion))?;
+    let advance = |frequency: &Frequency, [theta, velocity, dt]: [f64; 3]| {
         <[f64; 2]>::from(libration::advance(theta, velocity, dt, *frequency))
-    })?;
+    };
+    add(module, "advance", frequency, each(advance))?;
 
     add_elliptic(module, "m", Parameter::from_m)?;
     add_elliptic(module, "mc", Parameter::from_mc)?;
     add_elliptic(module, "k", Parameter::from_modulus)
 }
 
+/// A block of rows, and its column of results.
+type Column = [[f64; BLOCK]; 1];
+
+fn theta(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta]: &mut Column) {
+    orbit.theta_into(t, &mut theta[..rows]);
+}
+
+fn velocity(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut Column) {
+    orbit.velocity_into(t, &mut velocity[..rows]);
+}
+
+fn motion(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta, velocity]: &mut [[f64; BLOCK]; 2]) {
+    orbit.motion_into(t, &mut theta[..rows], &mut velocity[..rows]);
+}
+
+fn jacobi(jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 4]) {
+    jacobi.values_into(u, columns.each_mut().map(|column| &mut column[..rows]));
+}
+
 /// Adds the elliptic ufuncs of one keyword.
 fn add_elliptic(module: &Bound<'_, PyModule>, keyword: &str, from: fn(f64) -> Parameter) -> PyResult<()> {
     let named = |name: &str| format!("{name}_{keyword}");
-    let jacobi = move |[given]: [f64; 1]| Some(Jacobi::new(from(given)));
     let parameter = move |[given]: [f64; 1]| Some(from(given));
-    add(module, &named("jacobi"), jacobi, |jacobi, [u]| <[f64; 4]>::from(jacobi.values(u)))?;
-    add(module, &named("incomplete_f"), parameter, |p, [phi]| [libration::incomplete_f(phi, *p)])?;
-    add(module, &named("incomplete_e"), parameter, |p, [phi]| [libration::incomplete_e(phi, *p)])?;
+    add(
+        module,
+        &named("jacobi"),
+        move |[given]| Some(Jacobi::new(from(given))),
+        whole::<[f64; 4], _>(jacobi),
+    )?;
+    let incomplete_f = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_f(phi, *p)];
+    add(module, &named("incomplete_f"), parameter, each(incomplete_f))?;
+    let incomplete_e = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_e(phi, *p)];
+    add(module, &named("incomplete_e"), parameter, each(incomplete_e))?;
     // A complete function has nothing but its parameter: the value itself is what is kept.
-    add(module, &named("complete_k"), move |[given]| Some(libration::complete_k(from(given))), |k, []| [*k])?;
-    add(module, &named("complete_e"), move |[given]| Some(libration::complete_e(from(given))), |e, []| [*e])?;
-    add(module, &named("nome"), move |[given]| Some(libration::nome(from(given))), |q, []| [*q])
+    let kept = |value: &f64, []: [f64; 0]| [*value];
+    add(module, &named("complete_k"), move |[given]| Some(libration::complete_k(from(given))), each(kept))?;
+    add(module, &named("complete_e"), move |[given]| Some(libration::complete_e(from(given))), each(kept))?;
+    add(module, &named("nome"), move |[given]| Some(libration::nome(from(given))), each(kept))
 }
 
 /// One orbit, its frequency by the exact factors.

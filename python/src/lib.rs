@@ -4,14 +4,17 @@
 
 mod kernels;
 mod orbit;
+mod pool;
 mod ufunc;
 
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// Compiled part of `libration`: the ufuncs and the orbit behind its documented surface.
 #[pymodule(gil_used = false)]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    pool::wanted().map_err(PyValueError::new_err)?;
+    module.add("__version__", libration::VERSION)?;
     module.add_class::<orbit::Orbit>()?;
     kernels::add_all(module)
 }

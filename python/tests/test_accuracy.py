@@ -2,6 +2,8 @@
 
 import importlib.util
 import math
+import tomllib
+from fractions import Fraction
 from pathlib import Path
 
 import mpmath
@@ -48,6 +50,32 @@ def spoiled_advance(theta, velocity, dt, omega0):
 def test_a_spoiled_sibling_turns_red(monkeypatch, owner, name, sibling):
     monkeypatch.setattr(owner, name, sibling)
     assert accuracy.failures(accuracy.measure()) != []
+
+
+def frequency_errors(pendulum, omega2):
+    """How many units in the last place omega0 and omega2 are off, for the exact omega2."""
+    with mpmath.workdps(60):
+        exact = mpmath.mpf(omega2.numerator) / omega2.denominator
+        pairs = [(pendulum.omega0, mpmath.sqrt(abs(exact))), (pendulum.omega2, exact)]
+        return [float(abs(got - truth) / math.ulp(float(truth))) for got, truth in pairs]
+
+
+def test_frequency_keeps_its_last_place():
+    table = tomllib.loads((ROOT / "functions.toml").read_text(encoding="utf-8"))
+    promised = [table[f"Pendulum.{name}"]["error_max_ulp"] for name in ("omega0", "omega2")]
+    generator = np.random.default_rng(11)
+    for a, b in (10.0 ** generator.uniform(-150, 150, (2000, 2))).tolist():
+        stated = [
+            (libration.Pendulum(1.0, omega0=a), Fraction(a) ** 2),
+            (libration.Pendulum(1.0, omega2=a), Fraction(a)),
+            (libration.Pendulum(1.0, omega2=-a), -Fraction(a)),
+            (libration.Pendulum(1.0, length=a, gravity=b), Fraction(b) / Fraction(a)),
+        ]
+        for pendulum, omega2 in stated:
+            errors = frequency_errors(pendulum, omega2)
+            assert all(got <= limit for got, limit in zip(errors, promised, strict=True)), (pendulum, errors)
+    assert frequency_errors(libration.Pendulum(1.0, omega2=2.0), Fraction(2 + 2**-50))[1] > 1
+    assert frequency_errors(libration.Pendulum(1.0, omega0=2.0), Fraction(-4))[1] > 1
 
 
 def test_separatrix_neighbours():

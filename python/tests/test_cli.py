@@ -61,7 +61,8 @@ def test_summary_for_people(capsys):
     assert texts["regime"] == "libration"
     assert texts["period"] == "5.16069774997798 s"
     assert texts["turning angle"] == "3 rad = 171.88734 deg"
-    assert texts["off the linear solution"] == "by up to 5.9858 rad, at t = 5.03006 s"
+    assert texts["largest difference from linear"] == "5.9858 rad, at t = 5.03006 s"
+    assert float(texts["energy ratio"]) + float(texts["1 - energy ratio"]) == pytest.approx(1.0, rel=1e-14)
     assert texts["sampled"] == "500 instants, 0 s to 10 s"
     assert "per unit inertia" in texts["energy"]
 

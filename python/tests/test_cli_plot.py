@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from libration import Pendulum
 from libration.cli import main
-from libration.plot import angle_ticks, covered, draw_angle, draw_portrait, linear_theta, pi_text, plot_motion
+from libration.plot import angle_ticks, covered, draw_angle, draw_portrait, headline, linear_theta, pi_text, plot_motion
 
 MOTIONS = {
     "libration": (Pendulum(3.0, length=1.0, gravity=9.8), np.linspace(0, 10, 500)),
@@ -79,12 +79,27 @@ def test_right_panel_holds_the_orbit_and_the_separatrix(axes):
     pendulum, t = MOTIONS["libration"]
     draw_portrait(axes, pendulum, t)
     curves = labelled(axes)
-    assert {"separatrix", "this motion"} < set(curves)
+    assert {"separatrix", "this motion", "other energies"} < set(curves)
     where, velocity = curves["this motion"].get_data()
     energy = np.sin(where / 2) ** 2 + (velocity / 2) ** 2
     assert np.allclose(energy, pendulum.energy_ratio, rtol=1e-12)
     where, velocity = curves["separatrix"].get_data()
     assert np.allclose(np.abs(velocity), 2 * np.cos(where / 2), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("pendulum", "said"),
+    [
+        (Pendulum(3.0, length=1.0, gravity=9.8), "3 rad, 0: libration, period 5.1607 s, turning angle 171.9°"),
+        (Pendulum(0.3, -2.6), "0.3 rad, −2.6 rad/s: rotation, one turn in 2.95385 s"),
+        (Pendulum(0.0, 2.0), "0 rad, 2 rad/s: separatrix, the top is approached and never reached"),
+        (Pendulum(0.0), "0 rad, 0: rest, small swings would take 6.28319 s"),
+        (Pendulum(0.5, omega0=0.0), "0.5 rad, 0: rest, without a force"),
+        (Pendulum(2.5, omega2=-4.0), "2.5 rad, 0: libration, period 3.22438 s, turning angle 36.76° from π"),
+    ],
+)
+def test_headline(pendulum, said):
+    assert headline(pendulum).replace(r"$\theta_0$ = ", "").replace(r"$\dot\theta_0$ = ", "") == said
 
 
 def test_rotation_wraps_without_a_line_across():

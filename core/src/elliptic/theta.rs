@@ -80,7 +80,7 @@ const LARGE: f64 = 1e300;
 #[inline(always)]
 fn bounded_square<L: Lane>(sine: L) -> L {
     let square = sine * sine;
-    L::select(square.less(L::splat(LARGE)), square, L::splat(LARGE))
+    L::select(L::splat(LARGE).less(square), L::splat(LARGE), square)
 }
 
 impl Lattice {
@@ -152,7 +152,7 @@ impl Lattice {
             Side::Hyperbolic => {
                 let (sine, cosine) = long_sinh_cosh(angle);
                 let square = sine.square();
-                let x = if square.hi < LARGE { -square } else { Dd::from(-LARGE) };
+                let x = if square.hi > LARGE { Dd::from(-LARGE) } else { -square };
                 [
                     times(sine, t1.long_at(x)),
                     times(Dd::ONE, t4.long_at(x)),

@@ -3,7 +3,7 @@
 //! Relative errors in units of 2^-106: sum 3, product 5, quotient 10, square root 4.
 //! Source: Joldes, Muller & Popescu, ACM TOMS 44 (2017) 15.
 
-use super::scaling::ldexp;
+use super::scaling::{exp2, ldexp};
 use crate::lanes::Lane;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -167,6 +167,10 @@ impl Dd<f64> {
     pub fn sqrt(self) -> Dd {
         if self.hi == 0.0 {
             return Dd::ZERO;
+        }
+        // The error of the root's square must not fall below the range.
+        if self.hi < 1e-200 {
+            return self.scale(exp2(800)).sqrt().scale(exp2(-400));
         }
         let root = f64::sqrt(self.hi);
         let rest = self - Dd::product(root, root);

@@ -124,9 +124,9 @@ pub fn sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
     (Dd::select(near, sine, far), plain_sum(grown, shrunk))
 }
 
-/// Beyond the first sech is 0 in double; up to the second sinh is in range, and beyond it no sum with pi
-/// or 1 tells the difference.
-const SECH_END: f64 = 760.0;
+/// Beyond the first sech is 0 in double whatever multiplies it; up to the second sinh is in range, and beyond it no
+/// sum with pi or 1 tells the difference.
+const SECH_END: f64 = 1400.0;
 const SINH_END: f64 = 700.0;
 
 /// Smaller of y and a bound; NaN stays.

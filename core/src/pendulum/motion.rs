@@ -240,11 +240,14 @@ impl<W> Straight<'_, W> {
     fn passed<L: Lane>(&self, t: L) -> (Dd<L>, L) {
         let orbit = self.0;
         let zero = L::splat(0.0);
-        let nothing = L::select(t.equal(t), zero, t);
+        if matches!(orbit.course, Course::Still) {
+            let nothing = L::select(t.equal(t), zero, t);
+            return (Dd::from_double(nothing), nothing + L::splat(orbit.velocity0));
+        }
+        // Zero, and NaN for times that are not finite.
+        let nothing = t * zero;
         let (passed, error) = t.two_product(L::splat(orbit.velocity0));
-        let still = matches!(orbit.course, Course::Still);
-        let local = if still { Dd::from_double(nothing) } else { Dd::new(passed, error) };
-        (local, nothing + L::splat(orbit.velocity0))
+        (Dd::new(passed + nothing, error), nothing + L::splat(orbit.velocity0))
     }
 
     #[inline(always)]
@@ -369,7 +372,8 @@ impl Orbit {
 
     /// Whole turns n and the angle in [-pi, pi) with theta = 2 pi n + angle.
     ///
-    /// Where theta is NaN the angle is NaN and n is 0; n stays within the range of its type.
+    /// The bounds are those of doubles: pi rounded to a double is given as minus itself, one turn on. Where theta is
+    /// NaN the angle is NaN and n is 0; n stays within the range of its type.
     pub fn turns(&self, t: f64) -> (i64, f64) {
         struct Turns<'a>(&'a Orbit, f64);
         impl Kernel for Turns<'_> {

@@ -3,7 +3,7 @@
 import math
 
 from libration.cli.parser import Parser
-from libration.cli.state import UNITS, pendulum, period_phase, small_swing_period, state, state_options
+from libration.cli.state import UNITS, has_frequency, pendulum, period_phase, small_swing_period, state, state_options
 
 DESCRIPTION = """\
 The exact period of a pendulum that starts at an angle, at rest or with a velocity.
@@ -31,7 +31,8 @@ def parser():
     made = Parser("libration period", DESCRIPTION, EPILOG)
     made.usage = "libration period --theta0 ANGLE [--length LENGTH | --omega0 OMEGA0] [options]"
     state_options(made, "(gives the period in seconds)")
-    made.add_argument("--json", action="store_true", help="print one JSON object instead of lines")
+    group = made.add_argument_group("the results")
+    group.add_argument("--json", action="store_true", help="print one JSON object instead of lines")
     return made
 
 
@@ -41,7 +42,7 @@ def run(words):
     given = state(options)
     motion = pendulum(given)
     regime = str(motion.regime)
-    with_frequency = "omega0" in given or "length" in given
+    with_frequency = has_frequency(given)
     phase = period_phase(given, motion)
     ratio = phase / math.tau
     if options.json:

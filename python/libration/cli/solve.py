@@ -8,7 +8,7 @@ import contextlib
 from libration.cli.files import staged, strict, write_table
 from libration.cli.parameters import found_parameters, given_parameters, keyed
 from libration.cli.parser import Parser, Refusal, refusal
-from libration.cli.state import UNITS, pendulum, state, state_options
+from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
 from libration.cli.times import even_times, file_times
 
 TABLES = (".csv", ".npz", ".json")
@@ -51,7 +51,12 @@ def parser():
     made.value(group, "--until", "TIME", "last instant; the first is 0 (default 10s)")
     made.value(group, "--samples", "N", "number of instants, evenly spaced, both ends included (default 501)")
     made.value(group, "--times", "FILE", "read the instants from a text file instead")
-    made.value(group, "--column", "NAME", "its column with the instants, by name or, without a header, by number")
+    made.value(
+        group,
+        "--column",
+        "NAME",
+        "column of --times that holds the instants: its name, or its number if there is no header",
+    )
     group = made.add_argument_group("the results")
     made.value(group, "--out", "FILE", "write t, theta, velocity and theta_linear to a .csv, .npz or .json file")
     made.value(group, "--plot", "FILE", "draw theta(t) and the phase portrait to a .png or .svg file")
@@ -63,7 +68,7 @@ def run(words):
     """Solve what the words ask for, write the files, print the summary."""
     options = parser().options(words)
     given = state(options)
-    if len(given) == 2:
+    if not has_frequency(given):
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
     check_instants(options)
     motion = pendulum(given)
@@ -171,11 +176,12 @@ def print_text(motion, times, source, largest, at, files):
         ("period", period_text(regime, motion.period)),
         ("turning angle", angle_text(regime, motion.theta_max)),
         ("energy", f"{digits(motion.energy)} rad^2/s^2 per unit inertia, 0 at the bottom"),
-        ("energy ratio", f"{digits(motion.energy_ratio)}, and 1 minus it {digits(motion.energy_ratio_c)}"),
+        ("energy ratio", digits(motion.energy_ratio)),
+        ("1 - energy ratio", digits(motion.energy_ratio_c)),
         ("sampled", span + (f", {source}" if source else "")),
         (
-            "off the linear solution",
-            "not known" if largest is None else f"by up to {largest:.6g} rad, at t = {at:.6g} s",
+            "largest difference from linear",
+            "not known" if largest is None else f"{largest:.6g} rad, at t = {at:.6g} s",
         ),
     ]
     print_lines(lines + [("written", path) for path in files])

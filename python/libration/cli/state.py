@@ -12,7 +12,8 @@ units:
   time        s, ms, min, h           gravity    m/s2
   velocity    rad/s, deg/s            omega0     rad/s, 1/s, deg/s, Hz (times 2 pi)
   A plain number is in the first unit: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m, with a
-  decimal point. Each is rounded once: 180deg is the double nearest to pi."""
+  decimal point. The value is rounded to a double only once: 180deg is the double nearest
+  to pi."""
 
 # Names that a message of Pendulum may hold, and the options that they came from.
 NAMES = re.compile(r"(?<![\w-])(theta0|velocity0|omega0|length|gravity)\b")
@@ -23,9 +24,11 @@ def state_options(parser, frequency):
     group = parser.add_argument_group("the pendulum")
     parser.value(group, "--theta0", "ANGLE", "initial angle from the lowest point (required)")
     parser.value(group, "--velocity0", "VELOCITY", "initial angular velocity (default 0)")
-    parser.value(group, "--length", "LENGTH", f"length of the pendulum {frequency}")
-    parser.value(group, "--gravity", "G", "acceleration of gravity, with --length (default 9.80665 m/s2)")
-    parser.value(group, "--omega0", "OMEGA0", "angular frequency of small swings, instead of --length")
+    parser.value(group, "--length", "LENGTH", f"length of the pendulum, positive {frequency}")
+    parser.value(
+        group, "--gravity", "GRAVITY", "acceleration of gravity, positive, with --length (default 9.80665 m/s2)"
+    )
+    parser.value(group, "--omega0", "OMEGA0", "angular frequency of small swings, positive, instead of --length")
 
 
 def state(options):
@@ -46,10 +49,15 @@ def state(options):
         given["gravity"] = quantity("--gravity", options.gravity, GRAVITY, above=0)
     if options.omega0 is not None:
         given["omega0"] = quantity("--omega0", options.omega0, FREQUENCY, above=0)
-    if options.velocity0 is not None and has_unit(options.velocity0) and len(given) == 2:
+    if options.velocity0 is not None and has_unit(options.velocity0) and not has_frequency(given):
         reason = "has a unit, but no frequency is given; add --length or --omega0, or give a multiple of omega0"
         raise refusal("--velocity0", options.velocity0, reason)
     return given
+
+
+def has_frequency(given):
+    """Whether the options give a frequency; without one, times are in units of 1/omega0."""
+    return "omega0" in given or "length" in given
 
 
 def pendulum(given):

@@ -1,4 +1,4 @@
-"""Results for people, in aligned lines, and for programs, as one JSON object on one line."""
+"""Results for people, in aligned lines of fifteen digits."""
 
 import math
 
