@@ -142,6 +142,28 @@ fn the_period_returns_and_the_regimes_meet() {
     }
 }
 
+/// The regime is that of the doubles passed, down to the smallest of them.
+#[test]
+fn the_smallest_double_decides_the_regime() {
+    let least = f64::from_bits(1);
+    let of = |theta0, velocity0, omega2| {
+        Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap()
+    };
+    for (orbit, regime) in [
+        (of(least, 2.0, 1.0), Regime::Rotation),
+        (of(least, 0.0, -1.0), Regime::Libration),
+        (of(0.0, least, -1.0), Regime::Rotation),
+        (of(0.0, 0.0, -1.0), Regime::Separatrix),
+        (of(least, 0.0, 1.0), Regime::Libration),
+        (of(0.0, least, 1.0), Regime::Libration),
+        (of(0.0, 0.0, 1.0), Regime::Rest),
+    ] {
+        assert_eq!(orbit.regime(), regime);
+        assert!(orbit.theta(1.0).is_finite() && orbit.velocity(1.0).is_finite());
+        assert_eq!(orbit.period().is_finite(), regime != Regime::Separatrix);
+    }
+}
+
 #[test]
 fn what_has_no_period_has_no_end() {
     let on = Orbit::new(0.0, 2.0, unit()).unwrap();
@@ -150,6 +172,9 @@ fn what_has_no_period_has_no_end() {
     assert!(on.theta(f64::NAN).is_nan() && on.velocity(f64::NAN).is_nan());
     let free = Orbit::new(0.5, 2.0, Frequency::from_omega0(0.0).unwrap()).unwrap();
     assert_eq!(free.theta(1e300), 2e300);
+    assert!(free.theta(f64::INFINITY).is_nan() && free.velocity(f64::INFINITY).is_nan());
+    assert_eq!(free.turns(f64::NEG_INFINITY).0, 0);
+    assert_eq!(Orbit::new(0.0, 2e200, Frequency::from_omega0(1e200).unwrap()).unwrap().velocity(1.0), 0.0);
     let swing = Orbit::new(1.0, 0.0, unit()).unwrap();
     assert!(swing.theta(0.49 * 9e15 * swing.period()).is_finite());
     assert!(swing.theta(0.51 * 2f64.powi(53) * swing.period()).is_nan());

@@ -60,14 +60,14 @@ impl Lane for F64x2 {
 
     #[inline(always)]
     fn load(from: &[f64]) -> F64x2 {
-        let from: &[f64; 2] = from[..2].try_into().expect("a slice of its own length");
-        // SAFETY: as above; the array has the length that is read.
+        let from = &from[..2];
+        // SAFETY: as above; the slice has the length that is read.
         F64x2(unsafe { vld1q_f64(from.as_ptr()) })
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
-        let to: &mut [f64; 2] = (&mut to[..2]).try_into().expect("a slice of its own length");
-        // SAFETY: as above; the array has the length that is written.
+        let to = &mut to[..2];
+        // SAFETY: as above; the slice has the length that is written.
         unsafe { vst1q_f64(to.as_mut_ptr(), self.0) }
     }
     #[inline(always)]

@@ -79,14 +79,14 @@ impl Lane for F64x8 {
 
     #[inline(always)]
     fn load(from: &[f64]) -> F64x8 {
-        let from: &[f64; 8] = from[..8].try_into().expect("a slice of its own length");
-        // SAFETY: as above; the array has the length that is read.
+        let from = &from[..8];
+        // SAFETY: as above; the slice has the length that is read.
         F64x8(unsafe { _mm512_loadu_pd(from.as_ptr()) })
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
-        let to: &mut [f64; 8] = (&mut to[..8]).try_into().expect("a slice of its own length");
-        // SAFETY: as above; the array has the length that is written.
+        let to = &mut to[..8];
+        // SAFETY: as above; the slice has the length that is written.
         unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
@@ -188,14 +188,14 @@ impl Lane for F64x4 {
 
     #[inline(always)]
     fn load(from: &[f64]) -> F64x4 {
-        let from: &[f64; 4] = from[..4].try_into().expect("a slice of its own length");
-        // SAFETY: as above; the array has the length that is read.
+        let from = &from[..4];
+        // SAFETY: as above; the slice has the length that is read.
         F64x4(unsafe { _mm256_loadu_pd(from.as_ptr()) })
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
-        let to: &mut [f64; 4] = (&mut to[..4]).try_into().expect("a slice of its own length");
-        // SAFETY: as above; the array has the length that is written.
+        let to = &mut to[..4];
+        // SAFETY: as above; the slice has the length that is written.
         unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
     }
     #[inline(always)]

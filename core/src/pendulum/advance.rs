@@ -5,8 +5,8 @@
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
+use super::canonical::LAST_HALF_PERIOD;
 use super::frequency::Frequency;
-use super::motion::LAST_HALF_PERIOD;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
 use super::state::State;

@@ -1,6 +1,7 @@
 //! theta'' + omega0^2 sin theta = 0 from any initial state, in every regime.
 
 pub mod advance;
+mod canonical;
 pub mod frequency;
 pub mod motion;
 pub mod orbit;

@@ -139,8 +139,10 @@ fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i3
     let (low, high) = (reduced.from_bottom, reduced.from_top);
     let near = if low.hi < high.hi { low } else { high };
     let near_stable = (low.hi < high.hi) != upside_down;
-    let (small, large) =
-        if near.hi < TINY { (near.scale(0.5), Td::ONE) } else { series::sin_cos(near.scale(0.5)) };
+    // Half of the smallest double is still an angle: it decides the regime.
+    let least = if near.hi > 0.0 { f64::from_bits(1) } else { 0.0 };
+    let half = |angle: Td| Td::new((0.5 * angle.hi).max(least), 0.5 * angle.mid, 0.5 * angle.lo);
+    let (small, large) = if near.hi < TINY { (half(near), Td::ONE) } else { series::sin_cos(half(near)) };
     if !near_stable {
         return (large, small, 0);
     }
