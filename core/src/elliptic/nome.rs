@@ -6,6 +6,7 @@
 
 use super::agm::agm;
 use super::parameter::Parameter;
+use crate::float::scaling::exp2;
 use crate::float::{Dd, PI, elementary};
 
 /// The nome of 0 <= m <= 1/2, from m and the complementary modulus k'.
@@ -13,10 +14,21 @@ pub(crate) fn small_nome(m: Dd, kc: Dd) -> Dd {
     let root = kc.sqrt();
     // (1 - sqrt k')/(2 (1 + sqrt k')) without the subtraction.
     let lambda = m / ((Dd::ONE + kc) * (Dd::ONE + root).square()).scale(2.0);
-    let fourth = lambda.hi * lambda.hi * lambda.hi * lambda.hi;
-    // 1 + 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 (+ 20910 l^20, below 2^-104 of the sum)
-    let rest = fourth * (2.0 + fourth * (15.0 + fourth * (150.0 + fourth * (1707.0 + fourth * 20910.0))));
-    lambda + lambda * rest
+    lambda + lambda * beyond_lambda(lambda.hi)
+}
+
+/// q/lambda - 1 = 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 (+ 20910 l^20, below 2^-104 of the sum).
+fn beyond_lambda(lambda: f64) -> f64 {
+    let fourth = lambda * lambda * lambda * lambda;
+    fourth * (2.0 + fourth * (15.0 + fourth * (150.0 + fourth * (1707.0 + fourth * 20910.0))))
+}
+
+/// sqrt(q) of 0 < m <= 1/2 over 2^power, from k over 2^power and k': in range where q itself is not.
+pub(crate) fn small_root_nome(k: Dd, power: i32, kc: Dd) -> Dd {
+    let root = k / ((Dd::ONE + kc).scale(2.0).sqrt() * (Dd::ONE + kc.sqrt()));
+    let in_range = root.hi * exp2(power);
+    let rest = beyond_lambda(in_range * in_range);
+    root + root * (rest * (0.5 - 0.125 * rest))
 }
 
 /// -ln q = pi K'/K, from k and k'.

@@ -83,6 +83,13 @@ fn bounded_square<L: Lane>(sine: L) -> L {
     L::select(L::splat(LARGE).less(square), L::splat(LARGE), square)
 }
 
+/// Whether half periods f in [0, 1/2] are nearer to K, and their distance from 0 or from K.
+#[inline(always)]
+pub(crate) fn fold<L: Lane>(f: Dd<L>) -> (L::Mask, Dd<L>) {
+    let folded = L::splat(0.25).less(f.hi);
+    (folded, Dd::select(folded, Dd::ordered_sum(L::splat(0.5) - f.hi, -f.lo), f))
+}
+
 impl Lattice {
     /// From m, k and k' of 0 <= m < 1 (k and k' apart, because either may be below the range of its square).
     pub fn new(m: Dd, mc: Dd, k: Dd, kc: Dd) -> Lattice {
@@ -113,9 +120,7 @@ impl Lattice {
     /// Theta functions at v = 2K f, 0 <= f <= 1/2, for a lattice on that side.
     #[inline(always)]
     pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
-        let folded = L::splat(0.25).less(f.hi);
-        let half = Dd::from_double(L::splat(0.5));
-        let v = Dd::select(folded, Dd::ordered_sum(half.hi - f.hi, -f.lo), f);
+        let (folded, v) = fold(f);
         let angle = v * Dd::splat(self.angle);
         let [t1, t2, t3, t4] = &self.theta;
         let one = Dd::from_double(L::splat(1.0));

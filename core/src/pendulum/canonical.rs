@@ -7,11 +7,13 @@
 //! the tangent as a point of two double-doubles, so the angle keeps its digits at the turning points and
 //! near the top. Source: Salas 2019 (23), with 2 atan2 and turns in place of the arctangent.
 
+use super::harmonics::Harmonics;
 use super::orbit::Elliptic;
 use crate::elliptic::phase::{Phase, Reduced};
-use crate::float::Dd;
+use crate::elliptic::theta::{Thetas, fold};
 use crate::float::double_double::two_sum;
-use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
+use crate::float::elementary::{quotient, saturated_sinh_cosh, sech, sin_cos};
+use crate::float::{Dd, PI};
 use crate::lanes::Lane;
 
 /// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
@@ -58,11 +60,16 @@ fn within_count<L: Lane>(half_periods: L, f: Dd<L>) -> Dd<L> {
 pub(super) trait Path {
     /// Whether it makes whole turns.
     const TURNS: bool;
+    /// Whether `opposite` is the angle itself.
+    const DIRECT: bool = false;
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L>;
 }
 
 /// Libration, on the circular or the hyperbolic side of the theta functions.
 pub(super) struct Swing<'a, const HYPERBOLIC: bool>(pub &'a Elliptic);
+
+/// Libration of moderate amplitude, its angle by the Fourier series.
+pub(super) struct Sway<'a, const HYPERBOLIC: bool>(pub &'a Elliptic, pub &'a Harmonics);
 
 /// Rotation, likewise.
 pub(super) struct Spin<'a, const HYPERBOLIC: bool>(pub &'a Elliptic);
@@ -82,7 +89,7 @@ impl<const HYPERBOLIC: bool> Path for Swing<'_, HYPERBOLIC> {
     const TURNS: bool = false;
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Swing(Elliptic { lattice, phase, tangent, velocity }) = self;
+        let Swing(Elliptic { lattice, phase, tangent, velocity, .. }) = self;
         let Reduced { n, sign, f, parity } = phase.reduce(t);
         let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
@@ -98,11 +105,34 @@ impl<const HYPERBOLIC: bool> Path for Swing<'_, HYPERBOLIC> {
     }
 }
 
+impl<const HYPERBOLIC: bool> Path for Sway<'_, HYPERBOLIC> {
+    const TURNS: bool = false;
+    const DIRECT: bool = true;
+    #[inline(always)]
+    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
+        let Sway(Elliptic { lattice, phase, velocity, .. }, harmonics) = self;
+        let Reduced { n, sign, f, parity } = phase.reduce(t);
+        let f = within_count(n.hi, f);
+        let mut motion = Canonical::at(sign * parity);
+        if W::ANGLE {
+            let (folded, v) = fold(f);
+            let (sine, cosine) = sin_cos(v * Dd::splat(PI));
+            motion.opposite = harmonics.at(Dd::select(folded, cosine, sine));
+        }
+        if W::VELOCITY {
+            let Thetas { theta: [t1, t2, t3, t4], folded } = lattice.thetas_on::<HYPERBOLIC, L>(f);
+            let [numerator, denominator] = ratio(folded, [t2, t4], [t1, t3], velocity);
+            motion.velocity = quotient(numerator, denominator).value() * parity;
+        }
+        motion
+    }
+}
+
 impl<const HYPERBOLIC: bool> Path for Spin<'_, HYPERBOLIC> {
     const TURNS: bool = true;
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Spin(Elliptic { lattice, phase, tangent, velocity }) = self;
+        let Spin(Elliptic { lattice, phase, tangent, velocity, .. }) = self;
         let Reduced { n, sign, f, .. } = phase.reduce(t);
         let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi + n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;

@@ -3,6 +3,7 @@
 pub mod advance;
 mod canonical;
 pub mod frequency;
+mod harmonics;
 pub mod motion;
 pub mod orbit;
 pub mod regime;

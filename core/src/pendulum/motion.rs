@@ -1,7 +1,7 @@
 //! Angle and velocity of an orbit at any time, over lanes: the canonical motion (canonical.rs) in the frame of the
 //! orbit, its side, turns and start.
 
-use super::canonical::{AngleOnly, Both, Path, Ridge, Spin, Swing, VelocityOnly, Wanted};
+use super::canonical::{AngleOnly, Both, Path, Ridge, Spin, Sway, Swing, VelocityOnly, Wanted};
 use super::orbit::{Course, Orbit};
 use crate::float::elementary::arctangent;
 use crate::float::{Dd, PI, TWO_PI, circle};
@@ -31,7 +31,9 @@ impl<P: Path, W: Wanted> Along<'_, P, W> {
         if !W::ANGLE {
             return (Angle { turns, local: motion.opposite }, velocity);
         }
-        let angle = if frame.half_turn == 0.0 {
+        let angle = if P::DIRECT {
+            Angle { turns, local: motion.opposite.scale(sign) }
+        } else if frame.half_turn == 0.0 {
             Angle { turns, local: arctangent(motion.opposite, motion.adjacent).scale(sign * two) }
         } else {
             // Seen from the other equilibrium, half a turn on: whole turns again, and its own small angles.
@@ -136,6 +138,28 @@ struct Fill<'a, 'b, W, const N: usize> {
     wanted: PhantomData<W>,
 }
 
+/// Evaluates `$do` with the path of the orbit's course, or `$straight` without one: one compilation for each.
+macro_rules! on_path {
+    ($orbit:expr, $path:ident => $do:expr, straight => $straight:expr) => {
+        match &$orbit.course {
+            Course::Libration(e) => match (&e.harmonics, e.lattice.hyperbolic()) {
+                (Some(h), true) => on_path!(@ $path, Sway::<true>(e, h), $do),
+                (Some(h), false) => on_path!(@ $path, Sway::<false>(e, h), $do),
+                (None, true) => on_path!(@ $path, Swing::<true>(e), $do),
+                (None, false) => on_path!(@ $path, Swing::<false>(e), $do),
+            },
+            Course::Rotation(e) if e.lattice.hyperbolic() => on_path!(@ $path, Spin::<true>(e), $do),
+            Course::Rotation(e) => on_path!(@ $path, Spin::<false>(e), $do),
+            Course::Separatrix(phase, speed) => on_path!(@ $path, Ridge(phase, *speed), $do),
+            Course::Still | Course::Free => $straight,
+        }
+    };
+    (@ $path:ident, $formula:expr, $do:expr) => {{
+        let $path = $formula;
+        $do
+    }};
+}
+
 macro_rules! fill {
     ($wanted:ty, $count:literal) => {
         impl Kernel for Fill<'_, '_, $wanted, $count> {
@@ -144,22 +168,10 @@ macro_rules! fill {
             fn run<L: Lane>(mut self) {
                 let (orbit, t, results) = (self.orbit, self.t, &mut self.results);
                 const W: PhantomData<$wanted> = PhantomData;
-                match &orbit.course {
-                    Course::Libration(e) if e.lattice.hyperbolic() => {
-                        sweep::<L, $count>(&Along(orbit, Swing::<true>(e), W), t, results);
-                    }
-                    Course::Libration(e) => {
-                        sweep::<L, $count>(&Along(orbit, Swing::<false>(e), W), t, results)
-                    }
-                    Course::Rotation(e) if e.lattice.hyperbolic() => {
-                        sweep::<L, $count>(&Along(orbit, Spin::<true>(e), W), t, results);
-                    }
-                    Course::Rotation(e) => sweep::<L, $count>(&Along(orbit, Spin::<false>(e), W), t, results),
-                    Course::Separatrix(phase, speed) => {
-                        sweep::<L, $count>(&Along(orbit, Ridge(phase, *speed), W), t, results);
-                    }
-                    Course::Still | Course::Free => sweep::<L, $count>(&Straight(orbit, W), t, results),
-                }
+                on_path!(orbit,
+                    path => sweep::<L, $count>(&Along(orbit, path, W), t, results),
+                    straight => sweep::<L, $count>(&Straight(orbit, W), t, results)
+                )
             }
         }
     };
@@ -233,20 +245,10 @@ impl Orbit {
                 let Turns(orbit, t) = self;
                 let t = L::splat(t);
                 const W: PhantomData<AngleOnly> = PhantomData;
-                let Angle { turns, local } = match &orbit.course {
-                    Course::Libration(e) if e.lattice.hyperbolic() => {
-                        Along(orbit, Swing::<true>(e), W).framed(t).0
-                    }
-                    Course::Libration(e) => Along(orbit, Swing::<false>(e), W).framed(t).0,
-                    Course::Rotation(e) if e.lattice.hyperbolic() => {
-                        Along(orbit, Spin::<true>(e), W).framed(t).0
-                    }
-                    Course::Rotation(e) => Along(orbit, Spin::<false>(e), W).framed(t).0,
-                    Course::Separatrix(phase, speed) => Along(orbit, Ridge(phase, *speed), W).framed(t).0,
-                    Course::Still | Course::Free => {
-                        Angle { turns: L::splat(0.0), local: Straight(orbit, W).passed(t).0 }
-                    }
-                };
+                let Angle { turns, local } = on_path!(orbit,
+                    path => Along(orbit, path, W).framed(t).0,
+                    straight => Angle { turns: L::splat(0.0), local: Straight(orbit, W).passed(t).0 }
+                );
                 (turns.first(), Dd::new(local.hi.first(), local.lo.first()))
             }
         }

@@ -6,6 +6,7 @@
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
 use super::frequency::Frequency;
+use super::harmonics::Harmonics;
 use super::regime::Regime;
 use super::state::{Frame, Plain, State};
 use crate::domain::Domain;
@@ -25,6 +26,8 @@ pub(crate) struct Elliptic {
     pub tangent: [Dd; 2],
     /// Factors of the velocity, likewise.
     pub velocity: [Dd; 2],
+    /// The Fourier series of the angle, where it serves.
+    pub harmonics: Option<Harmonics>,
 }
 
 /// The formula that the regime asks for.
@@ -149,6 +152,7 @@ impl Orbit {
                     phase: Phase { rate, start },
                     tangent: [tangent.ldexp(power), (k / divisor(kc)).ldexp(power)],
                     velocity: [speed, speed * kc * lattice.theta1_factor].map(|v| v.ldexp(speed_power)),
+                    harmonics: if frame.half_turn == 0.0 { Harmonics::new(&lattice, k, power) } else { None },
                     lattice,
                 };
                 let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
@@ -166,6 +170,7 @@ impl Orbit {
                     phase: Phase { rate, start: k * start() / halves },
                     tangent: [lattice.theta1_factor, Dd::ONE / (divisor(inner_c) * lattice.theta1_factor)],
                     velocity: [speed, speed * inner_c].map(|v| v.ldexp(speed_power)),
+                    harmonics: None,
                     lattice,
                 };
                 let period = ldexp((halves / (omega * k)).value(), -omega_power);
