@@ -14,7 +14,9 @@ PLAIN = {float, int, bool, np.float64, np.ndarray, type(None)}
 
 
 def apply(ufunc: np.ufunc, *arguments: Any, out: Any = None, where: Any = True) -> Any:
-    """Call ``ufunc`` on ``arguments``; what ``where`` masks is NaN (integers: 0) unless ``out`` is given."""
+    """Call ``ufunc`` on ``arguments``; what ``where`` masks is NaN unless ``out`` is given."""
+    if where is None:
+        raise ValueError("where = None: must be True, False or an array of them")
     if out is not None:
         return ufunc(*arguments, out=out, where=where)
     given = arguments if where is True else (*arguments, where)
@@ -43,13 +45,13 @@ def array_library(arguments: tuple[Any, ...]) -> str | None:
 
 
 def _masked(ufunc: np.ufunc, *given: Any) -> Any:
-    *arguments, where = given
-    shape = np.broadcast_shapes(*map(np.shape, given))
-    kinds = ufunc.types[0].partition("->")[2]
-    out = tuple(np.full(shape, np.nan if kind == "d" else 0, kind) for kind in kinds)
-    ufunc(*arguments, out=out, where=where)
-    results = tuple(result[()] for result in out)
-    return results if ufunc.nout > 1 else results[0]
+    first, *others, where = given
+    chosen = np.asarray(where)
+    if chosen.size and chosen.dtype != bool:
+        raise ValueError(f"where of dtype {chosen.dtype}: must be True, False or an array of them")
+    # A NaN among the arguments is a NaN in every result, and a sum keeps the type of the argument: pandas, masked
+    # arrays. Adding -0.0 changes no number, not even the sign of a zero.
+    return ufunc(np.add(first, np.where(chosen, -0.0, np.nan)), *others)
 
 
 def _dask(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:

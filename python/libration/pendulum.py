@@ -328,11 +328,14 @@ class Pendulum:
         frequency = ", ".join(f"{name}={value!r}" for name, value in self._frequency)
         return f"{type(self).__name__}(theta0={self.theta0!r}, velocity0={self.velocity0!r}, {frequency})"
 
-    def __getnewargs_ex__(self) -> tuple[tuple[float, float], dict[str, float]]:
-        return (self.theta0, self.velocity0), dict(self._frequency)
+    def __reduce__(self) -> tuple[Any, ...]:
+        arguments = type(self), self.theta0, self.velocity0, dict(self._frequency)
+        return _rebuilt, arguments, getattr(self, "__dict__", None) or None
 
-    def __getstate__(self) -> None:
-        """Nothing beyond the arguments: a pickle holds them and rebuilds the rest."""
+
+def _rebuilt(kind: type[Pendulum], theta0: float, velocity0: float, frequency: dict[str, float]) -> Pendulum:
+    """A pendulum from what its pickle or copy holds: the arguments, whatever a subclass makes of its own."""
+    return Pendulum.__new__(kind, theta0, velocity0, **frequency)
 
 
 def _real(name: str, value: Any) -> float:

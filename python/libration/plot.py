@@ -4,45 +4,81 @@ matplotlib is needed only here (`pip install 'libration[plot]'`) and only its Fi
 state, no window.
 """
 
+import math
 from typing import Any
 
 import numpy as np
 
 from .pendulum import Pendulum
 
+# The linear solution is the motion of a pendulum whose swings are smaller by a power of two, to about this size: the
+# period then differs by 2**-204, far below a digit of any phase that has digits.
+SMALLEST = -100
+EARLY = 2.0**-60
 
-def linear_theta(t: Any, theta0: float, velocity0: float, omega0: float) -> Any:
+
+def linear_theta(pendulum: Pendulum, t: Any) -> Any:
     """The linear solution theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t).
+
+    With the exact frequency: the phase has all its digits after any number of swings.
 
     Parameters
     ----------
+    pendulum : Pendulum
+        Initial state and frequency; without a force the solution is theta0 + velocity0 t.
     t : array_like
-        Instants, s.
-    theta0, velocity0 : float
-        Initial angle, rad, and angular velocity, rad/s.
-    omega0 : float
-        Angular frequency of small swings, rad/s; 0 gives theta0 + velocity0 t.
+        Instants, s. More than 2**53 half swings give NaN, as in `Pendulum.theta`.
 
     Returns
     -------
     ndarray
         Angle, rad.
 
+    Raises
+    ------
+    ValueError
+        If omega2 < 0: there the linear solution about theta = 0 grows and is no swing.
+
     Examples
     --------
+    >>> from libration import Pendulum
     >>> from libration.plot import linear_theta
-    >>> linear_theta(0.0, 3.0, 0.0, 2.0).item()
-    3.0
+    >>> f"{linear_theta(Pendulum(3.0, omega0=2.0), 1e6):.6f}"
+    '2.265027'
     """
+    if pendulum.omega2 < 0:
+        raise ValueError(f"omega2 = {pendulum.omega2!r}: must not be negative for a linear solution that swings")
     t = np.asarray(t, dtype=float)
-    if omega0 == 0:
-        with np.errstate(over="ignore"):
-            return theta0 + velocity0 * t
-    # Phases and velocities beyond the doubles give infinity or NaN, without a warning.
-    with np.errstate(over="ignore", invalid="ignore"):
-        phase = omega0 * t
-        theta = theta0 * np.cos(phase)
-        return theta + velocity0 * (np.sin(phase) / omega0) if velocity0 else theta
+    # Time counts in units of about 1/omega0, a power of two, so that nothing leaves the range of the doubles.
+    unit = exponent(pendulum.omega0)
+    swings = [exponent(pendulum.theta0)] * (pendulum.theta0 != 0)
+    swings += [exponent(pendulum.velocity0) - unit] * (pendulum.velocity0 != 0)
+    shrink = SMALLEST - max(swings, default=0)
+    small = Pendulum(
+        math.ldexp(pendulum.theta0, shrink),
+        math.ldexp(pendulum.velocity0, shrink - unit),
+        **frequency(pendulum, unit),
+    )
+    # Long before the first swing the force has done nothing that a double shows, and the swing may be too small for one.
+    free = Pendulum(pendulum.theta0, pendulum.velocity0, omega0=0.0)
+    with np.errstate(over="ignore", under="ignore"):
+        phase = np.ldexp(t, unit)
+        swing = np.ldexp(small.theta(phase), -shrink)
+        return np.where(np.abs(phase) < EARLY, free.theta(t), swing)[()]
+
+
+def frequency(pendulum, unit):
+    """The frequency as the pendulum was given it, in units of 2**unit: powers of two round nothing."""
+    given = dict(pendulum._frequency)
+    powers = {"omega0": -unit, "omega2": -2 * unit, "length": unit, "gravity": -unit}
+    if "length" in given:
+        given.setdefault("gravity", 9.80665)
+    return {name: math.ldexp(value, powers[name]) for name, value in given.items()}
+
+
+def exponent(value):
+    """The power of two just above a number; 0 for 0."""
+    return math.frexp(value)[1]
 
 
 def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = None) -> None:
@@ -80,6 +116,7 @@ def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = Non
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
+    from matplotlib import rc_context, rcParamsDefault
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -87,14 +124,16 @@ def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = Non
     t = t[np.isfinite(t)]
     if not t.size:
         raise ValueError("t = []: at least one finite instant is needed for a picture")
-    figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
-    FigureCanvasAgg(figure)
-    left, right = figure.subplots(1, 2, width_ratios=(1.35, 1))
-    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-        draw_angle(left, pendulum, t)
-        draw_portrait(right, pendulum, t)
-        figure.suptitle(headline(pendulum), x=0.012, ha="left", fontsize=13)
-        figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
+    # The settings of the house, not of a matplotlibrc that may ask for LaTeX or hide a line.
+    with rc_context({name: value for name, value in rcParamsDefault.items() if name != "backend"}):
+        figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
+        FigureCanvasAgg(figure)
+        left, right = figure.subplots(1, 2, width_ratios=(1.35, 1))
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+            draw_angle(left, pendulum, t)
+            draw_portrait(right, pendulum, t)
+            figure.suptitle(headline(pendulum), x=0.012, ha="left", fontsize=13)
+            figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
 
 
 EXACT = "#1f5fa8"
@@ -154,7 +193,7 @@ def draw_angle(axes, pendulum, t):
     if last > first:
         axes.plot(fine, theta, color=EXACT, lw=2, label="exact")
         if pendulum.omega2 > 0:
-            linear = linear_theta(fine, pendulum.theta0, pendulum.velocity0, pendulum.omega0)
+            linear = linear_theta(pendulum, fine)
             axes.plot(fine, linear, color=LINEAR, lw=1.3, ls=(0, (5, 3)), label="linear")
         axes.set_xlim(first, last)
     if t.size <= FEW:

@@ -157,6 +157,21 @@ def test_elliptic_functions_out_of_domain():
     assert list(np.isnan(libration.incomplete_f([0.5, 1.5, math.nan], m=2.0))) == [False, True, True]
 
 
+@pytest.mark.parametrize(
+    ("where", "said"),
+    [
+        (None, "where = None: must be True, False or an array of them"),
+        ([1.0, 0.0], "where of dtype float64: must be True, False or an array of them"),
+    ],
+)
+def test_where_is_booleans(where, said):
+    for function in (libration.theta, libration.velocity, libration.motion):
+        with pytest.raises(ValueError, match=f"^{said}$"):
+            function([0.0, 1.0], 1.0, where=where)
+    with pytest.raises(ValueError, match=f"^{said}$"):
+        libration.jacobi([0.0, 1.0], m=0.5, where=where)
+
+
 def test_arrays_that_are_not_real_numbers_are_numpys_to_refuse():
     for bad in (["a"], [1j], [None]):
         with pytest.raises(TypeError):

@@ -1,6 +1,7 @@
 """Bad input: one line that names the option, its value and what is allowed; exit code 2; nothing left behind."""
 
 import os
+import subprocess
 import sys
 
 import pytest
@@ -41,6 +42,8 @@ def said(capsys, tmp_path, monkeypatch):
     [
         ([], "libration: missing command: one of solve, period; see libration --help"),
         (["solv"], "libration: unknown command 'solv': commands are solve, period; did you mean solve?"),
+        ([""], "libration: unknown command '': commands are solve, period; see libration --help"),
+        ([*SOLVE, " "], "libration solve: unknown word ' '; see libration solve --help"),
         (["--theta0", "3"], "libration: unknown option '--theta0'; see libration --help"),
         (["--versio"], "libration: unknown option '--versio'; did you mean --version?"),
         (["solve"], "libration solve: missing --theta0, the initial angle, such as --theta0 170deg"),
@@ -93,6 +96,7 @@ def said(capsys, tmp_path, monkeypatch):
         ([*SOLVE, "--samples", "1"], "--samples = 1: must be 2 or greater"),
         ([*SOLVE, "--samples", "2.5"], "--samples = 2.5: must be a whole number, 2 or greater"),
         ([*SOLVE, "--samples", "many"], "--samples = many: must be a whole number, 2 or greater"),
+        ([*SOLVE, "--samples", "\uff15"], "must be a whole number, 2 or greater"),
         ([*SOLVE, "--samples", "nan"], "--samples = nan: must be a whole number, 2 or greater"),
         ([*SOLVE, "--samples", "1e999999999"], "--samples = 1e999999999: must be a whole number"),
         ([*SOLVE, "--samples", "1e12"], "--samples = 1e12: would take 64 TB of memory, and "),
@@ -167,6 +171,28 @@ def test_targets_that_are_not_files(said, monkeypatch):
     assert "cannot be written: it is read-only" in said(*SOLVE, "--out", "old.csv")
 
 
+def test_one_file_under_two_names(said):
+    for name in ("s1.csv", "s2.png"):
+        os.symlink("picture", name)
+    line = said(*SOLVE, "--out", "s1.csv", "--plot", "s2.png")
+    assert line == "libration solve: --out = s1.csv and --plot = s2.png: are one file; give two"
+    with open("picture", "w"):
+        pass
+    assert "are one file" in said(*SOLVE, "--out", "./s1.csv", "--plot", "s2.png")
+
+
+@pytest.mark.parametrize("loop", [("a.csv", "a.csv"), ("a.csv", "b.csv")])
+def test_links_in_a_circle(said, loop):
+    first, second = loop
+    os.symlink(second, first)
+    if second != first:
+        os.symlink(first, second)
+    assert "cannot be written: Too many levels of symbolic links" in said(*SOLVE, "--out", first)
+    assert os.path.islink(first)
+    os.symlink("circle", "circle")
+    assert "cannot be written: " in said(*SOLVE, "--out", "circle/a.csv")
+
+
 def test_the_input_is_not_overwritten(said):
     with open("t.csv", "w") as file:
         file.write("1\n")
@@ -185,6 +211,32 @@ def test_without_matplotlib(said, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = said(*SOLVE, "--plot", "a.png")
     assert line == "libration solve: --plot = a.png: needs matplotlib: pip install 'libration[plot]'"
+
+
+def run_with(environment, folder):
+    """Draw in a process of its own."""
+    run = [sys.executable, "-m", "libration", *SOLVE, "--plot", "z.png"]
+    return subprocess.run(run, env=os.environ | environment, cwd=folder, capture_output=True, text=True, timeout=60)
+
+
+def test_a_backend_that_is_none(tmp_path):
+    done = run_with({"MPLBACKEND": "foo"}, tmp_path)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.startswith("libration solve: --plot = z.png: matplotlib does not start: Key backend: 'foo' ")
+    assert len(done.stderr.splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_settings_of_matplotlib_do_not_reach_the_picture(tmp_path):
+    """LaTeX, which need not be there, and a figure without lines."""
+    pictures = []
+    for settings in ("", "text.usetex: True\nfigure.facecolor: black\nlines.marker: x\n"):
+        (tmp_path / "matplotlibrc").write_text(settings)
+        done = run_with({"MPLBACKEND": "Agg", "PATH": ""}, tmp_path)
+        assert (done.returncode, done.stderr) == (0, "")
+        pictures.append((tmp_path / "z.png").read_bytes())
+    assert pictures[0] == pictures[1]
 
 
 def test_a_refusal_of_pendulum_names_the_option(said, monkeypatch):

@@ -4,6 +4,7 @@ import math
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+import pandas
 import pytest
 from bits import ORBITS, all_same, same
 
@@ -242,6 +243,35 @@ def test_where_without_out_is_nan_elsewhere():
     assert np.isnan(libration.theta(1.0, 1.0, where=False))
     assert type(libration.theta(1.0, 1.0, where=np.True_)) is np.float64
     assert libration.theta(1.0, 1.0, where=chosen).shape == (20,)
+
+
+@pytest.mark.parametrize("wrap", [np.ma.MaskedArray, pandas.Series], ids=["masked array", "pandas"])
+def test_where_keeps_the_type_that_the_ufunc_gives(wrap):
+    t, chosen = np.append(times(19), -0.0), np.arange(20) % 3 == 0
+    calls = [
+        lambda argument, **keywords: (libration.theta(argument, 3.0, **keywords),),
+        lambda argument, **keywords: (libration.theta(1.0, argument, **keywords),),
+        lambda argument, **keywords: libration.motion(argument, 3.0, 0.1, **keywords),
+        lambda argument, **keywords: libration.jacobi(argument, m=0.5, **keywords),
+        lambda argument, **keywords: (libration.nome(m=argument, **keywords),),
+    ]
+    for call in calls:
+        for part, whole in zip(call(wrap(t), where=chosen), call(wrap(t)), strict=True):
+            assert type(part) is type(whole) is wrap
+            assert same(np.asarray(part), np.where(chosen, np.asarray(whole), math.nan))
+
+
+def test_where_keeps_mask_and_index():
+    chosen = np.array([True, True, False])
+    masked = libration.theta(np.ma.MaskedArray([0.0, 1.0, 2.0], [True, False, False]), 3.0, where=chosen)
+    assert masked.mask.tolist() == [True, False, False]
+    assert list(libration.theta(pandas.Series([0.0, 1.0, 2.0], list("abc")), 3.0, where=chosen).index) == list("abc")
+
+
+@orbits
+def test_where_is_nan_on_every_orbit(orbit):
+    for part in (*libration.motion(times(20), *orbit, where=False), *libration.advance(*orbit, where=[False])):
+        assert np.isnan(part).all()
 
 
 def test_where_with_out_keeps_the_rest():

@@ -225,11 +225,33 @@ def test_equality_and_hash_go_by_the_numbers_given():
     assert len({Pendulum(3.0), Pendulum(3.0), Pendulum(2.0)}) == 2
 
 
-@pytest.mark.parametrize("duplicate", [lambda p: pickle.loads(pickle.dumps(p)), copy.copy, copy.deepcopy])
+class Named(Pendulum):
+    """A pendulum with another constructor and a name."""
+
+    def __new__(cls, name):
+        self = Pendulum.__new__(cls, 3.0, omega2=2.0)
+        self.__dict__["name"] = name
+        return self
+
+
+DUPLICATES = [copy.copy, copy.deepcopy]
+for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+    DUPLICATES.append(lambda pendulum, protocol=protocol: pickle.loads(pickle.dumps(pendulum, protocol)))
+
+
+@pytest.mark.parametrize("duplicate", DUPLICATES)
 def test_a_copy_answers_the_same(duplicate):
-    pendulum = Pendulum(3.0, 0.1, length=0.3, gravity=9.81)
+    for pendulum in (Pendulum(3.0, 0.1, length=0.3, gravity=9.81), Pendulum(3.0), Pendulum(-0.0, omega2=-1.0)):
+        twin = duplicate(pendulum)
+        assert (twin, repr(twin), twin.theta(1e5)) == (pendulum, repr(pendulum), pendulum.theta(1e5))
+
+
+@pytest.mark.parametrize("duplicate", DUPLICATES)
+def test_a_copy_of_a_subclass_is_one(duplicate):
+    pendulum = Named("clock")
     twin = duplicate(pendulum)
-    assert (twin, repr(twin), twin.theta(1e5)) == (pendulum, repr(pendulum), pendulum.theta(1e5))
+    assert type(twin) is Named
+    assert (twin, twin.name, twin.theta(1e5)) == (pendulum, "clock", pendulum.theta(1e5))
 
 
 def test_a_pendulum_does_not_change():

@@ -6,10 +6,10 @@ written. NumPy and matplotlib are loaded by the commands that need them, so that
 """
 
 import contextlib
-import os
 import sys
 
 from libration.cli.parser import Refusal, top_parser
+from libration.cli.streams import Ended, drop, ending, printable, refused
 
 COMMANDS = ("solve", "period")
 
@@ -26,7 +26,7 @@ def main(arguments: list[str] | None = None) -> int:
     -------
     int
         The exit code: 0 done, 2 refused (one line on the standard error says why), 130 interrupted,
-        141 when the reader of the standard output has gone.
+        141 when the reader of the standard output has gone, 143 terminated.
 
     Examples
     --------
@@ -35,13 +35,19 @@ def main(arguments: list[str] | None = None) -> int:
     regime ...
     0
     """
-    words = list(sys.argv[1:] if arguments is None else arguments)
-    prog = "libration"
+    with printable():
+        return answered(list(sys.argv[1:] if arguments is None else arguments))
+
+
+def answered(words):
+    """The exit code for the words of a command line."""
+    prog = f"libration {words[0]}" if words and words[0] in COMMANDS else "libration"
     try:
+        if sys.stdout is None:
+            raise Refusal("standard output: is closed, so there is nowhere to print")
         # argparse leaves after --help by SystemExit.
-        with contextlib.suppress(SystemExit):
+        with contextlib.suppress(SystemExit), ending():
             if words and words[0] in COMMANDS:
-                prog = f"libration {words[0]}"
                 command(words[0])(words[1:])
             else:
                 top_parser(COMMANDS).refuse_or_print(words)
@@ -51,13 +57,15 @@ def main(arguments: list[str] | None = None) -> int:
         return refused(prog, str(refusal))
     except KeyboardInterrupt:
         return 130
+    except Ended as ended:
+        return ended.code
     except MemoryError:
         return refused(prog, "not enough memory; ask for fewer samples")
     except BrokenPipeError:
-        drop_stdout()
+        drop(sys.stdout)
         return 141
     except OSError as error:
-        drop_stdout()
+        drop(sys.stdout)
         return refused(prog, f"standard output: {error.strerror or error}")
 
 
@@ -68,18 +76,3 @@ def command(name):
     else:
         from libration.cli.period import run
     return run
-
-
-def refused(prog, reason):
-    """One line on the standard error, and the exit code."""
-    print(f"{prog}: {' '.join(reason.split())}", file=sys.stderr)
-    return 2
-
-
-def drop_stdout():
-    """Let the interpreter's last flush go nowhere: the reader is gone, or the disk is full."""
-    try:
-        with open(os.devnull, "w") as nowhere:
-            os.dup2(nowhere.fileno(), sys.stdout.fileno())
-    except (OSError, ValueError, AttributeError):
-        pass

@@ -42,17 +42,11 @@ def staged(option, path, suffixes, *, keep=()):
             raise refusal(option, path, "is the file read; give another name")
     with refused_writing(option, path):
         made = parent_made(option, path, os.path.dirname(target))
-        beside = os.path.join(os.path.dirname(target), f".libration-{secrets.token_hex(6)}.part")
-        try:
-            writable(option, path, target)
-            file = open(beside, "xb")
-        except BaseException:
-            if made:
-                os.rmdir(made)
-            raise
+    beside = os.path.join(os.path.dirname(target), f".libration-{secrets.token_hex(6)}.part")
     try:
         with refused_writing(option, path):
-            with file:
+            writable(option, path, target)
+            with open(beside, "xb") as file:
                 yield file
             os.replace(beside, target)
     except BaseException:
@@ -79,7 +73,7 @@ def parent_made(option, path, parent):
     """Make the target's directory if only that is missing; return it if it was made."""
     if os.path.isdir(parent):
         return None
-    if os.path.exists(parent):
+    if os.path.lexists(parent):
         raise refusal(option, path, f"cannot be written: {parent} is not a directory")
     if not os.path.isdir(os.path.dirname(parent)):
         raise refusal(option, path, f"cannot be written: there is no directory {os.path.dirname(parent)}")
@@ -90,8 +84,8 @@ def parent_made(option, path, parent):
 def writable(option, path, target):
     """Refuse a target that exists and must not be replaced: os.replace would not ask."""
     with contextlib.suppress(FileNotFoundError):
-        # A name too long would be found out only by the renaming.
-        os.lstat(target)
+        # A name too long or links in a circle would be found out only by the renaming, or not at all.
+        os.stat(target)
     if os.path.isdir(target):
         raise refusal(option, path, "cannot be written: it is a directory")
     if os.path.exists(target) and not os.path.isfile(target):

@@ -10,6 +10,8 @@ import difflib
 import re
 import sys
 
+from libration.cli.wrapping import Formatter
+
 NEGATIVE = re.compile(r"-(\.?[0-9]|inf|nan)", re.IGNORECASE)
 
 
@@ -32,6 +34,12 @@ def shown(value):
     return text if len(text) <= 80 else f"{text[:60]}... ({len(text)} characters)"
 
 
+def quoted(value):
+    """The value as `shown`, in quotes."""
+    text = shown(value)
+    return f"'{text}'" if str(value).strip() else text
+
+
 class Once(argparse.Action):
     """Store a value; a second one for the same option is refused, not silently taken."""
 
@@ -51,7 +59,7 @@ class Parser(argparse.ArgumentParser):
             description=description,
             epilog=epilog,
             allow_abbrev=False,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
+            formatter_class=Formatter,
         )
 
     def value(self, group, option, metavar, text):
@@ -90,7 +98,7 @@ class Parser(argparse.ArgumentParser):
         near = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
         hint = f"; did you mean {near[0]}?" if near else f"; see {self.prog} --help"
         kind = "option" if word.startswith("-") else "word"
-        return f"unknown {kind} '{shown(name)}'{hint}"
+        return f"unknown {kind} {quoted(name)}{hint}"
 
 
 def joined(words):
@@ -139,7 +147,7 @@ class TopParser(Parser):
         if not words[0].startswith("-"):
             near = difflib.get_close_matches(words[0], self.commands, n=1)
             hint = f"; did you mean {near[0]}?" if near else "; see libration --help"
-            raise Refusal(f"unknown command '{shown(words[0])}': commands are {every}{hint}")
+            raise Refusal(f"unknown command {quoted(words[0])}: commands are {every}{hint}")
         if self.options(words).version:
             print(f"libration {__version__}")
 

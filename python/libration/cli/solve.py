@@ -4,10 +4,12 @@ Everything that can be refused is refused before the motion is evaluated; files 
 """
 
 import contextlib
+import os
+import textwrap
 
 from libration.cli.files import staged, strict, write_table
 from libration.cli.parameters import found_parameters, given_parameters, keyed
-from libration.cli.parser import Parser, Refusal, refusal
+from libration.cli.parser import Parser, Refusal, quoted, refusal, shown
 from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
 from libration.cli.times import even_times, file_times
 
@@ -29,8 +31,9 @@ files:
   exists is replaced. A missing directory is made if the one above it exists.
   --times reads text up to 256 MiB: `#` lines are skipped, columns are separated by comma,
   semicolon or tab, a header is optional. Without --column it takes the column t or time,
-  else the first. A unit in the header, as in `t [ms]`, holds; otherwise seconds. The order
-  is kept.
+  else the first; whole numbers between commas, which may be decimal commas, need a header
+  or --column. A unit in the header, as in `t [ms]`, holds; otherwise seconds. The order is
+  kept.
 
 With --json: one object on the standard output; the keys end in the unit. null stands for a
 value that is infinite or does not exist; "regime" tells which: on the separatrix the period
@@ -71,6 +74,7 @@ def run(words):
     if not has_frequency(given):
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
     check_instants(options)
+    check_targets(options)
     motion = pendulum(given)
     with contextlib.ExitStack() as stack:
         table = picture = None
@@ -80,7 +84,7 @@ def run(words):
             picture = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=read_files(options)))
             plot_motion = plotter(options.plot)
         times, source = instants(options)
-        columns, largest, at = motion_columns(motion, given, times)
+        columns, largest, at = motion_columns(motion, times)
         if table:
             write_table(table, options.out, table_parameters(given, motion), columns)
         if picture:
@@ -106,6 +110,14 @@ def check_instants(options):
         raise refusal("--column", options.column, "needs --times FILE beside it")
 
 
+def check_targets(options):
+    """Refuse one file under two names: the second would replace the first."""
+    if options.out is None or options.plot is None or "\0" in options.out + options.plot:
+        return
+    if os.path.realpath(options.out) == os.path.realpath(options.plot):
+        raise Refusal(f"--out = {shown(options.out)} and --plot = {shown(options.plot)}: are one file; give two")
+
+
 def read_files(options):
     """The files that are read and must not be written over."""
     return () if options.times is None else (options.times,)
@@ -116,15 +128,20 @@ def instants(options):
     if options.times is None:
         return even_times(options.until, options.samples), None
     times, column = file_times(options.times, options.column)
-    return times, f"column '{column}' of {options.times}"
+    return times, f"column {quoted(column)} of {shown(options.times)}"
 
 
 def plotter(path):
     """plot_motion, or a Refusal if matplotlib is missing: before anything is computed."""
     try:
+        import matplotlib.backends.backend_agg
         import matplotlib.figure  # noqa: F401
-    except ImportError as error:
+    except ModuleNotFoundError as error:
         raise refusal("--plot", path, "needs matplotlib: pip install 'libration[plot]'") from error
+    except Exception as error:
+        # Its settings are read now, and a bad one may raise anything.
+        reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
+        raise refusal("--plot", path, f"matplotlib does not start: {reason}") from error
     from libration.plot import plot_motion
 
     return plot_motion
@@ -134,18 +151,20 @@ def draw(plot_motion, motion, times, picture, path):
     """Draw into the staged file; numbers near the largest double have no place on an axis."""
     try:
         plot_motion(motion, times, picture, form=path.rpartition(".")[2].lower())
-    except (OverflowError, ValueError) as error:
-        raise refusal("--plot", path, f"cannot be drawn: {error}") from error
+    except (ArithmeticError, RuntimeError, ValueError) as error:
+        large = isinstance(error, OverflowError) or "NaN or Inf" in str(error)
+        reason = "the motion is too large for an axis" if large else str(error)
+        raise refusal("--plot", path, f"cannot be drawn: {reason}") from error
 
 
-def motion_columns(motion, given, times):
+def motion_columns(motion, times):
     """The columns of the table; the largest difference from the linear solution and the instant where it occurs."""
     import numpy as np
 
     from libration.plot import linear_theta
 
     theta, velocity = motion.motion(times)
-    linear = linear_theta(times, given["theta0"], given["velocity0"], motion.omega0)
+    linear = linear_theta(motion, times)
     with np.errstate(over="ignore", invalid="ignore"):
         difference = np.abs(theta - linear)
     columns = [("t", "s", times), ("theta", "rad", theta), ("velocity", "rad/s", velocity)]

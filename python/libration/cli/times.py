@@ -13,7 +13,7 @@ from decimal import Decimal
 
 from libration.cli.files import readable
 from libration.cli.memory import available_bytes, bytes_text
-from libration.cli.parser import Refusal, refusal, shown
+from libration.cli.parser import Refusal, quoted, refusal, shown
 from libration.cli.quantities import ONE, TIME, quantity, scaled
 
 LARGEST_FILE = 256 * 2**20
@@ -23,6 +23,9 @@ BLOCK = 100_000
 # What no text file holds: control characters other than tab, line feed, vertical tab, form feed, return.
 CONTROL = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f\x7f]")
 HEADER_CELL = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\)|[/_]\s*(s|ms|min|h))?")
+SIGNS = "+-.\N{MINUS SIGN}"
+# The cells of a row with decimal commas that is split at them, and of a row of whole numbers.
+WHOLE = re.compile(r"[+-]?[0-9]+([eE][+-]?[0-9]+)?")
 TIME_NAMES = ("t", "time", "times")
 
 
@@ -39,7 +42,7 @@ def sample_count(text):
     """A whole number of samples that fits into the memory, or a Refusal."""
     try:
         # float() bounds the exponent before a whole number of that many digits is formed.
-        typed = Decimal(text) if math.isfinite(float(text)) and "_" not in text else None
+        typed = Decimal(text) if is_plain(text) and math.isfinite(float(text)) else None
     except (ArithmeticError, ValueError):
         typed = None
     if typed is None or typed != typed.to_integral_value():
@@ -71,7 +74,8 @@ def file_times(path, column):
     index, name, factor = chosen(path, column, cells, header)
     if header is None:
         lines = itertools.chain([first], lines)
-    times = read_column(path, lines, separator, len(cells), index, factor)
+    doubtful = header is None and column is None and separator == "," and len(cells) > 1
+    times = read_column(path, lines, separator, len(cells), index, factor, doubtful)
     if not len(times):
         raise refusal("--times", path, f"holds no instants: no row follows the header in line {first[0]}")
     fits_memory("--times", path, len(times))
@@ -125,13 +129,19 @@ def row(line, separator):
 
 def is_header(cells):
     """Whether the first line names columns: no cell is a number, and the first does not begin like one."""
-    return not any(number(cell) is not None for cell in cells) and cells[0][:1] not in tuple("0123456789+-.")
+    start = cells[0][:1]
+    return not any(number(cell) is not None for cell in cells) and start not in tuple(SIGNS) and not start.isnumeric()
+
+
+def is_plain(cell):
+    """Whether a cell holds nothing that float() takes and a number of ours does not: `1_0`, digits of other scripts."""
+    return cell.isascii() and "_" not in cell
 
 
 def number(cell):
     """The double a cell holds, or None."""
     try:
-        return None if "_" in cell else float(cell)
+        return float(cell) if is_plain(cell) else None
     except ValueError:
         return None
 
@@ -162,18 +172,18 @@ def chosen(path, column, cells, header):
         raise refusal(
             "--times",
             path,
-            f"column '{shown(header[index])}' is in '{shown(unit)}'; times take {', '.join(TIME.units)}",
+            f"column {quoted(header[index])} is in {quoted(unit)}; times take {', '.join(TIME.units)}",
         )
     return index, header[index], factor
 
 
 def listed(names):
     """Column names for a refusal."""
-    return ", ".join(f"'{shown(name)}'" for name in names[:12]) + (", ..." if len(names) > 12 else "")
+    return ", ".join(map(quoted, names[:12])) + (", ..." if len(names) > 12 else "")
 
 
-def read_column(path, lines, separator, width, index, factor):
-    """One column as an array of seconds, block by block."""
+def read_column(path, lines, separator, width, index, factor, doubtful):
+    """One column as an array of seconds, block by block; `doubtful` if commas between whole numbers may be decimal."""
     import numpy as np
 
     blocks = []
@@ -184,12 +194,15 @@ def read_column(path, lines, separator, width, index, factor):
             values = None if ragged else np.array([float(cells[index]) for cells in rows])
         except ValueError:
             values = None
-        doubtful = values is None or not np.isfinite(values).all() or any("_" in cells[index] for cells in rows)
-        if doubtful:
+        if values is None or not np.isfinite(values).all() or not all(is_plain(cells[index]) for cells in rows):
             raise bad_row(path, block, rows, width, index)
+        doubtful = doubtful and all(WHOLE.fullmatch(cell) for cells in rows for cell in cells)
         if factor != ONE:
             values = np.array([scaled(cells[index], factor) for cells in rows])
         blocks.append(values)
+    if doubtful:
+        reason = "holds only whole numbers and commas: decimal commas? write points; columns? choose one by --column 1"
+        raise refusal("--times", path, reason)
     return np.concatenate(blocks) if blocks else np.empty(0)
 
 
@@ -201,13 +214,13 @@ def bad_row(path, block, rows, width, index):
             if re.fullmatch(r"[+-]?[0-9]+", cells[0]) and len(cells) == 2 * width:
                 reason += "; a decimal comma? write a point"
         elif number(cells[index]) is None:
-            reason = f"'{shown(cells[index])}' is not a number"
+            reason = f"{quoted(cells[index])} is not a number"
             if re.fullmatch(r"[+-]?[0-9]*,[0-9]+", cells[index]):
                 reason += f"; write {cells[index].replace(',', '.')}"
             elif not cells[index]:
                 reason = "has an empty cell"
         elif not math.isfinite(number(cells[index])):
-            reason = f"'{shown(cells[index])}' is not finite"
+            reason = f"{quoted(cells[index])} is not finite"
         else:
             continue
         return Refusal(f"--times = {shown(path)}: line {line} {reason}")
