@@ -14,11 +14,11 @@ export MPLBACKEND := Agg
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 unexport PYTHONPATH CONDA_PREFIX
 
-.PHONY: help run test bench docs wheel format lint clean setup
+.PHONY: help run test bench bench-full accuracy docs wheel format lint clean setup
 .NOTPARALLEL:
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-8s", $$1; $$1=""; print}'
+	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-10s", $$1; $$1=""; print}'
 
 # ---------------------------------------------------------------------------------------------- set-up
 
@@ -40,6 +40,12 @@ $(VENV)/.built: $(VENV)/.packages $(SOURCES)
 	@maturin develop --release --locked >$(LOGS)/build.log 2>&1 || { tail -n 60 $(LOGS)/build.log; exit 1; }
 	@touch $@
 
+# A rival that cannot be had is a row `not available`, not an error. GSL and Boost are Debian's libgsl-dev, libboost-math-dev.
+$(VENV)/.rivals: $(VENV)/.packages bench/requirements.txt
+	@for rival in $$(sed 's/#.*//' bench/requirements.txt); do \
+	  $(PY) -m pip install --quiet "$$rival" || echo "$$rival is not available"; done
+	@touch $@
+
 setup: $(VENV)/.packages $(VENV)/.components $(VENV)/.built
 
 # ---------------------------------------------------------------------------------------------- targets
@@ -50,8 +56,14 @@ run: $(VENV)/.built ## solve Horsley's pendulum: out/motion.csv, out/motion.png
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot out/motion.png
 
-bench: $(VENV)/.built ## errors of libration and of the SciPy recipe on every row of the truth
+accuracy: $(VENV)/.built ## errors of libration and of the SciPy recipe on every row of the truth
 	@$(PY) bench/accuracy.py
+
+bench: $(VENV)/.built $(VENV)/.rivals ## time and error of libration and its rivals, in 15 minutes: docs/benchmarks.md
+	@$(PY) bench/run.py
+
+bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes and horizons, as long as it takes
+	@$(PY) bench/run.py --full
 
 docs: $(VENV)/.built ## write every generated page, table and picture
 	@mkdir -p out

@@ -4,44 +4,66 @@ A record is what one way gave: `case`, `periods`, `count`, `order`, `way`, `seco
 call), `errors` (one per output, see ruler.py) or a `note` that says why there is nothing.
 """
 
+import functools
 import math
 from collections.abc import Callable
 
 import numpy as np
-
 from cases import Orbit, sample, times
 from rivals import NotAvailable, Refused, Way
 from ruler import SAMPLE, Truth
-from timing import LIMIT, ROUNDS, affordable, rounds
+from timing import LIMIT, SLOW, affordable, rounds
 
 GOAL = 1e-9
 TOLERANCES = [10.0**-digits for digits in range(3, 14)] + [3e-14]
 TOO_LONG = f"> {LIMIT:g} s"
 
 
-def tried(make: Callable[[], Callable[[], tuple]]) -> tuple[Callable[[], tuple] | None, tuple, str]:
-    """The prepared call, its first answer copied, and a note where there is none."""
+def tried(entry: dict, make: Callable[[int], Callable[[], tuple]], wanted: int, truth: Callable[[int], Truth]) -> None:
+    """Find out how far a way gets, hold its first answer against the truth, and note what is missing.
+
+    Parameters
+    ----------
+    entry : dict
+        The record to fill; its `count` is what was asked of everybody.
+    make : callable
+        The preparation for a number of samples.
+    wanted : int
+        How many this way is asked for.
+    truth : callable
+        The truth for that many samples, or None where the way is only a yardstick.
+    """
     try:
-        call = make()
         with np.errstate(all="ignore"):
-            return call, tuple(np.array(part) for part in call()), ""
+            limit, call, answer, taken = affordable(make, wanted)
     except NotAvailable as missing:
-        return None, (), f"not available: {missing}"
+        entry["note"] = f"not available: {missing}"
+        return
     except Refused as refused:
-        return None, (), str(refused)
+        entry["note"] = str(refused)
+        return
+    if not limit:
+        entry["note"] = TOO_LONG
+        return
+    if limit < entry["count"]:
+        entry["note"] = f"{wanted:,} samples: {TOO_LONG}" if limit < wanted else f"{wanted:,} samples only"
+    entry["count"] = limit
+    if held := truth(limit):
+        entry["errors"] = held.errors(answer)
+    if taken > SLOW:
+        entry["seconds"] = [taken]
+    else:
+        entry["call"] = call
 
 
-def interleaved(entries: list[dict], count: int = ROUNDS, whole: bool = False) -> list[dict]:
+def interleaved(entries: list[dict]) -> list[dict]:
     """Fill the `seconds` of every entry that has a `call`, in rounds; the calls are dropped from the records."""
     with np.errstate(all="ignore"):
-        taken = rounds({entry["way"]: entry["call"] for entry in entries if entry["call"]}, count, whole)
+        taken = rounds({entry["way"]: entry["call"] for entry in entries if entry["call"]})
     for entry in entries:
         del entry["call"]
-        if entry["way"] in taken:
-            entry["seconds"] = taken[entry["way"]]
-            print(f"    {entry['way']:44s}", shown(entry), flush=True)
-        else:
-            print(f"    {entry['way']:44s}", entry["note"], flush=True)
+        entry["seconds"] = taken.get(entry["way"], entry["seconds"])
+        print(f"    {entry['way']:44s}", shown(entry) if entry["seconds"] else entry["note"], flush=True)
     return entries
 
 
@@ -60,7 +82,6 @@ def one_orbit(
     order: str = "sorted",
     most: dict[str, int] | None = None,
     over: set[str] | frozenset[str] = frozenset(),
-    count_rounds: int = ROUNDS,
 ) -> list[dict]:
     """Records of one orbit.
 
@@ -76,7 +97,12 @@ def one_orbit(
         Ways known to take longer than the limit here; they are only named.
     """
     print(f"  {orbit.name}, {count} times over {periods:g} periods, {order}", flush=True)
-    truths: dict[int, Truth] = {}
+
+    @functools.cache
+    def truth(few: int) -> Truth:
+        t = times(orbit, few, periods, order)
+        return Truth(orbit.theta0, orbit.velocity0, t, sample(few, SAMPLE))
+
     entries = []
     for way in ways:
         here = {"case": orbit.name, "periods": periods, "count": count, "order": order, "way": way.name}
@@ -88,25 +114,13 @@ def one_orbit(
         if order == "random" and not way.any_order:
             entry["note"] = "times must rise"
             continue
-        wanted = min(count, (most or {}).get(way.name, count))
-        try:
-            limit = affordable(lambda few, way=way: way.orbit(orbit, times(orbit, few, periods, order))(), wanted)
-        except (NotAvailable, Refused):
-            limit = wanted
-        if not limit:
-            entry["note"] = TOO_LONG
-            continue
-        t = times(orbit, limit, periods, order)
-        if limit < count:
-            entry["note"] = f"{count:g} samples: {TOO_LONG}" if limit < wanted else f"{wanted:g} samples only"
-        entry["count"] = limit
-        entry["call"], answer, note = tried(lambda way=way, t=t: way.orbit(orbit, t))
-        entry["note"] = note or entry["note"]
-        if entry["call"]:
-            if limit not in truths:
-                truths[limit] = Truth(orbit.theta0, orbit.velocity0, t, sample(limit, SAMPLE))
-            entry["errors"] = truths[limit].errors(answer)
-    return interleaved(entries, count_rounds)
+        tried(
+            entry,
+            lambda few, way=way: way.orbit(orbit, times(orbit, few, periods, order)),
+            min(count, (most or {}).get(way.name, count)),
+            truth,
+        )
+    return interleaved(entries)
 
 
 def tuned(build: Callable[[float], Callable], orbit: Orbit, periods: float) -> tuple[float | None, float]:
@@ -121,8 +135,10 @@ def tuned(build: Callable[[float], Callable], orbit: Orbit, periods: float) -> t
     truth = Truth(orbit.theta0, orbit.velocity0, t, np.arange(SAMPLE))
     found = {}
     for tolerance in TOLERANCES:
-        call, answer, _ = tried(lambda tolerance=tolerance: build(tolerance)(orbit, t))
-        found[tolerance] = max(truth.errors(answer)) if call else math.inf
+        try:
+            found[tolerance] = max(truth.errors(build(tolerance)(orbit, t)()))
+        except Refused:
+            found[tolerance] = math.inf
     reached = [tolerance for tolerance, error in found.items() if error <= GOAL]
     return (reached[0] if reached else None), min(found, key=found.get)
 
@@ -131,36 +147,21 @@ def own_states(ways: list[Way], work: str, inputs: tuple, most: dict[str, int], 
     """Records of states of their own: `work` is `states` or `advance`; the last of `inputs` is t, or dt for all."""
     count = len(inputs[0])
     print(f"  {case}, {count} states", flush=True)
-    truths: dict[int, Truth] = {}
+
+    @functools.cache
+    def truth(few: int) -> Truth:
+        theta0, velocity0, t = (np.broadcast_to(part, count)[:few] for part in inputs)
+        return Truth(theta0, velocity0, t, sample(few, SAMPLE))
+
     entries = []
     for way in ways:
-        here = {"case": case, "periods": None, "count": count, "order": "random", "way": way.name}
-        entry = {**here, "errors": [], "seconds": [], "note": "", "call": None}
+        entry = {"case": case, "periods": None, "count": count, "order": "random", "way": way.name}
+        entry.update(errors=[], seconds=[], note="", call=None)
         entries.append(entry)
 
         def prepared(few: int, way=way):
             return getattr(way, work)(*(np.copy(part[:few]) if np.ndim(part) else part for part in inputs))
 
-        wanted = min(count, most.get(way.name, count))
-        try:
-            limit = affordable(lambda few, prepared=prepared: prepared(few)(), wanted)
-        except (NotAvailable, Refused):
-            limit = wanted
-        if not limit:
-            entry["note"] = TOO_LONG
-            continue
-        if limit < count:
-            entry["note"] = f"{count:g} states: {TOO_LONG}" if limit < wanted else f"{wanted:g} states only"
-        entry["count"] = limit
-        _, answer, note = tried(lambda prepared=prepared, limit=limit: prepared(limit))
-        entry["note"] = note or entry["note"]
-        if note:
-            continue
-        entry["call"] = prepared(limit)
-        if way.name.startswith("np."):
-            continue  # a yardstick, no motion
-        if limit not in truths:
-            t = np.broadcast_to(inputs[2], np.shape(inputs[0]))[:limit]
-            truths[limit] = Truth(inputs[0][:limit], inputs[1][:limit], t, sample(limit, SAMPLE))
-        entry["errors"] = truths[limit].errors(answer)
+        held = (lambda few: None) if way.name.startswith("np.") else truth
+        tried(entry, prepared, min(count, most.get(way.name, count)), held)
     return interleaved(entries)

@@ -21,10 +21,11 @@ import sys
 import time
 from pathlib import Path
 
-import libration
 import page
 from rivals.compiled import version
 from sections import SECTIONS, strict
+
+import libration
 
 PACKAGES = ["numpy", "scipy", "heyoka", "elliptic-functions", "mpmath", "python-flint"]
 

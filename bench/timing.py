@@ -2,7 +2,8 @@
 
 A slot of a round is one untimed call, then as many timed ones as fill SLOT seconds; its result is the mean. Ratios are
 medians of the ratios within rounds. A call that takes longer than PATIENT is timed once a slot, without the untimed
-call; one longer than SLOW is timed in one round only, and what the run then has of it is one number, said so.
+call; one longer than SLOW takes no part in the rounds: its only call is the one whose answer was checked, and the page
+marks it.
 """
 
 import gc
@@ -10,6 +11,8 @@ import statistics
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+
+import numpy as np
 
 LIMIT = 30.0
 ROUNDS = 7
@@ -20,15 +23,7 @@ SLOW = 0.7
 
 @dataclass
 class Timed:
-    """What the rounds say of one way of doing the work.
-
-    Parameters
-    ----------
-    call : callable without arguments
-        Does the work once and returns its answer.
-    seconds : list of float
-        One entry a round: seconds per call.
-    """
+    """What the rounds say of one way of doing the work; `seconds` has one entry a round, seconds per call."""
 
     call: Callable[[], tuple]
     first: float = 0.0
@@ -45,7 +40,7 @@ class Timed:
         self.seconds.append((time.perf_counter_ns() - begun) / 1e9 / self.repeats)
 
 
-def rounds(calls: dict[str, Callable[[], tuple]], count: int = ROUNDS, whole: bool = False) -> dict[str, list[float]]:
+def rounds(calls: dict[str, Callable[[], tuple]], count: int = ROUNDS) -> dict[str, list[float]]:
     """Seconds per call of every way in every round, all interleaved, starting with another one each round.
 
     Parameters
@@ -54,8 +49,6 @@ def rounds(calls: dict[str, Callable[[], tuple]], count: int = ROUNDS, whole: bo
         Ways of doing the same work, by name.
     count : int
         Rounds, at least 7 for anything that a demand rests on.
-    whole : bool
-        Whether slow ways take part in every round too.
     """
     timed = {}
     for name, call in calls.items():
@@ -66,9 +59,7 @@ def rounds(calls: dict[str, Callable[[], tuple]], count: int = ROUNDS, whole: bo
             if first > PATIENT:
                 break
         timed[name] = Timed(call, first, max(1, round(SLOT / first)))
-        if first > SLOW and not whole:
-            timed[name].seconds.append(first)
-    turn = [name for name, way in timed.items() if whole or not way.seconds]
+    turn = list(timed)
     collecting = gc.isenabled()
     gc.disable()
     try:
@@ -89,32 +80,33 @@ def ratio(ours: list[float], theirs: list[float]) -> float:
     return statistics.median(a / b for a, b in zip(ours, theirs, strict=True))
 
 
-def affordable(run: Callable[[int], object], count: int, limit: float = LIMIT) -> int:
-    """The largest power of ten up to `count` (or `count` itself) expected to end within the limit; 0 if none is.
+def affordable(make: Callable[[int], Callable], count: int, limit: float = LIMIT) -> tuple:
+    """How many samples end within the limit: that number, the call for it, its first answer (copied) and its seconds.
+
+    Powers of ten up to `count`. Two trials give a fixed part and a part for each sample, which foretell the next one,
+    so that nobody is charged for a long start as if every sample had it. Nothing within the limit: (0, None, (), 0.0).
 
     Parameters
     ----------
-    run : callable
-        Does the work for that many samples. Two trials give a fixed part and a part for each sample, which tell the
-        rest, so that nobody is charged for a long set-up as if every sample had it.
+    make : callable
+        Prepares the work for that many samples and returns the call.
     count : int
         Samples wanted.
     """
-    trials: list[tuple[int, float]] = []
-    best, wanted = 0, min(count, 10)
+    best: tuple = (0, None, (), 0.0)
+    wanted, before = min(count, 10), None
     while True:
+        call = make(wanted)
         begun = time.perf_counter()
-        run(wanted)
-        trials.append((wanted, time.perf_counter() - begun))
-        if trials[-1][1] > limit:
+        answer = call()
+        taken = time.perf_counter() - begun
+        if taken > limit:
             return best
-        best = wanted
+        best = wanted, call, tuple(np.array(part) for part in answer), taken
         if wanted == count:
             return best
-        wanted = min(count, 10 * wanted)
-        expected = trials[-1][1]
-        if len(trials) > 1:
-            (few, short), (many, long) = trials[-2:]
-            expected += max(0.0, (long - short) / (many - few)) * (wanted - many)
-        if expected > limit:
+        after = min(count, 10 * wanted)
+        slope = 0.0 if before is None else max(0.0, (taken - before[1]) / (wanted - before[0]))
+        if taken + slope * (after - wanted) > limit:
             return best
+        before, wanted = (wanted, taken), after

@@ -29,14 +29,14 @@ def main() -> None:
         if t == 0 or theta0 == velocity0 == 0:
             print(*(float(x).hex() for x in (theta0, 0, velocity0, 0)))
             continue
-        wanted = ("theta", "velocity")
-        values = rising(lambda a=(theta0, velocity0, Fraction(1), t): only(pendulum_values(*a), wanted))
+        values = rising(lambda inputs=(theta0, velocity0, Fraction(1), t): motion(*inputs))
         print(*hi_lo(values["theta"]), *hi_lo(values["velocity"]))
 
 
-def only(values: dict, wanted: tuple[str, ...]) -> dict:
-    """The outputs that are asked for."""
-    return {name: values[name] for name in wanted}
+def motion(*inputs: Fraction) -> dict:
+    """Angle and velocity alone: the widths of other outputs do not matter."""
+    values = pendulum_values(*inputs)
+    return {name: values[name] for name in ("theta", "velocity")}
 
 
 if __name__ == "__main__":
