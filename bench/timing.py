@@ -18,7 +18,7 @@ LIMIT = 30.0
 ROUNDS = 7
 SLOT = 0.012
 PATIENT = 0.2
-SLOW = 0.7
+SLOW = 1.5
 
 
 @dataclass
