@@ -1,7 +1,8 @@
 //! The doors of the core agree bit for bit: one value, a pair, slices of any length on lanes of any width.
 
 use libration::lanes::InstructionSet;
-use libration::{Frequency, Jacobi, Orbit, Parameter};
+use libration::pendulum::states;
+use libration::{Frequency, Jacobi, Orbit, Parameter, advance, advance_into};
 use std::sync::Mutex;
 
 /// The instruction set is the whole process's: one test at a time.
@@ -75,6 +76,42 @@ fn slices_are_their_scalars_on_every_instruction_set() {
                     same(a, sn[i]) && same(b, cn[i]) && same(c, dn[i]) && same(d, am[i]),
                     "{set:?} {m} {u}"
                 );
+            }
+        }
+    }
+}
+
+/// States of every regime mixed in one array, every length, and one start for all rows.
+#[test]
+fn rows_are_their_scalars_on_every_instruction_set() {
+    let _alone = ONE_AT_A_TIME.lock().unwrap();
+    let mut rows: Vec<[f64; 4]> = Vec::new();
+    for (theta0, velocity0, omega2) in STARTS {
+        for t in [0.3, -7.0, 1e5, 0.0, f64::NAN, f64::INFINITY] {
+            let omega0 = if omega2 < 0.0 { omega2 } else { omega2.sqrt() };
+            rows.push([theta0, velocity0, t, omega0]);
+        }
+    }
+    let scattered: Vec<[f64; 4]> = (0..1300).map(|i| rows[i * 29 % rows.len()]).collect();
+    let alike: Vec<[f64; 4]> = (0..600).map(|i| [2.0, 0.3, 0.01 * f64::from(i), 1.3]).collect();
+    for set in InstructionSet::available() {
+        set.force().unwrap();
+        for rows in (0..49).map(|length| &scattered[..length]).chain([&scattered[..], &alike[..]]) {
+            let columns: [Vec<f64>; 4] = std::array::from_fn(|i| rows.iter().map(|row| row[i]).collect());
+            let columns = columns.each_ref().map(Vec::as_slice);
+            let [theta0, velocity0, t, omega0] = columns;
+            let [mut a, mut b, mut c, mut d, mut e, mut f] = [(); 6].map(|()| vec![7.0; rows.len()]);
+            advance_into(columns, [&mut a, &mut b]);
+            states::motion_into([t, theta0, velocity0, omega0], [&mut c, &mut d]);
+            states::theta_into([t, theta0, velocity0, omega0], &mut e);
+            states::velocity_into([t, theta0, velocity0, omega0], &mut f);
+            for (i, &[theta0, velocity0, t, omega0]) in rows.iter().enumerate() {
+                let frequency = Frequency::from_omega0(omega0);
+                let step = frequency.map_or((f64::NAN, f64::NAN), |f| advance(theta0, velocity0, t, f));
+                assert!(same(a[i], step.0) && same(b[i], step.1), "{set:?} {:?}", rows[i]);
+                assert!(same(c[i], e[i]) && same(d[i], f[i]), "{set:?} {:?}", rows[i]);
+                let near = |x: f64, y: f64| same(x, y) || (x - y).abs() <= 1e-15 * x.abs().max(40.0);
+                assert!(near(a[i], c[i]) && near(b[i], d[i]), "{set:?} {:?}", rows[i]);
             }
         }
     }

@@ -3,6 +3,7 @@
 //! Two paths. `orbit_*` takes an orbit by its exact factors and is meant for one orbit and many times; `state_*` and
 //! `advance` take rows with states of their own. An elliptic function has one ufunc per keyword: `_m`, `_mc`, `_k`.
 
+use libration::pendulum::states;
 use libration::{Frequency, Jacobi, Orbit, Parameter};
 use pyo3::prelude::*;
 
@@ -22,13 +23,10 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "orbit_motion", orbit, whole::<[f64; 2], _>(motion))?;
     add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
 
-    add(module, "state_theta", state, whole::<[f64; 1], _>(theta))?;
-    add(module, "state_velocity", state, whole::<[f64; 1], _>(velocity))?;
-    add(module, "state_motion", state, whole::<[f64; 2], _>(motion))?;
-    let advance = |frequency: &Frequency, [theta, velocity, dt]: [f64; 3]| {
-        <[f64; 2]>::from(libration::advance(theta, velocity, dt, *frequency))
-    };
-    add(module, "advance", frequency, each(advance))?;
+    add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
+    add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
+    add(module, "state_motion", nothing, whole::<[f64; 2], _>(state_motion))?;
+    add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
 
     add_elliptic(module, "m", Parameter::from_m)?;
     add_elliptic(module, "mc", Parameter::from_mc)?;
@@ -38,6 +36,9 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// A block of rows, and its column of results.
 type Column = [[f64; BLOCK]; 1];
 
+/// Likewise, with two columns.
+type Columns = [[f64; BLOCK]; 2];
+
 fn theta(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta]: &mut Column) {
     orbit.theta_into(t, &mut theta[..rows]);
 }
@@ -46,8 +47,29 @@ fn velocity(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut Colum
     orbit.velocity_into(t, &mut velocity[..rows]);
 }
 
-fn motion(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta, velocity]: &mut [[f64; BLOCK]; 2]) {
+fn motion(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta, velocity]: &mut Columns) {
     orbit.motion_into(t, &mut theta[..rows], &mut velocity[..rows]);
+}
+
+/// Rows that bring their own state have no set-up in common.
+fn nothing([]: [f64; 0]) -> Option<()> {
+    Some(())
+}
+
+fn state_theta((): &(), operands: [&[f64]; 4], rows: usize, [theta]: &mut Column) {
+    states::theta_into(operands, &mut theta[..rows]);
+}
+
+fn state_velocity((): &(), operands: [&[f64]; 4], rows: usize, [velocity]: &mut Column) {
+    states::velocity_into(operands, &mut velocity[..rows]);
+}
+
+fn state_motion((): &(), operands: [&[f64]; 4], rows: usize, columns: &mut Columns) {
+    states::motion_into(operands, columns.each_mut().map(|column| &mut column[..rows]));
+}
+
+fn advance((): &(), states: [&[f64]; 4], rows: usize, columns: &mut Columns) {
+    libration::advance_into(states, columns.each_mut().map(|column| &mut column[..rows]));
 }
 
 fn jacobi(jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 4]) {
@@ -78,11 +100,6 @@ fn add_elliptic(module: &Bound<'_, PyModule>, keyword: &str, from: fn(f64) -> Pa
 /// One orbit, its frequency by the exact factors.
 fn orbit([theta0, velocity0, a, b, c]: [f64; 5]) -> Option<Orbit> {
     Orbit::new(theta0, velocity0, Frequency::from_factors(a, b, c).ok()?).ok()
-}
-
-/// The orbit of a row with a state of its own.
-fn state([theta0, velocity0, omega0]: [f64; 3]) -> Option<Orbit> {
-    Orbit::new(theta0, velocity0, Frequency::from_omega0(omega0).ok()?).ok()
 }
 
 /// The frequency of a row.

@@ -2,7 +2,10 @@
 //!
 //! Source: DLMF 19.8.1, 19.8.5. Converges quadratically for any k' > 0; no cancellation.
 
+use crate::float::elementary::horner;
+use crate::float::loose::Loose;
 use crate::float::{Dd, HALF_PI};
+use crate::lanes::Lane;
 
 /// agm(1, b) for 0 < b <= 1.
 pub fn agm(b: Dd) -> Dd {
@@ -18,6 +21,44 @@ pub fn agm(b: Dd) -> Dd {
         b = (a * b).sqrt();
         a = mean;
     }
+}
+
+/// agm(1, b) over lanes, of b in [0.7, 1] and 1 - b^2; and lambda, from which the nome of 1 - b^2 follows.
+///
+/// With t = (1 - sqrt b)/(1 + sqrt b) = 2 lambda, the means after two steps are (1 + sqrt b)^2/4 times 1 +- t^2.
+#[inline(always)]
+pub(crate) fn agm_near<L: Lane>(b: Loose<L>, one_minus_square: Loose<L>) -> (Loose<L>, L) {
+    let one = Loose::from_double(L::splat(1.0));
+    let sum = one.plus_smaller(b.root());
+    let mean = sum.square().scale(L::splat(0.25));
+    let t = one_minus_square.over(one.plus_smaller(b) * mean).scale(L::splat(0.25));
+    (mean * agm_of_pair(t.square()), t.hi * L::splat(0.5))
+}
+
+/// agm(1, b) over lanes, of b in [2^-20, 1].
+#[inline(always)]
+pub(crate) fn agm_far<L: Lane>(b: Loose<L>) -> Loose<L> {
+    let half = L::splat(0.5);
+    let mut pair = (Loose::from_double(L::splat(1.0)), b);
+    for step in 0..5 {
+        let (a, b) = pair;
+        let product = if step == 0 { b } else { a * b };
+        pair = (a.plus_smaller(b).scale(half), product.root());
+    }
+    let (a, b) = pair;
+    let mean = a.plus_smaller(b).scale(half);
+    mean * agm_of_pair((a - b).scale(half).over(mean))
+}
+
+/// agm(1 + x, 1 - x) for |x| <= 0.02, to 2^-100.
+#[inline(always)]
+fn agm_of_pair<L: Lane>(x: Loose<L>) -> Loose<L> {
+    let square = x.square();
+    let exact = |numerator: f64, power: f64| Loose::from_double(L::splat(numerator / power));
+    let tail = horner(&[11.0 / 256.0, 469.0 / 16384.0, 1379.0 / 65536.0, 17223.0 / 1_048_576.0], square.hi);
+    let inner = exact(5.0, 64.0).plus_smaller(square * Loose::from_double(tail));
+    let outer = exact(1.0, 4.0).plus_smaller(square * inner);
+    exact(1.0, 1.0).minus_smaller(square * outer)
 }
 
 /// K from the complementary modulus k' in (0, 1].

@@ -109,7 +109,7 @@ impl Jacobi {
 
     #[inline(always)]
     fn elliptic<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> [L; 4] {
-        let at = self.phase.reduce(u);
+        let at = self.phase.spread::<L>().reduce(u);
         let thetas = self.lattice.thetas_on::<HYPERBOLIC, L>(at.f);
         let folded = thetas.folded;
         let [t1, t2, t3, t4] = thetas.theta;
@@ -143,18 +143,18 @@ fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
 
 struct Doubly<'a, const HYPERBOLIC: bool>(&'a Jacobi);
 
-impl<const HYPERBOLIC: bool> Sampler<4> for Doubly<'_, HYPERBOLIC> {
+impl<L: Lane, const HYPERBOLIC: bool> Sampler<L, 1, 4> for Doubly<'_, HYPERBOLIC> {
     #[inline(always)]
-    fn at<L: Lane>(&self, u: L) -> [L; 4] {
+    fn at(&self, [u]: [L; 1]) -> [L; 4] {
         odd(u, self.0.elliptic::<HYPERBOLIC, L>(u))
     }
 }
 
 struct Singly<'a>(&'a Jacobi);
 
-impl Sampler<4> for Singly<'_> {
+impl<L: Lane> Sampler<L, 1, 4> for Singly<'_> {
     #[inline(always)]
-    fn at<L: Lane>(&self, u: L) -> [L; 4] {
+    fn at(&self, [u]: [L; 1]) -> [L; 4] {
         odd(u, self.0.hyperbolic(u))
     }
 }
@@ -172,11 +172,11 @@ impl Kernel for Fill<'_, '_> {
     fn run<L: Lane>(mut self) {
         let (jacobi, u, results) = (self.jacobi, self.u, &mut self.results);
         if jacobi.range == Range::One {
-            sweep::<L, 4>(&Singly(jacobi), u, results);
+            sweep::<L, _, _, _>(&Singly(jacobi), [u], results);
         } else if jacobi.lattice.hyperbolic() {
-            sweep::<L, 4>(&Doubly::<true>(jacobi), u, results);
+            sweep::<L, _, _, _>(&Doubly::<true>(jacobi), [u], results);
         } else {
-            sweep::<L, 4>(&Doubly::<false>(jacobi), u, results);
+            sweep::<L, _, _, _>(&Doubly::<false>(jacobi), [u], results);
         }
     }
 }

@@ -5,6 +5,7 @@ pub mod carlson;
 pub mod complete;
 pub mod incomplete;
 pub mod jacobi;
+pub(crate) mod lattices;
 pub mod nome;
 pub mod parameter;
 pub mod phase;

@@ -6,8 +6,10 @@
 
 use super::agm::agm;
 use super::parameter::Parameter;
+use crate::float::elementary::horner;
 use crate::float::scaling::exp2;
 use crate::float::{Dd, PI, elementary};
+use crate::lanes::Lane;
 
 /// The nome of 0 <= m <= 1/2, from m and the complementary modulus k'.
 pub(crate) fn small_nome(m: Dd, kc: Dd) -> Dd {
@@ -17,10 +19,18 @@ pub(crate) fn small_nome(m: Dd, kc: Dd) -> Dd {
     lambda + lambda * beyond_lambda(lambda.hi)
 }
 
-/// q/lambda - 1 = 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 (+ 20910 l^20, below 2^-104 of the sum).
-fn beyond_lambda(lambda: f64) -> f64 {
-    let fourth = lambda * lambda * lambda * lambda;
-    fourth * (2.0 + fourth * (15.0 + fourth * (150.0 + fourth * (1707.0 + fourth * 20910.0))))
+/// The nome over lanes, in double, from lambda.
+#[inline(always)]
+pub(crate) fn short_nome<L: Lane>(lambda: L) -> L {
+    lambda + lambda * beyond_lambda(lambda)
+}
+
+/// q/lambda - 1 = 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 + 20910 l^20; the next is below 2^-104 of the sum.
+#[inline(always)]
+fn beyond_lambda<L: Lane>(lambda: L) -> L {
+    let square = lambda * lambda;
+    let fourth = square * square;
+    fourth * horner(&[2.0, 15.0, 150.0, 1707.0, 20910.0], fourth)
 }
 
 /// sqrt(q) of 0 < m <= 1/2 over 2^power, from k over 2^power and k': in range where q itself is not.

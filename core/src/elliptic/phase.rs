@@ -10,11 +10,11 @@ use crate::lanes::Lane;
 
 /// Half periods per unit of the argument, and at its zero.
 #[derive(Clone, Copy, Debug)]
-pub struct Phase {
+pub struct Phase<L = f64> {
     /// Half periods per unit.
-    pub rate: Dd,
+    pub rate: Dd<L>,
     /// Half periods at zero.
-    pub start: Dd,
+    pub start: Dd<L>,
 }
 
 /// n + sign * f half periods.
@@ -34,22 +34,38 @@ const END: f64 = 1.267_650_600_228_229_4e30;
 
 /// (-1)^n for a whole n.
 #[inline(always)]
-fn alternating<L: Lane>(n: L) -> L {
+pub(crate) fn alternating<L: Lane>(n: L) -> L {
     let half = n * L::splat(0.5);
     L::select(half.equal(half.round()), L::splat(1.0), L::splat(-1.0))
 }
 
 impl Phase {
+    /// The same in every place.
+    #[inline(always)]
+    pub fn spread<L: Lane>(&self) -> Phase<L> {
+        Phase { rate: Dd::splat(self.rate), start: Dd::splat(self.start) }
+    }
+}
+
+/// t rate in half periods, as the nearest whole number and the signed rest, in [-1/2, 1/2] up to a rounding error.
+#[inline(always)]
+pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
+    let (turned, error) = t.two_product(rate.hi);
+    let whole = turned.round();
+    (whole, Dd::sum(turned - whole, t.mul_add(rate.lo, error)))
+}
+
+impl<L: Lane> Phase<L> {
     /// The reduced phase at t.
     #[inline(always)]
-    pub fn reduce<L: Lane>(&self, t: L) -> Reduced<L> {
-        let (turned, error) = t.two_product(L::splat(self.rate.hi));
-        let error = t.mul_add(L::splat(self.rate.lo), error);
+    pub fn reduce(&self, t: L) -> Reduced<L> {
+        let (turned, error) = t.two_product(self.rate.hi);
+        let error = t.mul_add(self.rate.lo, error);
         let whole = turned.round();
-        let (part, part_error) = two_sum(turned - whole, L::splat(self.start.hi));
+        let (part, part_error) = two_sum(turned - whole, self.start.hi);
         let (part, rest) = two_sum(part, error);
         let carry = part.round();
-        let rest = rest + (part_error + L::splat(self.start.lo));
+        let rest = rest + (part_error + self.start.lo);
         let f = Dd::ordered_sum(part - carry, rest);
         let within = turned.abs().less(L::splat(END));
         let f = Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo);

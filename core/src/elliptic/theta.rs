@@ -170,37 +170,65 @@ impl Lattice {
     }
 }
 
+/// theta1/sin, theta2/cos, theta3, theta4 as cubics in x = sin^2 z, a row for each power of x; the columns are powers of
+/// q: 0, 2, 6, 12 for the first two, 0, 1, 4, 9 for the others.
+const SERIES: [[[f64; 4]; 4]; 4] = [
+    [[1.0, -3.0, 5.0, -7.0], [0.0, 4.0, -20.0, 56.0], [0.0, 0.0, 16.0, -112.0], [0.0, 0.0, 0.0, 64.0]],
+    [[1.0, 1.0, 1.0, 1.0], [0.0, -4.0, -12.0, -24.0], [0.0, 0.0, 16.0, 80.0], [0.0, 0.0, 0.0, -64.0]],
+    [[1.0, 2.0, 2.0, 2.0], [0.0, -4.0, -16.0, -36.0], [0.0, 0.0, 16.0, 96.0], [0.0, 0.0, 0.0, -64.0]],
+    [[1.0, -2.0, 2.0, -2.0], [0.0, 4.0, -16.0, 36.0], [0.0, 0.0, 16.0, -96.0], [0.0, 0.0, 0.0, 64.0]],
+];
+
 /// Corrections of theta1/sin, theta2/cos, theta3, theta4 in powers of sin^2.
 fn corrections(q: Dd) -> [Correction; 4] {
     let q2 = q.square();
     let q4 = q2.square();
     let (q6, q9, q12) = (q4.hi * q2.hi, q4.hi * q4.hi * q.hi, q4.hi * q4.hi * q4.hi);
-    let sum = |lead: Dd, small: f64| lead + Dd::from(small);
-    let one = |lead: Dd, small: f64| Dd::ONE + lead + Dd::from(small);
+    let powers = [(q2, Dd::from(q6), q12), (q2, Dd::from(q6), q12), (q, q4, q9), (q, q4, q9)];
+    core::array::from_fn(|i| {
+        let (first, second, third) = powers[i];
+        let [origin, one, two, three] = SERIES[i].map(|[a, b, c, d]| {
+            let small = second * c + Dd::from(third * d);
+            if b == 0.0 { small } else { Dd::from(a) + first * b + small }
+        });
+        Correction::new(origin, one, two.hi, three.hi)
+    })
+}
+
+/// A [`Correction`] per lane, in double.
+#[derive(Clone, Copy)]
+pub(crate) struct ShortCorrection<L: Lane>([L; 3]);
+
+impl<L: Lane> ShortCorrection<L> {
+    /// Of the row `function` of the series, in the powers of q that its columns name.
+    #[inline(always)]
+    fn new(function: usize, [first, second, third]: [L; 3]) -> Self {
+        let mut rows = [L::splat(0.0); 4];
+        for (row, [a, b, c, d]) in rows.iter_mut().zip(SERIES[function]) {
+            let small = second.mul_add(L::splat(c), third * L::splat(d));
+            *row = first.mul_add(L::splat(b), small) + L::splat(a);
+        }
+        let [origin, one, two, three] = rows;
+        let inverse = L::splat(1.0) / origin;
+        ShortCorrection([one * inverse, two * inverse, three * inverse])
+    }
+    #[inline(always)]
+    pub fn at(&self, x: L) -> L {
+        let [first, second, third] = self.0;
+        x * third.mul_add(x, second).mul_add(x, first)
+    }
+}
+
+/// [`corrections`] of a nome per lane, in double.
+#[inline(always)]
+pub(crate) fn short_corrections<L: Lane>(q: L) -> [ShortCorrection<L>; 4] {
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    let (q6, q9, q12) = (q4 * q2, q4 * q4 * q, q4 * q4 * q4);
     [
-        Correction::new(
-            one(-q2 * 3.0, 5.0 * q6 - 7.0 * q12),
-            sum(q2 * 4.0, -20.0 * q6 + 56.0 * q12),
-            16.0 * q6 - 112.0 * q12,
-            64.0 * q12,
-        ),
-        Correction::new(
-            one(q2, q6 + q12),
-            sum(-q2 * 4.0, -12.0 * q6 - 24.0 * q12),
-            16.0 * q6 + 80.0 * q12,
-            -64.0 * q12,
-        ),
-        Correction::new(
-            one(q.scale(2.0) + q4 * 2.0, 2.0 * q9),
-            sum(-(q * 4.0 + q4 * 16.0), -36.0 * q9),
-            16.0 * q4.hi + 96.0 * q9,
-            -64.0 * q9,
-        ),
-        Correction::new(
-            one(q4 * 2.0 - q.scale(2.0), -2.0 * q9),
-            sum(q * 4.0 - q4 * 16.0, 36.0 * q9),
-            16.0 * q4.hi - 96.0 * q9,
-            64.0 * q9,
-        ),
+        ShortCorrection::new(0, [q2, q6, q12]),
+        ShortCorrection::new(1, [q2, q6, q12]),
+        ShortCorrection::new(2, [q, q4, q9]),
+        ShortCorrection::new(3, [q, q4, q9]),
     ]
 }

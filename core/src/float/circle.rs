@@ -4,9 +4,10 @@
 //! Method: Payne & Hanek (1983) with 384 of 1408 bits of 1/(2 pi), in integers, so nothing cancels.
 
 use super::TWO_PI_LONG;
-use super::double_double::two_sum;
+use super::double_double::{Dd, two_sum};
 use super::scaling::exp2;
 use super::triple_double::Td;
+use crate::lanes::Lane;
 
 /// theta = 2 pi turns + side * from_bottom, side = +1 or -1, from_bottom in [0, pi].
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +30,24 @@ const INVERSE_TWO_PI: [u64; 22] = [
     0x5d49eeb1faf97c5e, 0xcf41ce7de294a4ba, 0x9afed7ec47e35742, 0x1580cc11bf1edaea, 0xfc33ef0826bd0d87,
     0x6a78e45857b986c2, 0x19666157c5281a10,
 ];
+
+/// Beyond, the half turns are left to [`reduce`].
+pub const FAR: f64 = 1e9;
+
+/// theta = pi j + rest with a whole j and |rest| <= pi/2 (and a rounding error), to double-double for |theta| < FAR,
+/// also next to the multiples of pi.
+#[inline(always)]
+pub fn half_turns<L: Lane>(theta: L) -> (L, Dd<L>) {
+    let half = |word: f64| L::splat(-0.5 * word);
+    let j = (theta * L::splat(core::f64::consts::FRAC_1_PI)).round();
+    let (first, first_error) = j.two_product(half(TWO_PI_LONG.hi));
+    let (second, second_error) = j.two_product(half(TWO_PI_LONG.mid));
+    // Exact: either j is 0 or the two are within a factor of 2.
+    let (near, near_error) = two_sum(theta + first, first_error);
+    let (hi, hi_error) = two_sum(near, second);
+    let rest = j.mul_add(half(TWO_PI_LONG.lo), second_error) + near_error;
+    (j, Dd::ordered_sum(hi, hi_error + rest))
+}
 
 /// theta modulo 2 pi, for finite theta.
 pub fn reduce(theta: f64) -> Reduced {

@@ -85,6 +85,12 @@ impl<L: Lane> Dd<L> {
     pub fn select(mask: L::Mask, yes: Self, no: Self) -> Self {
         Dd::new(L::select(mask, yes.hi, no.hi), L::select(mask, yes.lo, no.lo))
     }
+    /// Sum of two that do not cancel.
+    #[inline(always)]
+    pub fn plain_sum(self, other: Self) -> Self {
+        let (hi, error) = two_sum(self.hi, other.hi);
+        Dd::ordered_sum(hi, error + (self.lo + other.lo))
+    }
     /// self * (1 + change) for a small change known in double.
     #[inline(always)]
     pub fn nudge(self, change: L) -> Self {

@@ -104,24 +104,17 @@ pub fn long_sinh_cosh(y: Dd) -> (Dd, Dd) {
     ((grown - shrunk).to_dd(), (grown + shrunk).to_dd())
 }
 
-/// Sum of two double-doubles that do not cancel.
-#[inline(always)]
-fn plain_sum<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
-    let (hi, error) = two_sum(a.hi, b.hi);
-    Dd::ordered_sum(hi, error + (a.lo + b.lo))
-}
-
 /// Hyperbolic sine and cosine of y in [0, 700].
 #[inline(always)]
 pub fn sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
     let (k, cosine, sine) = hyperbolic_reduced(y);
     let one = L::splat(1.0);
-    let grown = plain_sum(cosine, sine).scale((k - one).exp2_integer());
+    let grown = cosine.plain_sum(sine).scale((k - one).exp2_integer());
     // e^-y no longer counts beyond 2^-1000 of e^y; the bound keeps the exponent in range.
-    let shrunk = plain_sum(cosine, -sine).scale((-k - one).exp2_integer());
-    let far = plain_sum(grown, -shrunk);
+    let shrunk = cosine.plain_sum(-sine).scale((-k - one).exp2_integer());
+    let far = grown.plain_sum(-shrunk);
     let near = L::equal(k, L::splat(0.0));
-    (Dd::select(near, sine, far), plain_sum(grown, shrunk))
+    (Dd::select(near, sine, far), grown.plain_sum(shrunk))
 }
 
 /// Beyond the first sech is 0 in double whatever multiplies it; up to the second sinh is in range, and beyond it no
@@ -140,11 +133,11 @@ fn at_most<L: Lane>(y: Dd<L>, bound: f64) -> Dd<L> {
 #[inline(always)]
 pub fn sech<L: Lane>(y: Dd<L>) -> (Dd<L>, L) {
     let (k, cosine, sine) = hyperbolic_reduced(at_most(y, SECH_END));
-    let shrunk = plain_sum(cosine, -sine);
+    let shrunk = cosine.plain_sum(-sine);
     // The power of two of e^-y in two steps: the second may be subnormal.
     let head = L::select(k.less(L::splat(1000.0)), -k, L::splat(-1000.0));
     let falling = shrunk.scale(head.exp2_integer());
-    let denominator = plain_sum(Dd::from_double(L::splat(1.0)), falling.square());
+    let denominator = Dd::from_double(L::splat(1.0)).plain_sum(falling.square());
     (quotient(falling.scale(L::splat(2.0)), denominator), (-k - head).exp2_integer())
 }
 
@@ -158,7 +151,7 @@ pub fn saturated_sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
 #[inline(always)]
 pub fn exp<L: Lane>(y: Dd<L>) -> Dd<L> {
     let (k, cosine, sine) = hyperbolic_reduced(y);
-    plain_sum(cosine, sine).scale(k.exp2_integer())
+    cosine.plain_sum(sine).scale(k.exp2_integer())
 }
 
 /// Arctangent of 1/2, and of 1.

@@ -2,7 +2,9 @@
 //! errors would add up.
 
 use super::double_double::Dd;
+use super::loose::Loose;
 use super::triple_double::Td;
+use crate::lanes::Lane;
 
 /// Sine and cosine of an angle in [0, pi/4], to triple-double.
 pub fn sin_cos(angle: Td) -> (Td, Td) {
@@ -12,6 +14,24 @@ pub fn sin_cos(angle: Td) -> (Td, Td) {
 /// Hyperbolic sine and cosine of a number in [0, 0.8], to triple-double.
 pub fn sinh_cosh(y: Td) -> (Td, Td) {
     doubled_series(y, -1.0)
+}
+
+/// Sine of |z| <= pi/4 (a little beyond does no harm) to all digits of a double-double, over lanes.
+#[inline(always)]
+pub(crate) fn sine<L: Lane>(z: Loose<L>) -> Loose<L> {
+    let x = z.square();
+    // A term below 2^-53 of the first needs one word only.
+    let mut tail = L::splat(0.0);
+    for c in ODD[7..].iter().rev() {
+        tail = L::splat(c.hi) - x.hi * tail;
+    }
+    let mut sum = Loose::from_double(tail);
+    for c in [Td::ONE].iter().chain(&ODD[..7]).rev() {
+        let below = x * sum;
+        let c = Loose::new(L::splat(c.hi), L::splat(c.mid));
+        sum = c.minus_smaller(below);
+    }
+    z * sum
 }
 
 /// Taylor's series of an eighth of the argument, doubled three times through 1 - cos, so both keep their

@@ -77,38 +77,45 @@ pub trait Kernel {
     fn run<L: Lane>(self) -> Self::Output;
 }
 
-/// A function of one lane with N results, for [`sweep`].
-pub trait Sampler<const N: usize> {
-    /// The results at one lane of arguments; `#[inline(always)]`.
-    fn at<L: Lane>(&self, argument: L) -> [L; N];
+/// A function of A lanes with N results, for [`sweep`].
+pub trait Sampler<L: Lane, const A: usize, const N: usize> {
+    /// The results at one lane of each argument; `#[inline(always)]`.
+    fn at(&self, arguments: [L; A]) -> [L; N];
 }
 
 /// Widest lane.
 const WIDEST: usize = 16;
 
-/// The sampler at every argument, each result into its own slice of the same length. The last block is padded
-/// with zeros, so every value comes from the same operations wherever it stands.
+/// The sampler at every row of the arguments, its first R results each into a slice; all of the same length. The last
+/// block is padded with zeros, so every value comes from the same operations wherever it stands.
 #[inline(always)]
-pub fn sweep<L: Lane, const N: usize>(
-    sampler: &impl Sampler<N>,
-    arguments: &[f64],
-    results: &mut [&mut [f64]; N],
+pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
+    sampler: &impl Sampler<L, A, N>,
+    arguments: [&[f64]; A],
+    results: &mut [&mut [f64]; R],
 ) {
-    let whole = arguments.len() - arguments.len() % L::WIDTH;
+    // No closures: they are compiled without the instruction set.
+    let rows = arguments[0].len();
+    let whole = rows - rows % L::WIDTH;
+    let mut lanes = [L::splat(0.0); A];
     let mut at = 0;
     while at < whole {
-        let values = sampler.at(L::load(&arguments[at..at + L::WIDTH]));
-        for (result, value) in results.iter_mut().zip(values) {
+        for (lane, argument) in lanes.iter_mut().zip(&arguments) {
+            *lane = L::load(&argument[at..at + L::WIDTH]);
+        }
+        for (result, value) in results.iter_mut().zip(sampler.at(lanes)) {
             value.store(&mut result[at..at + L::WIDTH]);
         }
         at += L::WIDTH;
     }
-    let rest = arguments.len() - whole;
+    let rest = rows - whole;
     if rest > 0 {
         let mut padded = [0.0; WIDEST];
-        padded[..rest].copy_from_slice(&arguments[whole..]);
-        let values = sampler.at(L::load(&padded));
-        for (result, value) in results.iter_mut().zip(values) {
+        for (lane, argument) in lanes.iter_mut().zip(&arguments) {
+            padded[..rest].copy_from_slice(&argument[whole..]);
+            *lane = L::load(&padded);
+        }
+        for (result, value) in results.iter_mut().zip(sampler.at(lanes)) {
             value.store(&mut padded);
             result[whole..].copy_from_slice(&padded[..rest]);
         }

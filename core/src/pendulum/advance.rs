@@ -5,16 +5,55 @@
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
-use super::canonical::LAST_HALF_PERIOD;
+use super::canonical::{Both, LAST_HALF_PERIOD};
 use super::frequency::Frequency;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
+use super::rows::{Rows, fill};
 use super::state::State;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
 use crate::float::scaling::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
+use crate::lanes::single;
+use core::marker::PhantomData;
+
+/// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
+///
+/// Domain as for [`Orbit`]: NaN for states that are not finite and for steps beyond 2^53 half periods.
+/// **Error** at most 8 ulp of the largest angle and velocity of the orbit.
+///
+/// ```
+/// use libration::{Frequency, advance};
+/// let (theta, velocity) = advance(1.0, 0.0, 2.0, Frequency::from_omega0(1.0)?);
+/// assert_eq!(format!("{theta:.9} {velocity:.9}"), "-0.306200958 -0.909047105");
+/// # Ok::<(), libration::Domain>(())
+/// ```
+pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
+    let (mut next_theta, mut next_velocity) = ([f64::NAN], [f64::NAN]);
+    if let Some(omega) = frequency.downward_root() {
+        single(Rows::<Both, 2> {
+            arguments: [&[theta], &[velocity], &[dt], &[omega.hi]],
+            omega_rest: omega.lo,
+            results: [&mut next_theta, &mut next_velocity],
+            wanted: PhantomData,
+        });
+    }
+    match (next_theta[0], next_velocity[0]) {
+        (theta, velocity) if !(theta.is_nan() || velocity.is_nan()) => (theta, velocity),
+        _ => careful(theta, velocity, dt, frequency),
+    }
+}
+
+/// [`advance`] of every row of (theta, velocity, dt, omega0), bit for bit, on the widest lanes. NaN also where omega0 is
+/// negative or not finite; panics where the lengths differ.
+pub fn advance_into(rows: [&[f64]; 4], [theta, velocity]: [&mut [f64]; 2]) {
+    fill::<Both, 2>(rows, [theta, velocity], |[theta, velocity, dt, omega0]| {
+        Frequency::from_omega0(omega0)
+            .map_or((f64::NAN, f64::NAN), |frequency| careful(theta, velocity, dt, frequency))
+    });
+}
 
 /// sn, cn, dn of the step, and the mean advance of a rotation in turns.
 struct Step {
@@ -24,11 +63,8 @@ struct Step {
     turns: f64,
 }
 
-/// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
-///
-/// Domain as for [`Orbit`]: NaN for states that are not finite and for steps beyond 2^53 half periods.
-/// **Error** at most 8 ulp of the largest angle and velocity of the orbit.
-pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
+/// A step to double-double throughout, for the rows that the lanes leave apart.
+fn careful(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
     if !(theta.is_finite() && velocity.is_finite()) || dt.is_nan() {
         return (f64::NAN, f64::NAN);
     }

@@ -29,6 +29,11 @@ pub(super) struct Canonical<L: Lane> {
 pub(super) trait Wanted {
     const ANGLE: bool;
     const VELOCITY: bool;
+    /// What is wanted, first.
+    #[inline(always)]
+    fn first<L: Lane>(theta: L, velocity: L) -> [L; 2] {
+        if Self::ANGLE { [theta, velocity] } else { [velocity, theta] }
+    }
 }
 pub(super) struct AngleOnly;
 pub(super) struct VelocityOnly;
@@ -90,7 +95,7 @@ impl<const HYPERBOLIC: bool> Path for Swing<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
         let Swing(Elliptic { lattice, phase, tangent, velocity, .. }) = self;
-        let Reduced { n, sign, f, parity } = phase.reduce(t);
+        let Reduced { n, sign, f, parity } = phase.spread::<L>().reduce(t);
         let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
         let mut motion = Canonical::at(sign * parity);
@@ -111,7 +116,7 @@ impl<const HYPERBOLIC: bool> Path for Sway<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
         let Sway(Elliptic { lattice, phase, velocity, .. }, harmonics) = self;
-        let Reduced { n, sign, f, parity } = phase.reduce(t);
+        let Reduced { n, sign, f, parity } = phase.spread::<L>().reduce(t);
         let f = within_count(n.hi, f);
         let mut motion = Canonical::at(sign * parity);
         if W::ANGLE {
@@ -133,7 +138,7 @@ impl<const HYPERBOLIC: bool> Path for Spin<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
         let Spin(Elliptic { lattice, phase, tangent, velocity, .. }) = self;
-        let Reduced { n, sign, f, .. } = phase.reduce(t);
+        let Reduced { n, sign, f, .. } = phase.spread::<L>().reduce(t);
         let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi + n.hi, f));
         let [t1, t2, t3, t4] = thetas.theta;
         let mut motion = Canonical { turns: n.hi, ..Canonical::at(sign) };

@@ -2,8 +2,8 @@
 //! or as gravity and length.
 
 use crate::domain::Domain;
-use crate::float::Td;
 use crate::float::scaling::{exponent, mantissa};
+use crate::float::{Dd, Td};
 
 /// Standard gravity in m/s^2, taken where a length comes without gravity.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -94,6 +94,15 @@ impl Frequency {
         let odd = power.rem_euclid(2);
         let square = Td::product(a, b) / Td::from(c);
         Some((square.scale(if odd == 1 { 2.0 } else { 1.0 }).sqrt(), (power - odd) / 2))
+    }
+
+    /// omega0 > 0 as a double-double, where it is in range and pulls downward.
+    pub(crate) fn downward_root(&self) -> Option<Dd> {
+        if self.a == self.b && self.c == 1.0 {
+            return Some(Dd::from(self.a));
+        }
+        let (root, power) = self.root().filter(|_| !self.upside_down())?;
+        (power.abs() < 400).then(|| root.to_dd().ldexp(power))
     }
 
     /// Whether the stable equilibrium is the upper one.

@@ -2,14 +2,17 @@
 
 pub mod advance;
 mod canonical;
+mod flow;
 pub mod frequency;
 mod harmonics;
 pub mod motion;
 pub mod orbit;
 pub mod regime;
+mod rows;
 pub mod state;
+pub mod states;
 
-pub use advance::advance;
+pub use advance::{advance, advance_into};
 pub use frequency::Frequency;
 pub use orbit::Orbit;
 pub use regime::Regime;

@@ -62,24 +62,11 @@ impl<P: Path, W: Wanted> Along<'_, P, W> {
     }
 }
 
-impl<P: Path> Sampler<1> for Along<'_, P, AngleOnly> {
+impl<L: Lane, P: Path, W: Wanted> Sampler<L, 1, 2> for Along<'_, P, W> {
     #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> [L; 1] {
-        [self.sample(t).0]
-    }
-}
-
-impl<P: Path> Sampler<1> for Along<'_, P, VelocityOnly> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> [L; 1] {
-        [self.sample(t).1]
-    }
-}
-
-impl<P: Path> Sampler<2> for Along<'_, P, Both> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> [L; 2] {
-        self.sample(t).into()
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let (theta, velocity) = self.sample(t);
+        W::first(theta, velocity)
     }
 }
 
@@ -109,32 +96,19 @@ impl<W> Straight<'_, W> {
     }
 }
 
-impl Sampler<1> for Straight<'_, AngleOnly> {
+impl<L: Lane, W: Wanted> Sampler<L, 1, 2> for Straight<'_, W> {
     #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> [L; 1] {
-        [self.sample(t).0]
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let (theta, velocity) = self.sample(t);
+        W::first(theta, velocity)
     }
 }
 
-impl Sampler<1> for Straight<'_, VelocityOnly> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> [L; 1] {
-        [self.sample(t).1]
-    }
-}
-
-impl Sampler<2> for Straight<'_, Both> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> [L; 2] {
-        self.sample(t).into()
-    }
-}
-
-/// Times into slices of results, each of the length of the times.
-struct Fill<'a, 'b, W, const N: usize> {
+/// Times into slices of the R results wanted, each of the length of the times.
+struct Fill<'a, 'b, W, const R: usize> {
     orbit: &'a Orbit,
     t: &'a [f64],
-    results: [&'b mut [f64]; N],
+    results: [&'b mut [f64]; R],
     wanted: PhantomData<W>,
 }
 
@@ -160,32 +134,24 @@ macro_rules! on_path {
     }};
 }
 
-macro_rules! fill {
-    ($wanted:ty, $count:literal) => {
-        impl Kernel for Fill<'_, '_, $wanted, $count> {
-            type Output = ();
-            #[inline(always)]
-            fn run<L: Lane>(mut self) {
-                let (orbit, t, results) = (self.orbit, self.t, &mut self.results);
-                const W: PhantomData<$wanted> = PhantomData;
-                on_path!(orbit,
-                    path => sweep::<L, $count>(&Along(orbit, path, W), t, results),
-                    straight => sweep::<L, $count>(&Straight(orbit, W), t, results)
-                )
-            }
-        }
-    };
+impl<W: Wanted, const R: usize> Kernel for Fill<'_, '_, W, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(mut self) {
+        let (orbit, t, results, wanted) = (self.orbit, [self.t], &mut self.results, self.wanted);
+        on_path!(orbit,
+            path => sweep::<L, _, _, _>(&Along(orbit, path, wanted), t, results),
+            straight => sweep::<L, _, _, _>(&Straight(orbit, wanted), t, results)
+        )
+    }
 }
-fill!(AngleOnly, 1);
-fill!(VelocityOnly, 1);
-fill!(Both, 2);
 
 impl Orbit {
-    fn fill<'a, 'b, W, const N: usize>(
+    fn fill<'a, 'b, W, const R: usize>(
         &'a self,
         t: &'a [f64],
-        results: [&'b mut [f64]; N],
-    ) -> Fill<'a, 'b, W, N> {
+        results: [&'b mut [f64]; R],
+    ) -> Fill<'a, 'b, W, R> {
         assert!(
             results.iter().all(|result| result.len() == t.len()),
             "results of another length than the times"

@@ -1,0 +1,159 @@
+//! The flow over lanes, every row a state of its own: the state a time later by the addition theorem, without the
+//! phase of the start.
+//!
+//! With s, c = sine and cosine of theta/2, x = velocity/2 omega0 and S, C, D = sn, cn, dn(omega0 dt | m),
+//!   g = c^2 + s^2 C,  h = s c (1 - C),  d = g^2 + h^2 = D^2 + x^2 S^2 = c^2 + s^2 C^2,
+//!   theta' = theta + 2 atan2(x S g - D h, D g + x S h),  x' = (x C - s c S D)/d
+//! in every regime: the half angle turns by atan2(x S, D) - atan2(h, g), which is continuous in dt. In rotation
+//! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted apart. S, C, D may share a factor.
+//! Source: Salas 2019 (23) by DLMF 22.8, formulas for the increment in place of the angle: docs/decisions/0010.
+
+use super::canonical::Wanted;
+use crate::elliptic::lattices::Lattices;
+use crate::elliptic::phase::{alternating, turned};
+use crate::float::circle::half_turns;
+use crate::float::double_double::two_sum;
+use crate::float::elementary::arctangent;
+use crate::float::loose::Loose;
+use crate::float::{Dd, PI, TWO_PI, series};
+use crate::lanes::{Lane, Sampler};
+use core::marker::PhantomData;
+
+/// Beyond so many half periods the careful step counts.
+const MANY: f64 = 1e15;
+
+/// The start of a row of one class, set up for any time after it; NaN where the row must be set apart.
+pub(super) struct Start<W, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
+    theta: L,
+    velocity: L,
+    /// sin^2 and cos^2 of half the angle, and their product before it is squared.
+    s_square: Loose<L>,
+    c_square: Loose<L>,
+    across: Loose<L>,
+    /// velocity/2 omega0, and 2 omega0.
+    x: Loose<L>,
+    speed: Loose<L>,
+    lattices: Lattices<L>,
+    /// Half periods per second.
+    rate: Dd<L>,
+    /// 1/k in rotation.
+    k_inverse: Loose<L>,
+    wanted: PhantomData<W>,
+}
+
+impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<W, L, ROTATION, HYPERBOLIC> {
+    #[inline(always)]
+    pub fn new(theta: L, velocity: L, omega: Loose<L>) -> Self {
+        let (half, two) = (L::splat(0.5), L::splat(2.0));
+        let one = Loose::from_double(L::splat(1.0));
+        let (j, rest) = half_turns(theta);
+        let parity = alternating(j);
+        let even = L::splat(0.0).less(parity);
+        let sine = series::sine(Loose::from(rest.scale(half)));
+        let low = sine.square();
+        let high = one.minus_smaller(low);
+        let across = high.root() * sine.scale(parity);
+        let (s_square, c_square) = (Loose::select(even, low, high), Loose::select(even, high, low));
+        let speed = omega.scale(two);
+        let x = Loose::from_double(velocity).over(speed);
+        let x_square = x.square();
+        let (m, mc) = (s_square + x_square, Loose::from((c_square - x_square).tight()));
+        let (lattices, stretch, k_inverse) = if ROTATION {
+            let inverse = one.over(m);
+            let k = m.root();
+            (Lattices::new::<HYPERBOLIC>(inverse, -(mc * inverse)), omega * k, k * inverse)
+        } else {
+            (Lattices::new::<HYPERBOLIC>(m, mc), omega, one)
+        };
+        let rate = (stretch * lattices.frequency).tight();
+        Start {
+            theta,
+            velocity,
+            s_square,
+            c_square,
+            across,
+            x,
+            speed,
+            lattices,
+            rate,
+            k_inverse,
+            wanted: PhantomData,
+        }
+    }
+
+    /// Angle and velocity a time dt later.
+    #[inline(always)]
+    fn after(&self, dt: L) -> (L, L) {
+        let Start { s_square, c_square, across, x, .. } = *self;
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let (n, f) = turned(dt, self.rate);
+        let sign = one.copysign(f.hi);
+        let point = self.lattices.at::<HYPERBOLIC>(f.scale(sign));
+        let (unit, unit_square) = (point.unit, point.unit_square);
+        let (sn, cn, dn, cn_square) = if ROTATION {
+            (point.sn.scale(sign) * self.k_inverse, point.dn, point.cn, point.dn_square)
+        } else {
+            let parity = alternating(n);
+            (point.sn.scale(sign * parity), point.cn.scale(parity), point.dn, point.cn_square)
+        };
+        let within = n.abs().less(L::splat(MANY));
+        let start = dt.equal(zero);
+        let finished =
+            |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
+        let next_theta = if W::ANGLE {
+            let x_sn = x * sn;
+            let g = c_square * unit + s_square * cn;
+            let h = across * (unit - cn);
+            let opposite = (x_sn * g - dn * h).tight();
+            let adjacent = (dn * g + x_sn * h).tight();
+            let side = one.copysign(opposite.hi);
+            let acute = arctangent(opposite.scale(side), adjacent.scale(one.copysign(adjacent.hi)));
+            let acute = Loose::from(acute);
+            let angle = Loose::select(adjacent.hi.less(zero), Loose::splat(PI) - acute, acute);
+            let increment = angle.scale(L::splat(2.0) * side);
+            let increment = if ROTATION {
+                let turns = Loose::from_double(n * one.copysign(x.hi));
+                Loose::splat(TWO_PI) * turns + increment
+            } else {
+                increment
+            };
+            let (hi, error) = two_sum(self.theta, increment.hi);
+            finished(self.theta, hi + (error + increment.lo))
+        } else {
+            zero
+        };
+        let next_velocity = if W::VELOCITY {
+            let numerator = x * cn * unit - across * sn * dn;
+            let denominator = c_square * unit_square + s_square * cn_square;
+            let next = (numerator * self.speed).over(denominator);
+            finished(self.velocity, next.hi + next.lo)
+        } else {
+            zero
+        };
+        (next_theta, next_velocity)
+    }
+}
+
+/// One start, many times.
+impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
+    for Start<W, L, ROTATION, HYPERBOLIC>
+{
+    #[inline(always)]
+    fn at(&self, [dt]: [L; 1]) -> [L; 2] {
+        let (theta, velocity) = self.after(dt);
+        W::first(theta, velocity)
+    }
+}
+
+/// A start of its own in every row of theta, velocity, dt, omega0; the double is what every omega0 lacks.
+pub(super) struct Own<W, const ROTATION: bool, const HYPERBOLIC: bool>(pub f64, pub PhantomData<W>);
+
+impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 4, 2>
+    for Own<W, ROTATION, HYPERBOLIC>
+{
+    #[inline(always)]
+    fn at(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
+        let omega = Loose::new(omega, L::splat(self.0));
+        Start::<W, L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
+    }
+}
