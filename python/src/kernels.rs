@@ -57,11 +57,11 @@ fn nothing([]: [f64; 0]) -> Option<()> {
 }
 
 fn state_theta((): &(), operands: [&[f64]; 4], rows: usize, [theta]: &mut Column) {
-    states::theta_into(operands, &mut theta[..rows]);
+    states::motion_into(operands, [&mut theta[..rows], &mut [0.0; BLOCK][..rows]]);
 }
 
 fn state_velocity((): &(), operands: [&[f64]; 4], rows: usize, [velocity]: &mut Column) {
-    states::velocity_into(operands, &mut velocity[..rows]);
+    states::motion_into(operands, [&mut [0.0; BLOCK][..rows], &mut velocity[..rows]]);
 }
 
 fn state_motion((): &(), operands: [&[f64]; 4], rows: usize, columns: &mut Columns) {

@@ -7,7 +7,6 @@
 use super::agm::agm;
 use super::parameter::Parameter;
 use crate::float::elementary::horner;
-use crate::float::scaling::exp2;
 use crate::float::{Dd, PI, elementary};
 use crate::lanes::Lane;
 
@@ -31,14 +30,6 @@ fn beyond_lambda<L: Lane>(lambda: L) -> L {
     let square = lambda * lambda;
     let fourth = square * square;
     fourth * horner(&[2.0, 15.0, 150.0, 1707.0, 20910.0], fourth)
-}
-
-/// sqrt(q) of 0 < m <= 1/2 over 2^power, from k over 2^power and k': in range where q itself is not.
-pub(crate) fn small_root_nome(k: Dd, power: i32, kc: Dd) -> Dd {
-    let root = k / ((Dd::ONE + kc).scale(2.0).sqrt() * (Dd::ONE + kc.sqrt()));
-    let in_range = root.hi * exp2(power);
-    let rest = beyond_lambda(in_range * in_range);
-    root + root * (rest * (0.5 - 0.125 * rest))
 }
 
 /// -ln q = pi K'/K, from k and k'.

@@ -56,6 +56,22 @@ pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
 }
 
 impl<L: Lane> Phase<L> {
+    /// The nearest whole number and the signed rest, in [-1/2, 1/2], while the whole number is below `end` (at most
+    /// 2^53); a NaN for the rest from there.
+    #[inline(always)]
+    pub fn count(&self, t: L, end: f64) -> (L, Dd<L>) {
+        let (turned, error) = t.two_product(self.rate.hi);
+        let error = t.mul_add(self.rate.lo, error);
+        let whole = turned.round();
+        let (part, part_error) = two_sum(turned - whole, self.start.hi);
+        let (part, rest) = two_sum(part, error);
+        let carry = part.round();
+        let n = whole + carry;
+        let within = n.abs().less(L::splat(end));
+        let part = L::select(within, part - carry, L::splat(f64::NAN));
+        (n, Dd::ordered_sum(part, rest + (part_error + self.start.lo)))
+    }
+
     /// The reduced phase at t.
     #[inline(always)]
     pub fn reduce(&self, t: L) -> Reduced<L> {

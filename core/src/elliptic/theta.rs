@@ -13,6 +13,7 @@
 use super::agm::agm;
 use super::nome::small_nome;
 use crate::float::elementary::{long_sin_cos, long_sinh_cosh, sin_cos, sinh_cosh};
+use crate::float::scaling::{exponent, mantissa};
 use crate::float::{Dd, HALF_PI, PI};
 use crate::lanes::Lane;
 
@@ -62,6 +63,8 @@ pub struct Lattice {
     pub quarter: Dd,
     /// Complementary modulus k'.
     pub kc: Dd,
+    /// K'/K to two digits, not above it.
+    pub aspect: f64,
     theta: [Correction; 4],
 }
 
@@ -96,8 +99,10 @@ impl Lattice {
         let mean = agm(kc);
         let quarter = HALF_PI / mean;
         if m.hi <= mc.hi {
-            let theta = corrections(small_nome(m, kc));
+            let q = small_nome(m, kc);
+            let theta = corrections(q);
             return Lattice {
+                aspect: least_aspect(q.hi),
                 side: Side::Circular,
                 angle: PI,
                 theta1_factor: Dd::ONE / mean,
@@ -109,7 +114,8 @@ impl Lattice {
         let other = agm(k);
         let theta = corrections(small_nome(mc, k));
         let angle = PI * other / mean;
-        Lattice { side: Side::Hyperbolic, angle, theta1_factor: Dd::ONE / other, quarter, kc, theta }
+        let aspect = PI.hi / angle.hi;
+        Lattice { side: Side::Hyperbolic, angle, theta1_factor: Dd::ONE / other, quarter, kc, aspect, theta }
     }
 
     /// Whether [`Lattice::thetas_on`] takes the hyperbolic side.
@@ -168,6 +174,13 @@ impl Lattice {
         };
         Thetas { theta, folded }
     }
+}
+
+/// -ln q/pi from below, with a straight line for the logarithm of the mantissa.
+fn least_aspect(q: f64) -> f64 {
+    const LN_2_OVER_PI: f64 = 0.220_635_600_152_651_6;
+    let logarithm = if q == 0.0 { -1075.0 } else { f64::from(exponent(q)) + mantissa(q) - 0.91 };
+    -LN_2_OVER_PI * logarithm
 }
 
 /// theta1/sin, theta2/cos, theta3, theta4 as cubics in x = sin^2 z, a row for each power of x; the columns are powers of

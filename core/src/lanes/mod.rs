@@ -94,31 +94,30 @@ pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
     arguments: [&[f64]; A],
     results: &mut [&mut [f64]; R],
 ) {
-    // No closures: they are compiled without the instruction set.
+    // No closures: they are compiled without the instruction set. And the sampler stands here once: it is long.
     let rows = arguments[0].len();
-    let whole = rows - rows % L::WIDTH;
+    let mut padded = [0.0; WIDEST];
     let mut lanes = [L::splat(0.0); A];
     let mut at = 0;
-    while at < whole {
+    while at < rows {
+        let rest = rows - at;
         for (lane, argument) in lanes.iter_mut().zip(&arguments) {
-            *lane = L::load(&argument[at..at + L::WIDTH]);
+            *lane = if rest >= L::WIDTH {
+                L::load(&argument[at..])
+            } else {
+                padded[..rest].copy_from_slice(&argument[at..]);
+                L::load(&padded)
+            };
         }
         for (result, value) in results.iter_mut().zip(sampler.at(lanes)) {
-            value.store(&mut result[at..at + L::WIDTH]);
+            if rest >= L::WIDTH {
+                value.store(&mut result[at..]);
+            } else {
+                value.store(&mut padded);
+                result[at..].copy_from_slice(&padded[..rest]);
+            }
         }
         at += L::WIDTH;
-    }
-    let rest = rows - whole;
-    if rest > 0 {
-        let mut padded = [0.0; WIDEST];
-        for (lane, argument) in lanes.iter_mut().zip(&arguments) {
-            padded[..rest].copy_from_slice(&argument[whole..]);
-            *lane = L::load(&padded);
-        }
-        for (result, value) in results.iter_mut().zip(sampler.at(lanes)) {
-            value.store(&mut padded);
-            result[whole..].copy_from_slice(&padded[..rest]);
-        }
     }
 }
 
@@ -183,11 +182,17 @@ impl InstructionSet {
     }
 }
 
+/// Runs the kernel on plain doubles: compiled once for both widths.
+#[inline(never)]
+fn plain<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<f64>()
+}
+
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
 pub fn single<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
-        InstructionSet::Plain => kernel.run::<f64>(),
+        InstructionSet::Plain => plain(kernel),
         InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
     }
 }
@@ -196,7 +201,7 @@ pub fn single<K: Kernel>(kernel: K) -> K::Output {
 #[inline]
 pub fn wide<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
-        InstructionSet::Plain => kernel.run::<f64>(),
+        InstructionSet::Plain => plain(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
     }

@@ -5,7 +5,7 @@
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
-use super::canonical::{Both, LAST_HALF_PERIOD};
+use super::canonical::LAST_HALF_PERIOD;
 use super::frequency::Frequency;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
@@ -17,7 +17,6 @@ use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
 use crate::float::scaling::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
 use crate::lanes::single;
-use core::marker::PhantomData;
 
 /// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
 ///
@@ -33,11 +32,10 @@ use core::marker::PhantomData;
 pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
     let (mut next_theta, mut next_velocity) = ([f64::NAN], [f64::NAN]);
     if let Some(omega) = frequency.downward_root() {
-        single(Rows::<Both, 2> {
+        single(Rows {
             arguments: [&[theta], &[velocity], &[dt], &[omega.hi]],
             omega_rest: omega.lo,
             results: [&mut next_theta, &mut next_velocity],
-            wanted: PhantomData,
         });
     }
     match (next_theta[0], next_velocity[0]) {
@@ -49,7 +47,7 @@ pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64
 /// [`advance`] of every row of (theta, velocity, dt, omega0), bit for bit, on the widest lanes. NaN also where omega0 is
 /// negative or not finite; panics where the lengths differ.
 pub fn advance_into(rows: [&[f64]; 4], [theta, velocity]: [&mut [f64]; 2]) {
-    fill::<Both, 2>(rows, [theta, velocity], |[theta, velocity, dt, omega0]| {
+    fill(rows, [theta, velocity], |[theta, velocity, dt, omega0]| {
         Frequency::from_omega0(omega0)
             .map_or((f64::NAN, f64::NAN), |frequency| careful(theta, velocity, dt, frequency))
     });

@@ -7,13 +7,13 @@
 //! the tangent as a point of two double-doubles, so the angle keeps its digits at the turning points and
 //! near the top. Source: Salas 2019 (23), with 2 atan2 and turns in place of the arctangent.
 
-use super::harmonics::Harmonics;
+use super::arc::Arc;
 use super::orbit::Elliptic;
-use crate::elliptic::phase::{Phase, Reduced};
-use crate::elliptic::theta::{Thetas, fold};
+use crate::elliptic::phase::{Phase, alternating};
+use crate::elliptic::theta::Thetas;
+use crate::float::Dd;
 use crate::float::double_double::two_sum;
-use crate::float::elementary::{quotient, saturated_sinh_cosh, sech, sin_cos};
-use crate::float::{Dd, PI};
+use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
 use crate::lanes::Lane;
 
 /// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
@@ -54,13 +54,6 @@ impl Wanted for Both {
 /// 2^53 half periods: beyond, doubles are further apart than the motion repeats.
 pub(super) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
-/// The phase while fewer than 2^53 half periods have passed; NaN from there.
-#[inline(always)]
-fn within_count<L: Lane>(half_periods: L, f: Dd<L>) -> Dd<L> {
-    let within = half_periods.abs().less(L::splat(LAST_HALF_PERIOD));
-    Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo)
-}
-
 /// A formula for the canonical motion.
 pub(super) trait Path {
     /// Whether it makes whole turns.
@@ -73,11 +66,11 @@ pub(super) trait Path {
 /// Libration, on the circular or the hyperbolic side of the theta functions.
 pub(super) struct Swing<'a, const HYPERBOLIC: bool>(pub &'a Elliptic);
 
-/// Libration of moderate amplitude, its angle by the Fourier series.
-pub(super) struct Sway<'a, const HYPERBOLIC: bool>(pub &'a Elliptic, pub &'a Harmonics);
-
 /// Rotation, likewise.
 pub(super) struct Spin<'a, const HYPERBOLIC: bool>(pub &'a Elliptic);
+
+/// Libration or rotation not next to the separatrix, by polynomials.
+pub(super) struct Sway<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Arc);
 
 /// The separatrix: hyperbolic phase, and twice omega0.
 pub(super) struct Ridge<'a>(pub &'a Phase, pub Dd);
@@ -90,46 +83,59 @@ fn ratio<L: Lane>(folded: L::Mask, plain: [Dd<L>; 2], turned: [Dd<L>; 2], factor
     [numerator * factor, Dd::select(folded, turned[1], plain[1])]
 }
 
+/// Opposite and adjacent side of half the angle at theta functions.
+#[inline(always)]
+pub(super) fn tangent<const ROTATION: bool, L: Lane>(elliptic: &Elliptic, thetas: &Thetas<L>) -> [Dd<L>; 2] {
+    let Thetas { theta: [t1, t2, t3, t4], folded } = *thetas;
+    let (plain, turned) = if ROTATION { ([t1, t2], [t2, t1]) } else { ([t1, t3], [t2, t4]) };
+    ratio(folded, plain, turned, &elliptic.tangent)
+}
+
+/// Numerator and denominator of the velocity, but for its sign.
+#[inline(always)]
+pub(super) fn speed<const ROTATION: bool, L: Lane>(elliptic: &Elliptic, thetas: &Thetas<L>) -> [Dd<L>; 2] {
+    let Thetas { theta: [t1, t2, t3, t4], folded } = *thetas;
+    let (plain, turned) = if ROTATION { ([t3, t4], [t4, t3]) } else { ([t2, t4], [t1, t3]) };
+    ratio(folded, plain, turned, &elliptic.velocity)
+}
+
+/// 2^52 turns are 2^53 half periods.
+const fn last_count(rotation: bool) -> f64 {
+    if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD }
+}
+
+/// What a whole count means: turns of a rotation, or the side of a libration.
+#[inline(always)]
+fn split<const ROTATION: bool, L: Lane>(n: L) -> (L, L) {
+    if ROTATION { (n, L::splat(1.0)) } else { (L::splat(0.0), alternating(n)) }
+}
+
+/// The motion by theta functions, at a whole count and a rest.
+#[inline(always)]
+fn by_thetas<W: Wanted, const ROTATION: bool, const HYPERBOLIC: bool, L: Lane>(
+    elliptic: &Elliptic,
+    t: L,
+) -> Canonical<L> {
+    let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
+    let sign = L::splat(1.0).copysign(f.hi);
+    let (turns, parity) = split::<ROTATION, L>(n);
+    let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
+    let mut motion = Canonical { turns, ..Canonical::at(sign * parity) };
+    if W::ANGLE {
+        [motion.opposite, motion.adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
+    }
+    if W::VELOCITY {
+        let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
+        motion.velocity = quotient(numerator, denominator).value() * parity;
+    }
+    motion
+}
+
 impl<const HYPERBOLIC: bool> Path for Swing<'_, HYPERBOLIC> {
     const TURNS: bool = false;
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Swing(Elliptic { lattice, phase, tangent, velocity, .. }) = self;
-        let Reduced { n, sign, f, parity } = phase.spread::<L>().reduce(t);
-        let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi, f));
-        let [t1, t2, t3, t4] = thetas.theta;
-        let mut motion = Canonical::at(sign * parity);
-        if W::ANGLE {
-            [motion.opposite, motion.adjacent] = ratio(thetas.folded, [t1, t3], [t2, t4], tangent);
-        }
-        if W::VELOCITY {
-            let [numerator, denominator] = ratio(thetas.folded, [t2, t4], [t1, t3], velocity);
-            motion.velocity = quotient(numerator, denominator).value() * parity;
-        }
-        motion
-    }
-}
-
-impl<const HYPERBOLIC: bool> Path for Sway<'_, HYPERBOLIC> {
-    const TURNS: bool = false;
-    const DIRECT: bool = true;
-    #[inline(always)]
-    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Sway(Elliptic { lattice, phase, velocity, .. }, harmonics) = self;
-        let Reduced { n, sign, f, parity } = phase.spread::<L>().reduce(t);
-        let f = within_count(n.hi, f);
-        let mut motion = Canonical::at(sign * parity);
-        if W::ANGLE {
-            let (folded, v) = fold(f);
-            let (sine, cosine) = sin_cos(v * Dd::splat(PI));
-            motion.opposite = harmonics.at(Dd::select(folded, cosine, sine));
-        }
-        if W::VELOCITY {
-            let Thetas { theta: [t1, t2, t3, t4], folded } = lattice.thetas_on::<HYPERBOLIC, L>(f);
-            let [numerator, denominator] = ratio(folded, [t2, t4], [t1, t3], velocity);
-            motion.velocity = quotient(numerator, denominator).value() * parity;
-        }
-        motion
+        by_thetas::<W, false, HYPERBOLIC, L>(self.0, t)
     }
 }
 
@@ -137,17 +143,31 @@ impl<const HYPERBOLIC: bool> Path for Spin<'_, HYPERBOLIC> {
     const TURNS: bool = true;
     #[inline(always)]
     fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Spin(Elliptic { lattice, phase, tangent, velocity, .. }) = self;
-        let Reduced { n, sign, f, .. } = phase.spread::<L>().reduce(t);
-        let thetas = lattice.thetas_on::<HYPERBOLIC, L>(within_count(n.hi + n.hi, f));
-        let [t1, t2, t3, t4] = thetas.theta;
-        let mut motion = Canonical { turns: n.hi, ..Canonical::at(sign) };
+        by_thetas::<W, true, HYPERBOLIC, L>(self.0, t)
+    }
+}
+
+impl<const ROTATION: bool> Path for Sway<'_, ROTATION> {
+    const TURNS: bool = ROTATION;
+    const DIRECT: bool = true;
+    #[inline(always)]
+    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
+        let Sway(elliptic, arc) = self;
+        let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
+        let (turns, parity) = split::<ROTATION, L>(n);
+        let mut motion = Canonical { turns, ..Canonical::at(parity) };
         if W::ANGLE {
-            [motion.opposite, motion.adjacent] = ratio(thetas.folded, [t1, t2], [t2, t1], tangent);
+            motion.opposite = arc.angle(f);
         }
         if W::VELOCITY {
-            let [numerator, denominator] = ratio(thetas.folded, [t3, t4], [t4, t3], velocity);
-            motion.velocity = quotient(numerator, denominator).value();
+            motion.velocity = if arc.has_velocity() {
+                arc.velocity::<ROTATION, L>(f) * parity
+            } else {
+                let size = f.scale(L::splat(1.0).copysign(f.hi));
+                let thetas = elliptic.lattice.thetas_on::<true, L>(size);
+                let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
+                quotient(numerator, denominator).value() * parity
+            };
         }
         motion
     }

@@ -8,7 +8,6 @@
 //! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted apart. S, C, D may share a factor.
 //! Source: Salas 2019 (23) by DLMF 22.8, formulas for the increment in place of the angle: docs/decisions/0010.
 
-use super::canonical::Wanted;
 use crate::elliptic::lattices::Lattices;
 use crate::elliptic::phase::{alternating, turned};
 use crate::float::circle::half_turns;
@@ -17,13 +16,12 @@ use crate::float::elementary::arctangent;
 use crate::float::loose::Loose;
 use crate::float::{Dd, PI, TWO_PI, series};
 use crate::lanes::{Lane, Sampler};
-use core::marker::PhantomData;
 
 /// Beyond so many half periods the careful step counts.
 const MANY: f64 = 1e15;
 
 /// The start of a row of one class, set up for any time after it; NaN where the row must be set apart.
-pub(super) struct Start<W, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
+pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
     theta: L,
     velocity: L,
     /// sin^2 and cos^2 of half the angle, and their product before it is squared.
@@ -38,10 +36,9 @@ pub(super) struct Start<W, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool
     rate: Dd<L>,
     /// 1/k in rotation.
     k_inverse: Loose<L>,
-    wanted: PhantomData<W>,
 }
 
-impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<W, L, ROTATION, HYPERBOLIC> {
+impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<L, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     pub fn new(theta: L, velocity: L, omega: Loose<L>) -> Self {
         let (half, two) = (L::splat(0.5), L::splat(2.0));
@@ -66,19 +63,7 @@ impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<W, 
             (Lattices::new::<HYPERBOLIC>(m, mc), omega, one)
         };
         let rate = (stretch * lattices.frequency).tight();
-        Start {
-            theta,
-            velocity,
-            s_square,
-            c_square,
-            across,
-            x,
-            speed,
-            lattices,
-            rate,
-            k_inverse,
-            wanted: PhantomData,
-        }
+        Start { theta, velocity, s_square, c_square, across, x, speed, lattices, rate, k_inverse }
     }
 
     /// Angle and velocity a time dt later.
@@ -100,60 +85,50 @@ impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<W, 
         let start = dt.equal(zero);
         let finished =
             |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
-        let next_theta = if W::ANGLE {
-            let x_sn = x * sn;
-            let g = c_square * unit + s_square * cn;
-            let h = across * (unit - cn);
-            let opposite = (x_sn * g - dn * h).tight();
-            let adjacent = (dn * g + x_sn * h).tight();
-            let side = one.copysign(opposite.hi);
-            let acute = arctangent(opposite.scale(side), adjacent.scale(one.copysign(adjacent.hi)));
-            let acute = Loose::from(acute);
-            let angle = Loose::select(adjacent.hi.less(zero), Loose::splat(PI) - acute, acute);
-            let increment = angle.scale(L::splat(2.0) * side);
-            let increment = if ROTATION {
-                let turns = Loose::from_double(n * one.copysign(x.hi));
-                Loose::splat(TWO_PI) * turns + increment
-            } else {
-                increment
-            };
-            let (hi, error) = two_sum(self.theta, increment.hi);
-            finished(self.theta, hi + (error + increment.lo))
+        let x_sn = x * sn;
+        let g = c_square * unit + s_square * cn;
+        let h = across * (unit - cn);
+        let opposite = (x_sn * g - dn * h).tight();
+        let adjacent = (dn * g + x_sn * h).tight();
+        let side = one.copysign(opposite.hi);
+        let acute = arctangent(opposite.scale(side), adjacent.scale(one.copysign(adjacent.hi)));
+        let acute = Loose::from(acute);
+        let angle = Loose::select(adjacent.hi.less(zero), Loose::splat(PI) - acute, acute);
+        let increment = angle.scale(L::splat(2.0) * side);
+        let increment = if ROTATION {
+            let turns = Loose::from_double(n * one.copysign(x.hi));
+            Loose::splat(TWO_PI) * turns + increment
         } else {
-            zero
+            increment
         };
-        let next_velocity = if W::VELOCITY {
-            let numerator = x * cn * unit - across * sn * dn;
-            let denominator = c_square * unit_square + s_square * cn_square;
-            let next = (numerator * self.speed).over(denominator);
-            finished(self.velocity, next.hi + next.lo)
-        } else {
-            zero
-        };
-        (next_theta, next_velocity)
+        let (theta, error) = two_sum(self.theta, increment.hi);
+        let numerator = x * cn * unit - across * sn * dn;
+        let denominator = c_square * unit_square + s_square * cn_square;
+        let velocity = (numerator * self.speed).over(denominator);
+        (
+            finished(self.theta, theta + (error + increment.lo)),
+            finished(self.velocity, velocity.hi + velocity.lo),
+        )
     }
 }
 
 /// One start, many times.
-impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
-    for Start<W, L, ROTATION, HYPERBOLIC>
+impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
+    for Start<L, ROTATION, HYPERBOLIC>
 {
     #[inline(always)]
     fn at(&self, [dt]: [L; 1]) -> [L; 2] {
-        let (theta, velocity) = self.after(dt);
-        W::first(theta, velocity)
+        self.after(dt).into()
     }
 }
 
 /// A start of its own in every row of theta, velocity, dt, omega0; the double is what every omega0 lacks.
-pub(super) struct Own<W, const ROTATION: bool, const HYPERBOLIC: bool>(pub f64, pub PhantomData<W>);
+pub(super) struct Own<const ROTATION: bool, const HYPERBOLIC: bool>(pub f64);
 
-impl<W: Wanted, L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 4, 2>
-    for Own<W, ROTATION, HYPERBOLIC>
-{
+impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 4, 2> for Own<ROTATION, HYPERBOLIC> {
     #[inline(always)]
     fn at(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
         let omega = Loose::new(omega, L::splat(self.0));
-        Start::<W, L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
+        Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
     }
 }

@@ -1,10 +1,10 @@
 //! theta'' + omega0^2 sin theta = 0 from any initial state, in every regime.
 
 pub mod advance;
+mod arc;
 mod canonical;
 mod flow;
 pub mod frequency;
-mod harmonics;
 pub mod motion;
 pub mod orbit;
 pub mod regime;

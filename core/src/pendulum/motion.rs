@@ -1,6 +1,7 @@
 //! Angle and velocity of an orbit at any time, over lanes: the canonical motion (canonical.rs) in the frame of the
 //! orbit, its side, turns and start.
 
+use super::arc::Arc;
 use super::canonical::{AngleOnly, Both, Path, Ridge, Spin, Sway, Swing, VelocityOnly, Wanted};
 use super::orbit::{Course, Orbit};
 use crate::float::elementary::arctangent;
@@ -116,18 +117,24 @@ struct Fill<'a, 'b, W, const R: usize> {
 macro_rules! on_path {
     ($orbit:expr, $path:ident => $do:expr, straight => $straight:expr) => {
         match &$orbit.course {
-            Course::Libration(e) => match (&e.harmonics, e.lattice.hyperbolic()) {
-                (Some(h), true) => on_path!(@ $path, Sway::<true>(e, h), $do),
-                (Some(h), false) => on_path!(@ $path, Sway::<false>(e, h), $do),
+            Course::Libration(e) => match (e.layout, e.lattice.hyperbolic()) {
+                (Some(layout), _) => on_path!(layout, e, false, $path => $do),
                 (None, true) => on_path!(@ $path, Swing::<true>(e), $do),
                 (None, false) => on_path!(@ $path, Swing::<false>(e), $do),
             },
-            Course::Rotation(e) if e.lattice.hyperbolic() => on_path!(@ $path, Spin::<true>(e), $do),
-            Course::Rotation(e) => on_path!(@ $path, Spin::<false>(e), $do),
+            Course::Rotation(e) => match (e.layout, e.lattice.hyperbolic()) {
+                (Some(layout), _) => on_path!(layout, e, true, $path => $do),
+                (None, true) => on_path!(@ $path, Spin::<true>(e), $do),
+                (None, false) => on_path!(@ $path, Spin::<false>(e), $do),
+            },
             Course::Separatrix(phase, speed) => on_path!(@ $path, Ridge(phase, *speed), $do),
             Course::Still | Course::Free => $straight,
         }
     };
+    ($layout:ident, $elliptic:ident, $rotation:literal, $path:ident => $do:expr) => {{
+        let arc = $elliptic.arc.get_or_init(|| Arc::new::<$rotation>($elliptic, $layout));
+        on_path!(@ $path, Sway::<$rotation>($elliptic, arc), $do)
+    }};
     (@ $path:ident, $formula:expr, $do:expr) => {{
         let $path = $formula;
         $do

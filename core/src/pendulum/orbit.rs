@@ -5,8 +5,8 @@
 //! and the phase at t is start + rate t in half periods (libration, rotation) or in units of 1/omega0
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
+use super::arc::{Arc, Layout};
 use super::frequency::Frequency;
-use super::harmonics::Harmonics;
 use super::regime::Regime;
 use super::state::{Frame, Plain, State};
 use crate::domain::Domain;
@@ -16,6 +16,7 @@ use crate::elliptic::theta::Lattice;
 use crate::float::elementary::arctangent;
 use crate::float::scaling::ldexp;
 use crate::float::{Dd, TWO_PI};
+use std::sync::OnceLock;
 
 /// An orbit that theta functions describe.
 #[derive(Clone, Debug)]
@@ -26,8 +27,9 @@ pub(crate) struct Elliptic {
     pub tangent: [Dd; 2],
     /// Factors of the velocity, likewise.
     pub velocity: [Dd; 2],
-    /// The Fourier series of the angle, where it serves.
-    pub harmonics: Option<Harmonics>,
+    /// The polynomials of the motion, where they serve; made when the first sample is asked for.
+    pub layout: Option<Layout>,
+    pub arc: OnceLock<Arc>,
 }
 
 /// The formula that the regime asks for.
@@ -140,6 +142,8 @@ impl Orbit {
         let rate = omega.ldexp(rate_power);
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
         let start = || (s / k) * rf_of_roots(x / k, c);
+        // Small angles from the other equilibrium, and amplitudes next to nothing, keep their digits by thetas only.
+        let layout = |lattice| if frame.half_turn == 0.0 && power == 0 { Layout::of(lattice) } else { None };
         let (course, period, theta_max) = match regime {
             Regime::Libration => {
                 let lattice = Lattice::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);
@@ -152,7 +156,8 @@ impl Orbit {
                     phase: Phase { rate, start },
                     tangent: [tangent.ldexp(power), (k / divisor(kc)).ldexp(power)],
                     velocity: [speed, speed * kc * lattice.theta1_factor].map(|v| v.ldexp(speed_power)),
-                    harmonics: if frame.half_turn == 0.0 { Harmonics::new(&lattice, k, power) } else { None },
+                    layout: layout(&lattice),
+                    arc: OnceLock::new(),
                     lattice,
                 };
                 let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
@@ -170,7 +175,8 @@ impl Orbit {
                     phase: Phase { rate, start: k * start() / halves },
                     tangent: [lattice.theta1_factor, Dd::ONE / (divisor(inner_c) * lattice.theta1_factor)],
                     velocity: [speed, speed * inner_c].map(|v| v.ldexp(speed_power)),
-                    harmonics: None,
+                    layout: layout(&lattice),
+                    arc: OnceLock::new(),
                     lattice,
                 };
                 let period = ldexp((halves / (omega * k)).value(), -omega_power);

@@ -1,13 +1,11 @@
 //! Rows with states of their own: a block of them sorted by the formula they ask for, and each class swept over lanes.
 
-use super::canonical::Wanted;
 use super::flow::{Own, Start};
 use crate::elliptic::lattices::LEAST_COMPLEMENT;
 use crate::float::circle::{FAR, half_turns};
 use crate::float::elementary::sin_cos;
 use crate::float::loose::Loose;
 use crate::lanes::{Kernel, Lane, Sampler, sweep, wide};
-use core::marker::PhantomData;
 
 /// The formula that a row asks for.
 mod class {
@@ -67,24 +65,23 @@ impl<L: Lane> Sampler<L, 3, 1> for Classify {
 /// Rows classed at a time.
 const BLOCK: usize = 512;
 
-/// Rows of theta, velocity, dt, omega0 to rows of the R results wanted.
-pub(super) struct Rows<'a, 'b, W, const R: usize> {
+/// Rows of theta, velocity, dt, omega0 to rows of theta and velocity.
+pub(super) struct Rows<'a, 'b> {
     pub arguments: [&'a [f64]; 4],
     /// What omega0 as a double lacks, in every row.
     pub omega_rest: f64,
-    pub results: [&'b mut [f64]; R],
-    pub wanted: PhantomData<W>,
+    pub results: [&'b mut [f64]; 2],
 }
 
 /// The rows of each class in a block, and their columns side by side.
-struct Sorted<const R: usize> {
+struct Sorted {
     members: [[u16; BLOCK]; class::COUNT],
     counts: [usize; class::COUNT],
     arguments: [[f64; BLOCK]; 4],
-    results: [[f64; BLOCK]; R],
+    results: [[f64; BLOCK]; 2],
 }
 
-impl<const R: usize> Sorted<R> {
+impl Sorted {
     #[inline(always)]
     fn new(codes: &[f64]) -> Self {
         let mut members = [[0; BLOCK]; class::COUNT];
@@ -94,7 +91,7 @@ impl<const R: usize> Sorted<R> {
             members[class][counts[class]] = row as u16;
             counts[class] += 1;
         }
-        Sorted { members, counts, arguments: [[0.0; BLOCK]; 4], results: [[0.0; BLOCK]; R] }
+        Sorted { members, counts, arguments: [[0.0; BLOCK]; 4], results: [[0.0; BLOCK]; 2] }
     }
 }
 
@@ -113,7 +110,7 @@ fn repeats(column: &[f64]) -> bool {
     column.iter().all(|value| value.to_bits() == column[0].to_bits())
 }
 
-impl<W: Wanted, const R: usize> Rows<'_, '_, W, R> {
+impl Rows<'_, '_> {
     /// All rows by the formula of one class; `alike` where they have one start.
     #[inline(always)]
     fn sweep_class<L: Lane>(
@@ -121,7 +118,7 @@ impl<W: Wanted, const R: usize> Rows<'_, '_, W, R> {
         alike: bool,
         omega_rest: f64,
         arguments: [&[f64]; 4],
-        results: &mut [&mut [f64]; R],
+        results: &mut [&mut [f64]; 2],
     ) {
         let [theta, velocity, dt, omega] = arguments;
         macro_rules! flow {
@@ -129,10 +126,10 @@ impl<W: Wanted, const R: usize> Rows<'_, '_, W, R> {
                 if alike {
                     let omega = Loose::new(L::splat(omega[0]), L::splat(omega_rest));
                     let (theta, velocity) = (L::splat(theta[0]), L::splat(velocity[0]));
-                    let start = Start::<W, L, $rotation, $hyperbolic>::new(theta, velocity, omega);
+                    let start = Start::<L, $rotation, $hyperbolic>::new(theta, velocity, omega);
                     sweep::<L, _, _, _>(&start, [dt], results)
                 } else {
-                    let own = Own::<W, $rotation, $hyperbolic>(omega_rest, PhantomData);
+                    let own = Own::<$rotation, $hyperbolic>(omega_rest);
                     sweep::<L, _, _, _>(&own, arguments, results)
                 }
             }};
@@ -152,7 +149,7 @@ impl<W: Wanted, const R: usize> Rows<'_, '_, W, R> {
 
     /// Up to a block of rows, by their classes.
     #[inline(always)]
-    fn block<L: Lane>(omega_rest: f64, arguments: [&[f64]; 4], results: &mut [&mut [f64]; R]) {
+    fn block<L: Lane>(omega_rest: f64, arguments: [&[f64]; 4], results: &mut [&mut [f64]; 2]) {
         let rows = arguments[0].len();
         let mut codes = [0.0; BLOCK];
         let [theta, velocity, _, omega] = arguments;
@@ -162,7 +159,7 @@ impl<W: Wanted, const R: usize> Rows<'_, '_, W, R> {
             let alike = rows > L::WIDTH && [theta, velocity, omega].iter().all(|column| repeats(column));
             return Self::sweep_class::<L>(codes[0] as usize, alike, omega_rest, arguments, results);
         }
-        let mut sorted = Sorted::<R>::new(codes);
+        let mut sorted = Sorted::new(codes);
         for (class, members) in sorted.members.iter().enumerate() {
             let members = &members[..sorted.counts[class]];
             for (column, argument) in sorted.arguments.iter_mut().zip(arguments) {
@@ -182,7 +179,7 @@ impl<W: Wanted, const R: usize> Rows<'_, '_, W, R> {
     }
 }
 
-impl<W: Wanted, const R: usize> Kernel for Rows<'_, '_, W, R> {
+impl Kernel for Rows<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn run<L: Lane>(mut self) {
@@ -201,24 +198,20 @@ impl<W: Wanted, const R: usize> Kernel for Rows<'_, '_, W, R> {
     }
 }
 
-/// The R results wanted of rows of (theta, velocity, dt, omega0) on the widest lanes; what the lanes leave apart is asked
-/// of `apart`, row by row. Panics where the lengths differ.
-pub(super) fn fill<W: Wanted, const R: usize>(
+/// Rows of (theta, velocity, dt, omega0) to rows of theta and velocity, on the widest lanes; what the lanes leave apart is
+/// asked of `apart`, row by row. Panics where the lengths differ.
+pub(super) fn fill(
     arguments: [&[f64]; 4],
-    mut results: [&mut [f64]; R],
+    [theta, velocity]: [&mut [f64]; 2],
     mut apart: impl FnMut([f64; 4]) -> (f64, f64),
 ) {
     let rows = arguments[0].len();
-    let fits = arguments.iter().all(|column| column.len() == rows) && results.iter().all(|r| r.len() == rows);
-    assert!(fits, "rows of another length than the first");
-    let places = results.each_mut().map(|result| &mut **result);
-    wide(Rows::<W, R> { arguments, omega_rest: 0.0, results: places, wanted: PhantomData });
+    let fits = arguments.iter().all(|column| column.len() == rows);
+    assert!(fits && theta.len() == rows && velocity.len() == rows, "rows of another length than the first");
+    wide(Rows { arguments, omega_rest: 0.0, results: [theta, velocity] });
     for row in 0..rows {
-        if results.iter().any(|result| result[row].is_nan()) {
-            let (theta, velocity) = apart(arguments.map(|column| column[row]));
-            for (result, value) in results.iter_mut().zip(W::first(theta, velocity)) {
-                result[row] = value;
-            }
+        if theta[row].is_nan() || velocity[row].is_nan() {
+            (theta[row], velocity[row]) = apart(arguments.map(|column| column[row]));
         }
     }
 }

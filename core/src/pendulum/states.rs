@@ -4,7 +4,6 @@
 //! repeats. NaN where an argument is out of the domain of [`Orbit`]; panics where the lengths differ.
 //! **Error** at most 8 ulp of the largest angle and velocity of the orbit.
 
-use super::canonical::{AngleOnly, Both, VelocityOnly, Wanted};
 use super::frequency::Frequency;
 use super::orbit::Orbit;
 use super::rows::fill;
@@ -17,23 +16,9 @@ use super::rows::fill;
 /// libration::pendulum::states::motion_into(rows, [&mut theta, &mut velocity]);
 /// assert_eq!(format!("{:.9} {:.9}", theta[0], velocity[1]), "-0.306200958 -0.502884034");
 /// ```
-pub fn motion_into(rows: [&[f64]; 4], [theta, velocity]: [&mut [f64]; 2]) {
-    motion_of::<Both, 2>(rows, [theta, velocity]);
-}
-
-/// The angle of [`motion_into`] alone, bit for bit.
-pub fn theta_into(rows: [&[f64]; 4], theta: &mut [f64]) {
-    motion_of::<AngleOnly, 1>(rows, [theta]);
-}
-
-/// The velocity of [`motion_into`] alone, bit for bit.
-pub fn velocity_into(rows: [&[f64]; 4], velocity: &mut [f64]) {
-    motion_of::<VelocityOnly, 1>(rows, [velocity]);
-}
-
-fn motion_of<W: Wanted, const R: usize>([t, theta, velocity, omega0]: [&[f64]; 4], results: [&mut [f64]; R]) {
+pub fn motion_into([t, theta0, velocity0, omega0]: [&[f64]; 4], results: [&mut [f64]; 2]) {
     let mut kept: Option<([u64; 3], Option<Orbit>)> = None;
-    fill::<W, R>([theta, velocity, t, omega0], results, |[theta, velocity, t, omega0]| {
+    fill([theta0, velocity0, t, omega0], results, |[theta, velocity, t, omega0]| {
         let key = [theta, velocity, omega0].map(f64::to_bits);
         if kept.as_ref().is_none_or(|(last, _)| *last != key) {
             let frequency = Frequency::from_omega0(omega0).ok();
