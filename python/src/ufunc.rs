@@ -10,6 +10,7 @@ use std::array;
 use std::ffi::{CString, c_char, c_int, c_long, c_void};
 use std::marker::PhantomData;
 use std::ptr;
+use std::slice;
 use std::sync::Mutex;
 
 use numpy::npyffi::{NPY_TYPES, PY_UFUNC_API, PyUFuncGenericFunction, npy_intp};
@@ -56,6 +57,11 @@ pub trait Row: Copy + Send {
 /// # Safety
 /// As for [`Row::store`].
 unsafe fn store_column<T: Copy>(column: &[T], at: *mut c_char, step: npy_intp) {
+    if step == size_of::<T>() as npy_intp {
+        // SAFETY: the caller's promise; the column is ours, so the two are apart.
+        unsafe { ptr::copy_nonoverlapping(column.as_ptr(), at.cast::<T>(), column.len()) };
+        return;
+    }
     for (row, value) in column.iter().enumerate() {
         // SAFETY: the caller's promise.
         unsafe { at.offset(row as npy_intp * step).cast::<T>().write(*value) };
@@ -220,6 +226,13 @@ impl<const O: usize> Operands<O> {
         unsafe { self.at[i].offset(row as npy_intp * self.steps[i]).cast::<f64>().read() }
     }
 
+    /// Some rows of input `i` where they lie, if they lie side by side.
+    fn side_by_side(&self, i: usize, row: usize, rows: usize) -> Option<&[f64]> {
+        // SAFETY: as for `read`, row after row; nothing is written while the rows are in use.
+        (self.steps[i] == size_of::<f64>() as npy_intp)
+            .then(|| unsafe { slice::from_raw_parts(self.at[i].cast::<f64>().add(row), rows) })
+    }
+
     /// First and last byte of an operand.
     fn extent(&self, i: usize, rows: usize) -> (isize, isize) {
         let start = self.at[i] as isize;
@@ -317,15 +330,19 @@ where
         }
         let most = block.min(rows - row);
         let run = if one { most } else { 1 + (1..most).take_while(|next| key_of(row + next) == key).count() };
-        // The whole run is read before any of it is written: an output may be the very array of an input.
+        // The whole run is computed before any of it is written: an output may be the very array of an input.
+        let inputs: [Option<&[f64]>; X] = array::from_fn(|i| operands.side_by_side(i, row, run));
         for (i, column) in samples.iter_mut().enumerate() {
-            for (next, sample) in column[..run].iter_mut().enumerate() {
-                *sample = operands.read(i, row + next);
+            if inputs[i].is_none() {
+                for (next, sample) in column[..run].iter_mut().enumerate() {
+                    *sample = operands.read(i, row + next);
+                }
             }
         }
         match last.as_ref().and_then(|(_, made)| made.as_ref()) {
             Some(made) => {
-                (kernel.block)(made, samples.each_ref().map(|column| &column[..run]), run, &mut columns)
+                let inputs = array::from_fn(|i| inputs[i].unwrap_or(&samples[i][..run]));
+                (kernel.block)(made, inputs, run, &mut columns)
             }
             None => (0..run).for_each(|next| R::UNDEFINED.put(&mut columns, next)),
         }
