@@ -41,14 +41,11 @@ impl Interpolation {
     fn new(count: usize) -> Interpolation {
         let cosine = |numerator: usize| cosine(numerator, 2 * count);
         // Powers of Chebyshev polynomials: T_k = 2 t T_(k-1) - T_(k-2), integers below 2^53.
-        let mut powers = vec![vec![0.0; count]; count];
-        powers[0][0] = 1.0;
-        powers[1][1] = 1.0;
+        let mut powers = vec![vec![1.0], vec![0.0, 1.0]];
         for k in 2..count {
-            for i in 0..=k {
-                let raised = if i > 0 { 2.0 * powers[k - 1][i - 1] } else { 0.0 };
-                powers[k][i] = raised - powers[k - 2][i];
-            }
+            let at = |k: usize, i: usize| powers[k].get(i).copied().unwrap_or(0.0);
+            let raised = |i: usize| if i > 0 { 2.0 * at(k - 1, i - 1) } else { 0.0 };
+            powers.push((0..=k).map(|i| raised(i) - at(k - 2, i)).collect());
         }
         let row = |j: usize| {
             let weight = |k: usize| {

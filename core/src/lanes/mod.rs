@@ -7,8 +7,12 @@
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod fused;
 mod scalar;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
 mod twice;
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
+mod vector;
+#[cfg(target_feature = "simd128")]
+mod wasm;
 
 #[cfg(target_arch = "x86_64")]
 #[path = "x86.rs"]
@@ -125,7 +129,7 @@ pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum InstructionSet {
-    /// No fused multiplication: every processor, and WebAssembly.
+    /// No fused multiplication: every processor, one lane; WebAssembly, four where it is compiled with simd128.
     Plain = 1,
     /// Fused multiplication: four lanes of AVX2 with FMA on x86-64, two of NEON on aarch64.
     Fused = 2,
@@ -182,17 +186,23 @@ impl InstructionSet {
     }
 }
 
-/// Runs the kernel on plain doubles: compiled once for both widths.
+/// The widest lane of `Plain`. WebAssembly cannot be asked what it has: its lanes are there if compiled for.
+#[cfg(target_feature = "simd128")]
+type WidePlain = twice::Twice<wasm::F64x2>;
+#[cfg(not(target_feature = "simd128"))]
+type WidePlain = f64;
+
+/// Runs the kernel without fused multiplication: compiled once where both widths are the same.
 #[inline(never)]
-fn plain<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<f64>()
+fn plain<L: Lane, K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<L>()
 }
 
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
 pub fn single<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
-        InstructionSet::Plain => plain(kernel),
+        InstructionSet::Plain => plain::<f64, K>(kernel),
         InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
     }
 }
@@ -201,7 +211,7 @@ pub fn single<K: Kernel>(kernel: K) -> K::Output {
 #[inline]
 pub fn wide<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
-        InstructionSet::Plain => plain(kernel),
+        InstructionSet::Plain => plain::<WidePlain, K>(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
     }

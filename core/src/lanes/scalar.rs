@@ -2,6 +2,11 @@
 
 use super::Lane;
 
+/// Factors above 2^990 are scaled by 2^-56 so that splitting does not overflow, and their product back by 2^56.
+pub(super) const HUGE: f64 = 1.046_336_793_293_362_4e298;
+pub(super) const DOWN: f64 = 1.387_778_780_781_445_7e-17;
+pub(super) const UP: f64 = 72_057_594_037_927_936.0;
+
 /// 1.5 * 2^52: adding it leaves the nearest integer in the low bits of the mantissa.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
@@ -26,20 +31,11 @@ impl Lane for f64 {
     fn mul_add(self, factor: f64, term: f64) -> f64 {
         self * factor + term
     }
-    /// Dekker's product with Veltkamp's splitting; factors above 2^990 are scaled so that splitting does
-    /// not overflow.
     #[inline(always)]
     fn two_product(self, factor: f64) -> (f64, f64) {
-        const HUGE: f64 = 1.046_336_793_293_362_4e298; // 2^990
-        const DOWN: f64 = 1.387_778_780_781_445_7e-17; // 2^-56
-        const UP: f64 = 72_057_594_037_927_936.0; // 2^56
-        let product = self * factor;
         let (a, up_a) = if f64::abs(self) > HUGE { (self * DOWN, UP) } else { (self, 1.0) };
         let (b, up_b) = if f64::abs(factor) > HUGE { (factor * DOWN, UP) } else { (factor, 1.0) };
-        let (a_hi, a_lo) = split(a);
-        let (b_hi, b_lo) = split(b);
-        let error = ((a_hi * b_hi - a * b) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
-        (product, error * up_a * up_b)
+        (self * factor, product_error(a, b, a * b) * up_a * up_b)
     }
     #[inline(always)]
     fn round(self) -> f64 {
@@ -75,10 +71,18 @@ impl Lane for f64 {
     }
 }
 
+/// Dekker's: the exact error of the product of two factors up to 2^990.
+#[inline(always)]
+pub(super) fn product_error<L: Lane>(a: L, b: L, product: L) -> L {
+    let (a_hi, a_lo) = split(a);
+    let (b_hi, b_lo) = split(b);
+    ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo
+}
+
 /// Veltkamp's splitting into 26 + 26 bits.
 #[inline(always)]
-fn split(value: f64) -> (f64, f64) {
-    let scaled = 134_217_729.0 * value;
+fn split<L: Lane>(value: L) -> (L, L) {
+    let scaled = L::splat(134_217_729.0) * value;
     let hi = scaled - (scaled - value);
     (hi, value - hi)
 }

@@ -1,0 +1,142 @@
+//! What every vector type is: a struct over the processor's register and its [`Lane`](super::Lane), from one table.
+//!
+//! A row of the table names an operation and the expression that does it, in the registers `a`, `b`, `c` (the names
+//! are the table's to choose), which stand for the arguments of the operation in their order. Where they do not:
+//! - `load` and `store` have the slice's pointer as `a`; what is stored is `b`;
+//! - `product_error` has both factors and their rounded product;
+//! - `shift_52` moves the bits of every double up by 52 places;
+//! - `select` has the flags, what is taken where they hold, and the rest.
+//!
+//! SAFETY of every row: the file of the table answers for it; pointers are those of slices of the right length.
+//! An expression is pasted into its method, never called: a closure would be compiled without the instruction set.
+
+/// A vector type from its table.
+macro_rules! vector {
+    (
+        $(#[$about:meta])*
+        $vector:ident = $width:literal in $register:ty, flags in $flags:ty, of $a:ident, $b:ident, $c:ident;
+        load = $load:expr;
+        store = $store:expr;
+        splat = $splat:expr;
+        add = $add:expr;
+        sub = $sub:expr;
+        mul = $mul:expr;
+        div = $div:expr;
+        neg = $neg:expr;
+        mul_add = $mul_add:expr;
+        product_error = $product_error:expr;
+        round = $round:expr;
+        sqrt = $sqrt:expr;
+        abs = $abs:expr;
+        copysign = $copysign:expr;
+        shift_52 = $shift_52:expr;
+        less = $less:expr;
+        equal = $equal:expr;
+        select = $select:expr;
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Copy)]
+        #[repr(transparent)]
+        pub struct $vector($register);
+
+        vector!(@operators $vector $a $b: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
+
+        #[allow(unused_unsafe, reason = "WebAssembly has its features when it is compiled: there most are safe")]
+        impl core::ops::Neg for $vector {
+            type Output = Self;
+            vector!(@unary neg $a $neg);
+        }
+
+        #[allow(unused_unsafe, reason = "as above")]
+        impl super::Lane for $vector {
+            type Mask = $flags;
+            const WIDTH: usize = $width;
+
+            #[inline(always)]
+            fn load(from: &[f64]) -> Self {
+                let $a = from[..$width].as_ptr();
+                // SAFETY: see the top of the table's file; the slice has the length that is read.
+                Self(unsafe { $load })
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [f64]) {
+                let ($a, $b) = (to[..$width].as_mut_ptr(), self.0);
+                // SAFETY: see the top of the table's file; the slice has the length that is written.
+                unsafe { $store }
+            }
+            #[inline(always)]
+            fn splat($a: f64) -> Self {
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $splat })
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                let ($a, $b, $c) = (self.0, factor.0, term.0);
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $mul_add })
+            }
+            #[inline(always)]
+            fn two_product(self, factor: Self) -> (Self, Self) {
+                let product = self * factor;
+                let ($a, $b, $c) = (self.0, factor.0, product.0);
+                // SAFETY: see the top of the table's file.
+                (product, Self(unsafe { $product_error }))
+            }
+            vector!(@unary round $a $round);
+            vector!(@unary sqrt $a $sqrt);
+            vector!(@unary abs $a $abs);
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                let ($a, $b) = (self.0, sign.0);
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $copysign })
+            }
+            #[inline(always)]
+            fn exp2_integer(self) -> Self {
+                let $a = (self + Self::splat(super::scalar::ROUNDER + 1023.0)).0;
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $shift_52 })
+            }
+            vector!(@compare less $a $b $less, $flags);
+            vector!(@compare equal $a $b $equal, $flags);
+            #[inline(always)]
+            fn select($a: $flags, yes: Self, no: Self) -> Self {
+                let ($b, $c) = (yes.0, no.0);
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $select })
+            }
+        }
+    };
+
+    (@operators $vector:ident $a:ident $b:ident: $($trait:ident $method:ident $value:expr),*) => {$(
+        #[allow(unused_unsafe, reason = "as above")]
+        impl core::ops::$trait for $vector {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                let ($a, $b) = (self.0, other.0);
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $value })
+            }
+        }
+    )*};
+
+    (@unary $method:ident $a:ident $value:expr) => {
+        #[inline(always)]
+        fn $method(self) -> Self {
+            let $a = self.0;
+            // SAFETY: see the top of the table's file.
+            Self(unsafe { $value })
+        }
+    };
+
+    (@compare $method:ident $a:ident $b:ident $value:expr, $flags:ty) => {
+        #[inline(always)]
+        fn $method(self, other: Self) -> $flags {
+            let ($a, $b) = (self.0, other.0);
+            // SAFETY: see the top of the table's file.
+            unsafe { $value }
+        }
+    };
+}
+pub(super) use vector;
