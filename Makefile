@@ -96,6 +96,7 @@ test: setup ## everything a reviewer would run; what CI runs
 	$(call step,rust,cargo test --locked --package libration)
 	$(call step,python,pytest $(QUIET) --doctest-modules python/tests python/libration)
 	$(call step,pages,$(PAGES))
+	$(call step,bench,$(BENCH))
 	$(call step,clean-install,$(CLEAN_INSTALL))
 	@cat $(LOGS)/test/*.log | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
 	@echo "All passed."
@@ -118,6 +119,8 @@ CLIPPY := cargo clippy --locked --workspace --all-targets -- -D warnings
 TYPES := mypy --no-error-summary python/libration
 LAWS := for law in rooms names functions pages links; do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed"
 PAGES := $(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py
+
+BENCH := pytest $(QUIET) bench && $(PY) bench/page.py --check
 
 # `pip install .` as a user has it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh

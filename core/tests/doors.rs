@@ -92,6 +92,14 @@ fn rows_are_their_scalars_on_every_instruction_set() {
             rows.push([theta0, velocity0, t, omega0]);
         }
     }
+    // At the edges of what lanes take.
+    for (velocity0, omega0) in
+        [(3e-309, 1e-309), (1e-99, 1e-100), (2e-101, 1e-101), (1e101, 2e100), (1e-170, 1.0)]
+    {
+        rows.push([0.5, velocity0, 1.7 / omega0, omega0]);
+        rows.push([1e-181, velocity0, 20.0 / omega0, omega0]);
+        rows.push([3e9, velocity0, -3.0 / omega0, omega0]);
+    }
     let scattered: Vec<[f64; 4]> = (0..1300).map(|i| rows[i * 29 % rows.len()]).collect();
     let alike: Vec<[f64; 4]> = (0..600).map(|i| [2.0, 0.3, 0.01 * f64::from(i), 1.3]).collect();
     for set in InstructionSet::available() {
@@ -107,8 +115,11 @@ fn rows_are_their_scalars_on_every_instruction_set() {
                 let frequency = Frequency::from_omega0(omega0);
                 let step = frequency.map_or((f64::NAN, f64::NAN), |f| advance(theta0, velocity0, t, f));
                 assert!(same(a[i], step.0) && same(b[i], step.1), "{set:?} {:?}", rows[i]);
-                let near = |x: f64, y: f64| same(x, y) || (x - y).abs() <= 1e-15 * x.abs().max(40.0);
-                assert!(near(a[i], c[i]) && near(b[i], d[i]), "{set:?} {:?}", rows[i]);
+                // An angle of 40 rad and a velocity of 80 omega0 are the largest but for the start's own.
+                let scale = [theta0.abs().max(40.0), velocity0.abs().max(80.0 * omega0)];
+                let near =
+                    |x: f64, y: f64, i: usize| same(x, y) || (x - y).abs() <= 1e-15 * scale[i].max(x.abs());
+                assert!(near(a[i], c[i], 0) && near(b[i], d[i], 1), "{set:?} {:?}", rows[i]);
             }
         }
     }

@@ -91,6 +91,12 @@ impl<L: Lane> Dd<L> {
         let (hi, error) = two_sum(self.hi, other.hi);
         Dd::ordered_sum(hi, error + (self.lo + other.lo))
     }
+    /// Sum with one that is not larger and does not cancel.
+    #[inline(always)]
+    pub fn plus_smaller(self, other: Self) -> Self {
+        let (hi, error) = fast_two_sum(self.hi, other.hi);
+        Dd::ordered_sum(hi, error + (self.lo + other.lo))
+    }
     /// self * (1 + change) for a small change known in double.
     #[inline(always)]
     pub fn nudge(self, change: L) -> Self {

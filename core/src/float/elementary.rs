@@ -109,12 +109,12 @@ pub fn long_sinh_cosh(y: Dd) -> (Dd, Dd) {
 pub fn sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
     let (k, cosine, sine) = hyperbolic_reduced(y);
     let one = L::splat(1.0);
-    let grown = cosine.plain_sum(sine).scale((k - one).exp2_integer());
+    let grown = cosine.plus_smaller(sine).scale((k - one).exp2_integer());
     // e^-y no longer counts beyond 2^-1000 of e^y; the bound keeps the exponent in range.
-    let shrunk = cosine.plain_sum(-sine).scale((-k - one).exp2_integer());
-    let far = grown.plain_sum(-shrunk);
+    let shrunk = cosine.plus_smaller(-sine).scale((-k - one).exp2_integer());
+    let far = grown.plus_smaller(-shrunk);
     let near = L::equal(k, L::splat(0.0));
-    (Dd::select(near, sine, far), grown.plain_sum(shrunk))
+    (Dd::select(near, sine, far), grown.plus_smaller(shrunk))
 }
 
 /// Beyond the first sech is 0 in double whatever multiplies it; up to the second sinh is in range, and beyond it no

@@ -17,8 +17,8 @@ use crate::float::loose::Loose;
 use crate::float::{Dd, PI, TWO_PI, series};
 use crate::lanes::{Lane, Sampler};
 
-/// Beyond so many half periods the careful step counts.
-const MANY: f64 = 1e15;
+/// Beyond so many half periods a row is left apart.
+const MANY: f64 = 1e12;
 
 /// The start of a row of one class, set up for any time after it; NaN where the row must be set apart.
 pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {

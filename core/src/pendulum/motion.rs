@@ -48,11 +48,15 @@ impl<P: Path, W: Wanted> Along<'_, P, W> {
     fn sample<L: Lane>(&self, t: L) -> (L, L) {
         let orbit = self.0;
         let (angle, velocity) = self.framed(t);
-        let theta = if P::TURNS || orbit.frame.shifted() {
-            let turned = Dd::splat(TWO_PI) * angle.turns;
-            (Dd::splat(orbit.frame.base) + turned + angle.local).value()
+        let turned = if P::TURNS || orbit.frame.shifted() {
+            (Dd::splat(TWO_PI) * angle.turns).plain_sum(angle.local)
         } else {
-            angle.local.value()
+            angle.local
+        };
+        let theta = if orbit.frame.base.hi == 0.0 {
+            turned.value()
+        } else {
+            Dd::splat(orbit.frame.base).plain_sum(turned).value()
         };
         // The start is returned as it was given.
         let start = t.equal(L::splat(0.0));

@@ -23,9 +23,11 @@ mod class {
     pub const COUNT: usize = 5;
 }
 
-/// Amplitudes below, and velocities above, are left to the careful step.
-const TINY: f64 = 1e-280;
-const FAST: f64 = 1e100;
+/// Amplitudes below are left apart, and so are velocities (over 2 omega0) and omega0 itself outside of what a product of
+/// two of them, with its error, can stand.
+const TINY: f64 = 1e-180;
+const SMALL: f64 = 1e-100;
+const LARGE: f64 = 1e100;
 
 /// The class of theta, velocity, omega0, from 1 - kappa^2 to a few roundings.
 struct Classify;
@@ -52,8 +54,9 @@ impl<L: Lane> Sampler<L, 3, 1> for Classify {
         let found = L::select(least.less(mc), libration, L::select(mc.less(-least), rotation, apart));
         // Every comparison is false for NaN.
         let found = L::select(theta.abs().less(L::splat(FAR)), found, apart);
-        let found = L::select(x.less(L::splat(FAST)), found, apart);
-        let found = L::select(zero.less(omega), found, apart);
+        let found = L::select(x.less(L::splat(LARGE)), found, apart);
+        let found = L::select(L::splat(SMALL).less(omega), found, apart);
+        let found = L::select(omega.less(L::splat(LARGE)), found, apart);
         let amplitude = rest.hi.abs() + x;
         let still = amplitude.equal(zero);
         let tiny = L::select(still, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
