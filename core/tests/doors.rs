@@ -92,7 +92,9 @@ fn rows_are_their_scalars_on_every_instruction_set() {
             rows.push([theta0, velocity0, t, omega0]);
         }
     }
-    // At the edges of what lanes take.
+    // At the edges of what lanes take; the first two are next to the separatrix after millions of periods.
+    rows.push([1.570796326439803, 0.6206175903612585, 437745193.1377077, 0.43884290659114944]);
+    rows.push([1.5707963274982344, 50.48100437186214, 19100529.012004964, 35.69546052517341]);
     for (velocity0, omega0) in
         [(3e-309, 1e-309), (1e-99, 1e-100), (2e-101, 1e-101), (1e101, 2e100), (1e-170, 1.0)]
     {

@@ -30,7 +30,8 @@ pub(crate) struct Lattices<L: Lane> {
     angle: Loose<L>,
     /// pi/2K or pi/2K': what theta2 takes beside theta1.
     theta2_factor: Loose<L>,
-    mc: Loose<L>,
+    /// 1 - m.
+    pub mc: Loose<L>,
     kc: Loose<L>,
     theta1: ShortCorrection<L>,
     theta2: ShortCorrection<L>,

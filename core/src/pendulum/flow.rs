@@ -17,8 +17,9 @@ use crate::float::loose::Loose;
 use crate::float::{Dd, PI, TWO_PI, series};
 use crate::lanes::{Lane, Sampler};
 
-/// Beyond so many half periods a row is left apart.
-const MANY: f64 = 1e12;
+/// Beyond so many half periods times 1 - m a row is left apart: what double-doubles lose of the period next to the
+/// separatrix adds up.
+const MANY: f64 = 1e14;
 
 /// The start of a row of one class, set up for any time after it; NaN where the row must be set apart.
 pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
@@ -81,7 +82,7 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<L, ROTATION, H
             let parity = alternating(n);
             (point.sn.scale(sign * parity), point.cn.scale(parity), point.dn, point.cn_square)
         };
-        let within = n.abs().less(L::splat(MANY));
+        let within = n.abs().less(self.lattices.mc.hi * L::splat(MANY));
         let start = dt.equal(zero);
         let finished =
             |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
