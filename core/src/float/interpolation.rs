@@ -54,8 +54,8 @@ impl Interpolation {
             };
             let weights: Vec<Dd> = (0..count).map(weight).collect();
             let mut row = [[0.0; MOST]; 2];
-            for i in 0..count {
-                let entry = (i..count).fold(Dd::ZERO, |sum, k| sum + weights[k] * powers[k][i]);
+            let entry = |i: usize| (i..count).fold(Dd::ZERO, |sum, k| sum + weights[k] * powers[k][i]);
+            for (i, entry) in (0..count).map(entry).enumerate() {
                 let place = i / 2 + HALF * (i % 2);
                 (row[0][place], row[1][place]) = (entry.hi, entry.lo);
             }
