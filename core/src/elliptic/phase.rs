@@ -56,38 +56,40 @@ pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
 }
 
 impl<L: Lane> Phase<L> {
-    /// The nearest whole number and the signed rest, in [-1/2, 1/2], while the whole number is below `end` (at most
-    /// 2^53); a NaN for the rest from there.
+    /// t rate, rounded; its nearest whole number, what that lacks once the start is added, and the signed rest.
     #[inline(always)]
-    pub fn count(&self, t: L, end: f64) -> (L, Dd<L>) {
+    fn rounded(&self, t: L) -> (L, [L; 2], Dd<L>) {
         let (turned, error) = t.two_product(self.rate.hi);
         let error = t.mul_add(self.rate.lo, error);
         let whole = turned.round();
         let (part, part_error) = two_sum(turned - whole, self.start.hi);
         let (part, rest) = two_sum(part, error);
         let carry = part.round();
+        (turned, [whole, carry], Dd::ordered_sum(part - carry, rest + (part_error + self.start.lo)))
+    }
+
+    /// The nearest whole number and the signed rest, in [-1/2, 1/2], while the whole number is below `end` (at most
+    /// 2^53); a NaN for the rest from there.
+    #[inline(always)]
+    pub fn count(&self, t: L, end: f64) -> (L, Dd<L>) {
+        let (_, [whole, carry], f) = self.rounded(t);
         let n = whole + carry;
-        let within = n.abs().less(L::splat(end));
-        let part = L::select(within, part - carry, L::splat(f64::NAN));
-        (n, Dd::ordered_sum(part, rest + (part_error + self.start.lo)))
+        (n, within(n, end, f))
     }
 
     /// The reduced phase at t.
     #[inline(always)]
     pub fn reduce(&self, t: L) -> Reduced<L> {
-        let (turned, error) = t.two_product(self.rate.hi);
-        let error = t.mul_add(self.rate.lo, error);
-        let whole = turned.round();
-        let (part, part_error) = two_sum(turned - whole, self.start.hi);
-        let (part, rest) = two_sum(part, error);
-        let carry = part.round();
-        let rest = rest + (part_error + self.start.lo);
-        let f = Dd::ordered_sum(part - carry, rest);
-        let within = turned.abs().less(L::splat(END));
-        let f = Dd::new(L::select(within, f.hi, L::splat(f64::NAN)), f.lo);
+        let (turned, [whole, carry], f) = self.rounded(t);
+        let f = within(turned, END, f);
         let sign = L::splat(1.0).copysign(f.hi);
-        let n = Dd::sum(whole, carry);
         let parity = alternating(whole) * alternating(carry);
-        Reduced { n, sign, f: f.scale(sign), parity }
+        Reduced { n: Dd::sum(whole, carry), sign, f: f.scale(sign), parity }
     }
+}
+
+/// f where |count| is below the end, else a NaN.
+#[inline(always)]
+fn within<L: Lane>(count: L, end: f64, f: Dd<L>) -> Dd<L> {
+    Dd::new(L::select(count.abs().less(L::splat(end)), f.hi, L::splat(f64::NAN)), f.lo)
 }

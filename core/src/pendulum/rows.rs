@@ -2,6 +2,7 @@
 
 use super::flow::{Own, Start};
 use crate::elliptic::lattices::LEAST_COMPLEMENT;
+use crate::elliptic::phase::alternating;
 use crate::float::circle::{FAR, half_turns};
 use crate::float::elementary::sin_cos;
 use crate::float::loose::Loose;
@@ -41,8 +42,7 @@ impl<L: Lane> Sampler<L, 3, 1> for Classify {
         let (small, _) = sin_cos(rest.scale(half));
         let square = small.hi * small.hi;
         let (low, high) = (square, one - square);
-        let halved = j * half;
-        let even = halved.equal(halved.round());
+        let even = zero.less(alternating(j));
         let m = x.mul_add(x, L::select(even, low, high));
         let mc = L::select(even, high, low) - x * x;
         let code = |class: usize| L::splat(class as f64);
