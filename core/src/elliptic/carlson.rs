@@ -10,7 +10,7 @@ use crate::float::{Dd, LN_2};
 /// The next term of the series is of eighth order: 2^-112.
 const CLOSE: f64 = 6.1e-5;
 
-pub(super) const THIRD: Dd = Dd::new(0.3333333333333333, 1.850371707708594e-17);
+pub(crate) const THIRD: Dd = Dd::new(0.3333333333333333, 1.850371707708594e-17);
 const FIFTH: Dd = Dd::new(0.2, -1.1102230246251566e-17);
 const TENTH: Dd = Dd::new(0.1, -5.551115123125783e-18);
 const FOURTEENTH: Dd = Dd::new(0.07142857142857142, 3.965082230804129e-18);

@@ -26,6 +26,11 @@ pub(crate) fn complete_e_dd(parameter: Parameter) -> Dd {
     if parameter.m.hi < 0.0 { inner / kc } else { inner }
 }
 
+/// E - mc K = m int_0^K cn^2 for 0 <= m <= 1, whose terms cancel: m mc R_D(0, 1, mc)/3 has none.
+pub(crate) fn complete_difference_dd(Parameter { m, mc }: Parameter) -> Dd {
+    if mc.hi < 1e-200 { Dd::ONE } else { m * (mc * rd(Dd::ZERO, Dd::ONE, mc)) * THIRD }
+}
+
 /// K(m) = int_0^(pi/2) dphi / sqrt(1 - m sin^2 phi); inf at m = 1, NaN for m > 1.
 ///
 /// **Error** at most 3 ulp.

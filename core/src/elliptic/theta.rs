@@ -12,6 +12,7 @@
 
 use super::agm::agm;
 use super::nome::small_nome;
+use super::phase::Reduced;
 use crate::float::elementary::{long_sin_cos, long_sinh_cosh, sin_cos, sinh_cosh};
 use crate::float::scaling::{exponent, mantissa};
 use crate::float::{Dd, HALF_PI, PI};
@@ -173,6 +174,18 @@ impl Lattice {
             }
         };
         Thetas { theta, folded }
+    }
+
+    /// sn, cn, dn at a reduced phase, with the digits of [`Lattice::long_thetas`].
+    pub fn long_values(&self, at: &Reduced<f64>) -> [Dd; 3] {
+        let Thetas { theta: [t1, t2, t3, t4], folded } = self.long_thetas(at.f);
+        let t1 = t1 * self.theta1_factor;
+        let [sn, cn, dn] = if folded {
+            [t2 / t3, self.kc * t1 / t3, self.kc * t4 / t3]
+        } else {
+            [t1 / t4, t2 / t4, t3 / t4]
+        };
+        [sn.scale(at.sign * at.parity), cn.scale(at.parity), dn]
     }
 }
 

@@ -131,15 +131,7 @@ fn step(state: &State, dt: f64) -> Step {
             turns: f64::NAN,
         };
     }
-    let thetas = lattice.long_thetas(at.f);
-    let [t1, t2, t3, t4] = thetas.theta;
-    let t1 = t1 * lattice.theta1_factor * at.sign;
-    let (sn, cn, dn) = if thetas.folded {
-        (t2.scale(at.sign) / t3, lattice.kc * t1.abs() / t3, lattice.kc * t4 / t3)
-    } else {
-        (t1 / t4, t2 / t4, t3 / t4)
-    };
-    let (sn, cn) = (sn.scale(at.parity), cn.scale(at.parity));
+    let [sn, cn, dn] = lattice.long_values(&at);
     if rotation {
         Step { sn: sn / k, cn: dn, dn: cn, turns: at.n.hi + at.sign * at.f.hi }
     } else {

@@ -9,6 +9,7 @@ pub mod motion;
 pub mod orbit;
 pub mod regime;
 mod rows;
+pub mod sensitivity;
 pub mod state;
 pub mod states;
 
@@ -16,3 +17,4 @@ pub use advance::{advance, advance_into};
 pub use frequency::Frequency;
 pub use orbit::Orbit;
 pub use regime::Regime;
+pub use sensitivity::{Jacobian, Sensitivity};

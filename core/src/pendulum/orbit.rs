@@ -67,7 +67,7 @@ pub struct Orbit {
     energy_ratio: f64,
     energy_ratio_c: f64,
     energy: f64,
-    frequency: Frequency,
+    pub(crate) force: Frequency,
 }
 
 /// Powers of two that a double-double can carry beside its digits; larger ones stand apart.
@@ -80,7 +80,7 @@ pub(crate) fn carried(power: i32) -> (i32, i32) {
 }
 
 /// k' as a divisor whose inverse stays in range: an angle of 1e-290 from the top is as good as none.
-fn divisor(kc: Dd) -> Dd {
+pub(crate) fn divisor(kc: Dd) -> Dd {
     if kc.hi < 1e-290 { Dd::from(1e-290) } else { kc }
 }
 
@@ -131,7 +131,7 @@ impl Orbit {
             energy_ratio,
             energy_ratio_c,
             energy,
-            frequency,
+            force: frequency,
         }
     }
 
@@ -204,7 +204,7 @@ impl Orbit {
             energy_ratio: ldexp(m.value(), 2 * power),
             energy_ratio_c: mc.value(),
             energy,
-            frequency,
+            force: frequency,
         }
     }
 
@@ -236,14 +236,14 @@ impl Orbit {
     }
     /// Angular frequency of small swings, sqrt|omega0^2|, in rad/s.
     pub fn omega0(&self) -> f64 {
-        self.frequency.root().map_or(0.0, |(root, power)| ldexp(root.to_dd().value(), power))
+        self.force.root().map_or(0.0, |(root, power)| ldexp(root.to_dd().value(), power))
     }
     /// omega0^2, negative where the pendulum hangs from the other side.
     pub fn omega2(&self) -> f64 {
         let square = self
-            .frequency
+            .force
             .root()
             .map_or(0.0, |(root, power)| ldexp(root.square().to_dd().value(), 2 * power));
-        if self.frequency.upside_down() { -square } else { square }
+        if self.force.upside_down() { -square } else { square }
     }
 }
