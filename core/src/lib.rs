@@ -21,7 +21,7 @@ mod domain;
 
 pub use domain::Domain;
 pub use elliptic::{Jacobi, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
-pub use pendulum::{Frequency, Jacobian, Orbit, Regime, Sensitivity, advance, advance_into};
+pub use pendulum::{Fourier, Frequency, Jacobian, Orbit, Regime, Sensitivity, advance, advance_into};
 
 /// Version of the core, and of everything built on it.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

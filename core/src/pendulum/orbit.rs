@@ -240,10 +240,8 @@ impl Orbit {
     }
     /// omega0^2, negative where the pendulum hangs from the other side.
     pub fn omega2(&self) -> f64 {
-        let square = self
-            .force
-            .root()
-            .map_or(0.0, |(root, power)| ldexp(root.square().to_dd().value(), 2 * power));
+        let square =
+            self.force.root().map_or(0.0, |(root, power)| ldexp(root.square().to_dd().value(), 2 * power));
         if self.force.upside_down() { -square } else { square }
     }
 }

@@ -57,7 +57,7 @@ enum Kind {
     Straight,
     /// On the upper equilibrium.
     Balance,
-    Periodic(Periodic),
+    Periodic(Box<Periodic>),
     Separatrix,
 }
 
@@ -237,7 +237,7 @@ impl Sensitivity {
             shift: Dd::ZERO,
         };
         Sensitivity {
-            kind: Kind::Periodic(periodic),
+            kind: Kind::Periodic(Box::new(periodic)),
             phase: Phase { rate: omega.ldexp(inside) / PI, start: Dd::ZERO },
             time_scale: ldexp(1.0, outside),
             omega,
@@ -256,7 +256,7 @@ impl Sensitivity {
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: false, parameter, lattice, shift };
                 let start = periodic.solutions([s / k, x / k, c]);
-                Sensitivity { kind: Kind::Periodic(periodic), phase: elliptic.phase, start, ..common }
+                Sensitivity { kind: Kind::Periodic(Box::new(periodic)), phase: elliptic.phase, start, ..common }
             }
             Course::Rotation(elliptic) => {
                 let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
@@ -264,7 +264,7 @@ impl Sensitivity {
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: true, parameter, lattice, shift };
                 let start = periodic.solutions([s, c, x / k]);
-                let kind = Kind::Periodic(periodic);
+                let kind = Kind::Periodic(Box::new(periodic));
                 Sensitivity { kind, phase: elliptic.phase, start, stretch: k, ..common }
             }
             Course::Separatrix(phase, _) => {
@@ -320,8 +320,7 @@ impl Sensitivity {
     fn assembled(&self, passed: f64, now: &Solutions) -> Jacobian {
         let Sensitivity { start, stretch, k, x, power, omega, omega_power, side, .. } = *self;
         let fallen = |value: Dd| value.ldexp(-now.power);
-        let pair =
-            |falling: Dd, growing: Dd| Weighed { steady: fallen(falling), growing, power: now.power };
+        let pair = |falling: Dd, growing: Dd| Weighed { steady: fallen(falling), growing, power: now.power };
         let by_angle = pair(now.a * start.q, now.p * start.b);
         let by_velocity = pair(-(start.p * now.a), start.a * now.p).times(Dd::ONE / stretch);
         let rate_by_angle = pair(-(now.b * start.q), now.q * start.b).times(stretch * omega);

@@ -135,7 +135,7 @@ fn frame(theta: f64, reduced: &Reduced, upside_down: bool, side: f64) -> Frame {
 }
 
 /// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.
-fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
+pub(super) fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
     let (low, high) = (reduced.from_bottom, reduced.from_top);
     let near = if low.hi < high.hi { low } else { high };
     let near_stable = (low.hi < high.hi) != upside_down;

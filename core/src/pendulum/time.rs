@@ -1,0 +1,234 @@
+//! When an angle is passed: the inverse of the motion.
+//!
+//! With s1 = sin of half the angle and x1 = |velocity there|/2 omega0, so that x1^2 = kappa^2 - s1^2, the motion
+//! passes upwards at the phase omega0 t = s1 R_F(x1^2, kappa^2 c1^2, kappa^2) and downwards as long before its next
+//! bottom. x1^2 is c1^2 - (1 - kappa^2) away from the turning points and x0^2 + s0^2 - s1^2 next to them, in
+//! triple-double, so nothing cancels. Source: DLMF 19.25.5, 22.15(ii).
+
+use super::canonical::LAST_HALF_PERIOD;
+use super::orbit::{Course, Elliptic, Orbit};
+use super::state::{State, half_angle};
+use crate::domain::Domain;
+use crate::elliptic::carlson::rf_of_roots;
+use crate::elliptic::phase::Phase;
+use crate::float::circle::{self, Reduced};
+use crate::float::elementary::arctangent;
+use crate::float::scaling::ldexp;
+use crate::float::{Dd, PI, Td};
+
+/// Most passages in one answer.
+pub const MOST_TIMES: f64 = 1e7;
+
+/// An angle in the canonical motion: whole turns, and sine and cosine of its amplitude with the cosine of half of it.
+struct Place {
+    turns: f64,
+    sine: Dd,
+    cosine: Dd,
+    half_cosine: Dd,
+}
+
+fn scaled(value: Td, power: i32) -> Td {
+    Td::new(ldexp(value.hi, power), ldexp(value.mid, power), ldexp(value.lo, power))
+}
+
+/// x1^2 over 4^power, next to a turning point.
+fn near_turning(orbit: &Orbit, state: &State, sine: Td, cosine: Td) -> Dd {
+    let x = Td::from(state.x);
+    let difference = if state.power != 0 {
+        let start = Td::from(state.s.abs());
+        (start - sine) * (start + sine)
+    } else {
+        let (start, start_cosine, _) =
+            half_angle(&circle::reduce(orbit.theta0), orbit.force.upside_down(), 0);
+        if sine.hi > 0.7 {
+            (cosine - start_cosine) * (cosine + start_cosine)
+        } else {
+            (start - sine) * (start + sine)
+        }
+    };
+    (x.square() + difference).to_dd()
+}
+
+impl Orbit {
+    /// The place of an angle, or `None` where the motion does not get.
+    fn place(&self, state: &State, theta: f64) -> Option<Place> {
+        let State { k, mc, power, frame, .. } = *state;
+        let upside_down = self.force.upside_down();
+        let reduced: Reduced = circle::reduce(theta);
+        let (sine, cosine, own_power) = half_angle(&reduced, upside_down, i32::MIN / 2);
+        let sine = scaled(sine, own_power - power);
+        let side = frame.side * if upside_down { -reduced.side } else { reduced.side };
+        let half_turns = if upside_down { 0.5 * (reduced.side - frame.half_turn) } else { 0.0 };
+        let turns = frame.side * (reduced.turns - frame.turns + half_turns);
+        let libration = mc.hi > 0.0;
+        let half_cosine = cosine.to_dd();
+        let (sine, cosine) = if theta == self.theta0 {
+            (state.s / k, state.x / k)
+        } else if libration && self.turns_at(theta, &reduced) {
+            (Dd::from(side), Dd::ZERO)
+        } else {
+            let square = half_cosine.square();
+            let speed = if libration && square.hi < 2.0 * mc.hi || power != 0 {
+                near_turning(self, state, sine, cosine)
+            } else {
+                square - mc
+            };
+            if !(speed.hi >= 0.0 && sine.hi.is_finite()) {
+                return None;
+            }
+            (sine.to_dd() * side / k, speed.sqrt() / k)
+        };
+        Some(Place { turns, sine, cosine, half_cosine })
+    }
+
+    /// Whether an angle is a turning angle as this orbit rounds it.
+    fn turns_at(&self, theta: f64, reduced: &Reduced) -> bool {
+        let distance = if self.force.upside_down() { reduced.from_top } else { reduced.from_bottom };
+        let (lowest, highest) = self.extremes();
+        distance.to_dd().value() == self.theta_max() || theta == lowest || theta == highest
+    }
+
+    /// Lowest and highest angle in rad: the turning angles, the limits on the separatrix, infinite in rotation.
+    pub fn extremes(&self) -> (f64, f64) {
+        let (frame, centre) = (&self.frame, self.frame.base + PI * self.frame.half_turn);
+        let around = |reach: Dd| ((centre - reach).value(), (centre + reach).value());
+        match &self.course {
+            Course::Still => (self.theta0, self.theta0),
+            Course::Free | Course::Rotation(_) => (f64::NEG_INFINITY, f64::INFINITY),
+            Course::Separatrix(..) => around(PI),
+            Course::Libration(elliptic) if frame.shifted() => {
+                let State { k, power, .. } = match State::new(self.theta0, self.velocity0, self.force) {
+                    Ok(state) => state,
+                    Err(_) => return (self.theta0, self.theta0),
+                };
+                around(arctangent(k.ldexp(power), elliptic.lattice.kc).scale(2.0))
+            }
+            Course::Libration(_) => (-self.theta_max(), self.theta_max()),
+        }
+    }
+
+    /// All times from `start` to `stop` (in s, both included) at which the motion passes `theta` (in rad): modulo 2 pi
+    /// in libration, the unwrapped angle in rotation and on the separatrix. Rising; a turning angle once a
+    /// swing (also as [`Orbit::theta_max`] and [`Orbit::extremes`] round it); none at rest.
+    ///
+    /// An error for arguments that are NaN, a `start` after `stop`, more than [`MOST_TIMES`] passages, and an interval
+    /// that reaches beyond 2^53 half periods. **Error** such that the angle there is `theta` to 4 ulp of the largest
+    /// angle plus what an ulp of the time makes of it.
+    pub fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        Domain::check("theta", theta, theta.is_finite(), "finite")?;
+        check_interval(start, stop)?;
+        let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else {
+            return Ok(match self.course {
+                Course::Free => within(start, stop, self.straight_time(theta)),
+                _ => Vec::new(),
+            });
+        };
+        let Some(place) = self.place(&state, theta) else { return Ok(Vec::new()) };
+        let since_bottom = || place.sine * rf_of_roots(place.cosine, place.half_cosine);
+        match &self.course {
+            Course::Libration(elliptic) => {
+                if place.cosine.hi == 0.0 {
+                    return self.instants(
+                        elliptic,
+                        &[Dd::from(0.5 * place.sine.hi.signum())],
+                        2.0,
+                        start,
+                        stop,
+                    );
+                }
+                let up = since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                self.instants(elliptic, &[up, Dd::ONE - up], 2.0, start, stop)
+            }
+            Course::Rotation(elliptic) => {
+                let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                let far = place.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
+                Domain::check("theta", theta, !far, "within 2^52 turns of theta0")?;
+                Ok(within(start, stop, self.time_of(&elliptic.phase, rest + Dd::from(place.turns))))
+            }
+            Course::Separatrix(phase, _) if place.turns == 0.0 && place.half_cosine.hi > 0.0 => {
+                Ok(within(start, stop, self.time_of(phase, since_bottom())))
+            }
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    /// All times from `start` to `stop` (in s, both included) at which a libration turns back; none in other regimes.
+    ///
+    /// Errors as for [`Orbit::times`].
+    pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        check_interval(start, stop)?;
+        match &self.course {
+            Course::Libration(elliptic) => self.instants(elliptic, &[Dd::from(0.5)], 1.0, start, stop),
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    /// Time of a phase.
+    fn time_of(&self, phase: &Phase, at: Dd) -> f64 {
+        ((at - phase.start) / phase.rate).value() / self.time_scale
+    }
+
+    /// Time of an angle without force.
+    fn straight_time(&self, theta: f64) -> f64 {
+        (Dd::sum(theta, -self.theta0) / Dd::from(self.velocity0)).value()
+    }
+
+    /// Times of phases (rising, in half periods) that repeat every `spacing` half periods.
+    fn instants(
+        &self,
+        elliptic: &Elliptic,
+        phases: &[Dd],
+        spacing: f64,
+        start: f64,
+        stop: f64,
+    ) -> Result<Vec<f64>, Domain> {
+        let phase = &elliptic.phase;
+        let passed = |t: f64| {
+            let near = t.is_finite();
+            if near { (phase.rate * (t * self.time_scale) + phase.start).hi } else { t }
+        };
+        let (first, last) = (passed(start), passed(stop));
+        let repeats = |at: Dd| ((first - at.hi) / spacing, (last - at.hi) / spacing);
+        let count: f64 = phases
+            .iter()
+            .map(|at| {
+                let (from, to) = repeats(*at);
+                (to.floor() - from.ceil() + 1.0).max(0.0)
+            })
+            .sum();
+        if count > MOST_TIMES {
+            let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
+            let (argument, allowed) = ("passages from start to stop", "at most 10000000");
+            return Err(Domain { argument, given, allowed });
+        }
+        let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
+        Domain::check("stop", stop, near, "within 2^53 half periods, like start")?;
+        let [low, high] = phases.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
+            let (from, to) = repeats(*at);
+            [low.min(from.floor()), high.max(to.ceil())]
+        });
+        let mut times = Vec::with_capacity(count as usize + 2);
+        let mut repeat = low - 1.0;
+        while repeat <= high + 1.0 {
+            for at in phases {
+                let t = self.time_of(phase, *at + Dd::from(repeat * spacing));
+                if (start..=stop).contains(&t) {
+                    times.push(t);
+                }
+            }
+            repeat += 1.0;
+        }
+        Ok(times)
+    }
+}
+
+fn check_interval(start: f64, stop: f64) -> Result<(), Domain> {
+    Domain::check("start", start, !start.is_nan(), "a number")?;
+    Domain::check("stop", stop, stop >= start, "a number, and not before start")?;
+    Ok(())
+}
+
+/// The time, if it is from start to stop.
+fn within(start: f64, stop: f64, time: f64) -> Vec<f64> {
+    if (start..=stop).contains(&time) { vec![time] } else { Vec::new() }
+}
