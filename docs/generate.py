@@ -1,7 +1,7 @@
 """Writes the generated blocks of the pages: nothing between two markers is typed by hand.
 
 A block stands between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from
-functions.toml or from a page that a run has written.
+functions.toml, from docs/corners.toml or from a page that a run has written.
 """
 
 import re
@@ -9,7 +9,7 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = ["README.md", "docs/functions.md"]
+PAGES = ["README.md", "docs/functions.md", "docs/corners.md"]
 
 
 def functions(root: Path) -> str:
@@ -42,9 +42,20 @@ def accuracy(root: Path) -> str:
     return text.partition("<!-- summary -->\n")[2].partition("<!-- end summary -->")[0]
 
 
+def corners(root: Path) -> str:
+    """The table of docs/corners.toml."""
+    lines = ["| corner | call | gives | why |", "|---|---|---|---|"]
+    for corner in tomllib.loads((root / "docs/corners.toml").read_text(encoding="utf-8"))["corner"]:
+        given = corner.get("gives", [])
+        shown = "<br>".join(f"`{float(value)!r}`" for value in ([given] if isinstance(given, str) else given))
+        result = f"ValueError: {corner['message']}" if "message" in corner else shown
+        lines.append(f"| {corner['title']} | `{corner['call']}` | {result} | {corner['why']} |")
+    return "\n" + "\n".join(lines).replace("|θ₀|", "\\|θ₀\\|") + "\n\n"
+
+
 def blocks(root: Path) -> dict[str, str]:
     """Every block by its name."""
-    return {"functions": functions(root), "accuracy": accuracy(root)}
+    return {"functions": functions(root), "accuracy": accuracy(root), "corners": corners(root)}
 
 
 def main() -> None:

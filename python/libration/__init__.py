@@ -12,23 +12,33 @@ Examples
 """
 
 from ._core import __version__
+from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
 from .elliptic import JacobiValues, complete_e, complete_k, incomplete_e, incomplete_f, jacobi, nome
+from .derivatives import sensitivities
 from .pendulum import Pendulum, Regime
+from .series import Fourier, harmonic_distortion
 
 __all__ = [
+    "Fourier",
     "JacobiValues",
     "Pendulum",
     "Regime",
     "__version__",
+    "action",
     "advance",
     "complete_e",
     "complete_k",
+    "frequency",
+    "from_action_phase",
+    "harmonic_distortion",
     "incomplete_e",
     "incomplete_f",
     "jacobi",
     "motion",
     "nome",
+    "phase",
+    "sensitivities",
     "theta",
     "velocity",
 ]

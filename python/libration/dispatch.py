@@ -86,3 +86,20 @@ def _xarray(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
         dask="allowed",
         keep_attrs=True if keep == "default" else keep,
     )
+
+
+def matrix(results: tuple[Any, ...], rows: tuple[str, ...], columns: tuple[str, ...]) -> Any:
+    """The results of a ufunc, row by row of a matrix, as one array with two axes more; xarray's are `of` and `by`."""
+    library = array_library(results)
+    width = len(columns)
+    parts = [results[first : first + width] for first in range(0, len(rows) * width, width)]
+    if library == "xarray":
+        import xarray
+
+        lines = [xarray.concat(part, xarray.Variable("by", list(columns))) for part in parts]
+        return xarray.concat(lines, xarray.Variable("of", list(rows))).transpose(..., "of", "by")
+    if library == "dask":
+        from dask.array import stack
+
+        return stack([stack(part, axis=-1) for part in parts], axis=-2)
+    return np.stack([np.stack(part, axis=-1) for part in parts], axis=-2)

@@ -1,16 +1,20 @@
 """The class ``Pendulum``: one orbit of theta'' + omega0**2 sin(theta) = 0, set up once, exact in every regime.
 
-It validates strictly, keeps what belongs to the orbit in compiled form, and answers single instants without NumPy's
+The motion stands here, the rest by topic in the classes it is made of. Single instants are answered without NumPy's
 machinery, arrays through the one-orbit ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
 """
 
 from enum import StrEnum
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
 from . import _core
+from .action_angle import ActionAngle
+from .derivatives import Derivatives
 from .dispatch import apply
+from .passages import Passages
+from .series import Series
 
 
 class Regime(StrEnum):
@@ -28,7 +32,7 @@ class Regime(StrEnum):
     ROTATION = "rotation"
 
 
-class Pendulum:
+class Pendulum(Passages, ActionAngle, Derivatives, Series):
     """One orbit of the pendulum theta'' + omega0**2 sin(theta) = 0, exact in every regime.
 
     The angle is zero at the bottom and counts on continuously through whole turns. With the energy ratio
@@ -81,31 +85,7 @@ class Pendulum:
     libration 5.16069775
     """
 
-    __slots__ = ("_frequency", "_operands", "_orbit")
-
-    _frequency: tuple[tuple[str, float], ...]
-    _operands: tuple[np.ndarray, ...]
-    _orbit: _core.Orbit
-
-    def __new__(
-        cls,
-        theta0: float,
-        velocity0: float = 0.0,
-        *,
-        omega0: float | None = None,
-        omega2: float | None = None,
-        length: float | None = None,
-        gravity: float | None = None,
-    ) -> "Pendulum":
-        given = {"omega0": omega0, "omega2": omega2, "length": length, "gravity": gravity}
-        frequency = {name: _real(name, value) for name, value in given.items() if value is not None}
-        orbit = _core.Orbit(_real("theta0", theta0), _real("velocity0", velocity0), **frequency)
-        self = super().__new__(cls)
-        object.__setattr__(self, "_frequency", tuple(frequency.items()) or (("omega0", 1.0),))
-        # As arrays without dimensions: NumPy takes them as they are, in half the time it needs for Python's numbers.
-        object.__setattr__(self, "_operands", tuple(map(np.asarray, orbit.operands)))
-        object.__setattr__(self, "_orbit", orbit)
-        return self
+    __slots__ = ()
 
     def theta(self, t: Any, out: Any = None) -> Any:
         """Angle at the times `t`, continuous through whole turns.
@@ -314,49 +294,3 @@ class Pendulum:
         Error promised: 1 ulp. Source: Salas (1).
         """
         return self._orbit.omega2
-
-    def __setattr__(self, name: str, value: object) -> NoReturn:
-        raise AttributeError(f"a Pendulum does not change: cannot set {name}")
-
-    def __delattr__(self, name: str) -> NoReturn:
-        raise AttributeError(f"a Pendulum does not change: cannot delete {name}")
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Pendulum):
-            return NotImplemented
-        return self._orbit.operands == other._orbit.operands
-
-    def __hash__(self) -> int:
-        return hash(self._orbit.operands)
-
-    def __repr__(self) -> str:
-        frequency = ", ".join(f"{name}={value!r}" for name, value in self._frequency)
-        return f"{type(self).__name__}(theta0={self.theta0!r}, velocity0={self.velocity0!r}, {frequency})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        arguments = type(self), self.theta0, self.velocity0, dict(self._frequency)
-        return _rebuilt, arguments, getattr(self, "__dict__", None) or None
-
-
-def _rebuilt(kind: type[Pendulum], theta0: float, velocity0: float, frequency: dict[str, float]) -> Pendulum:
-    """A pendulum from what its pickle or copy holds: the arguments, whatever a subclass makes of its own."""
-    return Pendulum.__new__(kind, theta0, velocity0, **frequency)
-
-
-def _real(name: str, value: Any) -> float:
-    """``value`` as a float if it is one real number, else a ``ValueError`` that names the argument."""
-    if type(value) is float:
-        return value
-    kind = getattr(getattr(value, "dtype", None), "kind", None)
-    single = kind is not None and kind in "iuf" and getattr(value, "ndim", None) == 0
-    if single or (isinstance(value, int | float) and not isinstance(value, bool)):
-        try:
-            return float(value)
-        except OverflowError:
-            raise ValueError(f"{name} = an integer beyond the doubles: must be finite") from None
-    if getattr(value, "ndim", 0):
-        shown = f"an array of shape {value.shape}"
-    else:
-        shown = " ".join(repr(value).split())
-        shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
-    raise ValueError(f"{name} = {shown}: must be one real number, a Python or NumPy scalar")

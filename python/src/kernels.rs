@@ -3,8 +3,10 @@
 //! Two paths. `orbit_*` takes an orbit by its exact factors and is meant for one orbit and many times; `state_*` and
 //! `advance` take rows with states of their own. An elliptic function has one ufunc per keyword: `_m`, `_mc`, `_k`.
 
+use libration::pendulum::action::state_of;
+use libration::pendulum::fourier::harmonic_distortion;
 use libration::pendulum::states;
-use libration::{Frequency, Jacobi, Orbit, Parameter};
+use libration::{Frequency, Jacobi, Orbit, Parameter, Sensitivity};
 use pyo3::prelude::*;
 
 use crate::ufunc::{BLOCK, add, each, whole};
@@ -22,11 +24,21 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "orbit_velocity", orbit, whole::<[f64; 1], _>(velocity))?;
     add(module, "orbit_motion", orbit, whole::<[f64; 2], _>(motion))?;
     add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
+    add(module, "orbit_phase", orbit, each(|orbit: &Orbit, [t]| [orbit.phase(t)]))?;
+    add(module, "orbit_sensitivities", |of| Some(Sensitivity::new(&orbit(of)?)), each(slopes))?;
 
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
     add(module, "state_motion", nothing, whole::<[f64; 2], _>(state_motion))?;
+    add(module, "state_sensitivities", |of| Some(Sensitivity::new(&state(of)?)), each(slopes))?;
     add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
+
+    let kept = |value: &f64, []: [f64; 0]| [*value];
+    add(module, "action", |of| Some(state(of)?.action()), each(kept))?;
+    add(module, "frequency", |of| Some(state(of)?.frequency()), each(kept))?;
+    add(module, "phase", |of| Some(state(of)?.phase(0.0)), each(kept))?;
+    add(module, "from_action_phase", frequency, each(from_action_phase))?;
+    add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))?;
 
     add_elliptic(module, "m", Parameter::from_m)?;
     add_elliptic(module, "mc", Parameter::from_mc)?;
@@ -100,6 +112,22 @@ fn add_elliptic(module: &Bound<'_, PyModule>, keyword: &str, from: fn(f64) -> Pa
 /// One orbit, its frequency by the exact factors.
 fn orbit([theta0, velocity0, a, b, c]: [f64; 5]) -> Option<Orbit> {
     Orbit::new(theta0, velocity0, Frequency::from_factors(a, b, c).ok()?).ok()
+}
+
+/// The orbit of a state of its own.
+fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
+    Orbit::new(theta, velocity, frequency([omega0])?).ok()
+}
+
+/// Row by row of the matrix.
+fn slopes(sensitivity: &Sensitivity, [t]: [f64; 1]) -> [f64; 6] {
+    let [[a, b, c], [d, e, f]] = sensitivity.at(t);
+    [a, b, c, d, e, f]
+}
+
+/// Angle and velocity; the direction is one of 0, 1 and -1.
+fn from_action_phase(frequency: &Frequency, [action, phase, direction]: [f64; 3]) -> [f64; 2] {
+    state_of(action, phase, direction, *frequency).map_or([f64::NAN; 2], <[f64; 2]>::from)
 }
 
 /// The frequency of a row.

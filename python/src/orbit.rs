@@ -1,6 +1,7 @@
 //! One orbit as a Python object: built strictly, answering one instant per call without NumPy's machinery.
 
-use libration::{Domain, Frequency};
+use libration::{Domain, Fourier, Frequency};
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -54,6 +55,84 @@ impl Orbit {
     fn turns<'py>(&self, py: Python<'py>, t: f64) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
         let (turns, angle) = self.orbit.turns(t);
         Ok((int64(py, turns)?, float64(py, angle)?))
+    }
+
+    /// Phase at the time `t`, a NumPy float64.
+    fn phase<'py>(&self, py: Python<'py>, t: f64) -> PyResult<Bound<'py, PyAny>> {
+        float64(py, self.orbit.phase(t))
+    }
+
+    /// Times from `start` to `stop` at which `theta` is passed.
+    fn times<'py>(
+        &self,
+        py: Python<'py>,
+        theta: f64,
+        start: f64,
+        stop: f64,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let times = py.detach(|| self.orbit.times(theta, start, stop)).map_err(refused)?;
+        Ok(times.into_pyarray(py))
+    }
+
+    /// Times from `start` to `stop` at which the motion turns back.
+    fn turning_times<'py>(
+        &self,
+        py: Python<'py>,
+        start: f64,
+        stop: f64,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let times = py.detach(|| self.orbit.turning_times(start, stop)).map_err(refused)?;
+        Ok(times.into_pyarray(py))
+    }
+
+    /// The first `n` amplitudes of angle and velocity.
+    fn fourier<'py>(
+        &self,
+        py: Python<'py>,
+        n: i64,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+        let Fourier { theta, velocity } = py.detach(|| self.orbit.fourier(n)).map_err(refused)?;
+        Ok((theta.into_pyarray(py), velocity.into_pyarray(py)))
+    }
+
+    /// Angle and velocity with an action and a phase.
+    #[staticmethod]
+    #[pyo3(signature = (action, phase, direction, omega0=None, omega2=None, length=None, gravity=None))]
+    fn state_of(
+        action: f64,
+        phase: f64,
+        direction: f64,
+        omega0: Option<f64>,
+        omega2: Option<f64>,
+        length: Option<f64>,
+        gravity: Option<f64>,
+    ) -> PyResult<(f64, f64)> {
+        let frequency = Frequency::from_arguments(omega0, omega2, length, gravity).map_err(refused)?;
+        libration::pendulum::action::state_of(action, phase, direction, frequency).map_err(refused)
+    }
+
+    /// Lowest and highest angle.
+    #[getter]
+    fn extremes(&self) -> (f64, f64) {
+        self.orbit.extremes()
+    }
+
+    /// Action.
+    #[getter]
+    fn action(&self) -> f64 {
+        self.orbit.action()
+    }
+
+    /// Mean angular frequency, with its sign.
+    #[getter]
+    fn frequency(&self) -> f64 {
+        self.orbit.frequency()
+    }
+
+    /// Harmonic distortion of the angle.
+    #[getter]
+    fn distortion(&self) -> f64 {
+        self.orbit.distortion()
     }
 
     /// The five operands by which a ufunc knows this orbit: theta0, velocity0 and the factors a, b, c.

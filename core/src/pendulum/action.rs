@@ -95,7 +95,7 @@ impl Orbit {
     pub fn from_action_phase(
         action: f64,
         phase: f64,
-        direction: i32,
+        direction: f64,
         frequency: Frequency,
     ) -> Result<Orbit, Domain> {
         let (theta, velocity) = state_of(action, phase, direction, frequency)?;
@@ -106,15 +106,15 @@ impl Orbit {
 /// Angle and velocity of an action and a phase, as [`Orbit::from_action_phase`] takes them.
 ///
 /// **Error** at most 4 ulp of the largest angle and velocity, plus what the last place of the action makes of them.
-pub fn state_of(action: f64, phase: f64, direction: i32, frequency: Frequency) -> Result<(f64, f64), Domain> {
+pub fn state_of(action: f64, phase: f64, direction: f64, frequency: Frequency) -> Result<(f64, f64), Domain> {
     Domain::check("phase", phase, phase.is_finite(), "finite")?;
-    Domain::check("direction", f64::from(direction), direction.abs() <= 1, "0, 1 or -1")?;
-    let rotation = direction != 0;
+    Domain::check("direction", direction, [0.0, 1.0, -1.0].contains(&direction), "0, 1 or -1")?;
+    let rotation = direction != 0.0;
     let allowed = if rotation { "finite and positive in rotation" } else { "finite and not negative" };
     let possible = action.is_finite() && (action > 0.0 || action == 0.0 && !rotation);
     Domain::check("action", action, possible, allowed)?;
     let upside_down = frequency.upside_down();
-    let straight = (phase, f64::from(direction) * action);
+    let straight = (phase, direction * action);
     let Some((omega, omega_power)) = frequency.root() else {
         Domain::check("action", action, rotation || action == 0.0, "0 in libration without force")?;
         return Ok(straight);
@@ -140,7 +140,7 @@ pub fn state_of(action: f64, phase: f64, direction: i32, frequency: Frequency) -
     }
     let (base, at) = turns(phase, upside_down);
     let (local, k_dn) = rotation_state(share, at);
-    let velocity = ldexp((omega * k_dn).scale(2.0 * f64::from(direction)).value(), omega_power);
+    let velocity = ldexp((omega * k_dn).scale(2.0 * direction).value(), omega_power);
     Ok(((base + local).value(), velocity))
 }
 

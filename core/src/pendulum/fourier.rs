@@ -24,7 +24,7 @@ pub struct Fourier {
 }
 
 /// Most harmonics in one answer.
-pub const MOST_HARMONICS: u64 = 10_000_000;
+pub const MOST_HARMONICS: i64 = 10_000_000;
 
 /// a_j = (factor/j) sech(j decay) for every `step`-th j from 1.
 struct Series {
@@ -34,13 +34,14 @@ struct Series {
 }
 
 impl Series {
-    fn amplitude(&self, j: u64) -> f64 {
+    /// a_j but for a power of two.
+    fn amplitude(&self, j: u64) -> (Dd, f64) {
         if j % self.step != 1 % self.step {
-            return 0.0;
+            return (Dd::ZERO, 1.0);
         }
         let order = j as f64;
         let (value, power) = sech(self.decay * order);
-        (value * self.factor / Dd::from(order)).value() * power
+        (value * self.factor / Dd::from(order), power)
     }
 }
 
@@ -65,9 +66,11 @@ impl Orbit {
     /// does not repeat. A rotation's angle has its phase, and its velocity its frequency, beside them.
     ///
     /// **Error** at most 4 ulp of each amplitude, plus 2^-100 of its condition.
-    pub fn fourier(&self, n: u64) -> Result<Fourier, Domain> {
-        Domain::check("n", n as f64, (1..=MOST_HARMONICS).contains(&n), "from 1 to 10000000")?;
-        let theta = self.amplitudes(n);
+    pub fn fourier(&self, n: i64) -> Result<Fourier, Domain> {
+        if !(1..=MOST_HARMONICS).contains(&n) {
+            return Err(Domain { argument: "n", given: n.to_string(), allowed: "from 1 to 10000000" });
+        }
+        let theta = self.amplitudes(n as u64);
         let frequency = self.frequency();
         let velocity = theta.iter().zip(1u64..).map(|(a, j)| j as f64 * frequency * a).collect();
         Ok(Fourier { theta, velocity })
@@ -78,16 +81,31 @@ impl Orbit {
             // A rotation about the other equilibrium has its phase from this one, half a turn away.
             let turned = series.step == 1 && self.frame.half_turn != 0.0;
             let side = |j: u64| if turned && j % 2 == 1 { -1.0 } else { 1.0 };
-            return (1..=n).map(|j| side(j) * series.amplitude(j)).collect();
+            return (1..=n)
+                .map(|j| {
+                    let (value, power) = series.amplitude(j);
+                    side(j) * (value.value() * power)
+                })
+                .collect();
         }
         let mut amplitudes = vec![0.0; n as usize];
         match self.course {
-            // A swing of next to nothing is harmonic.
-            Course::Libration(_) => amplitudes[0] = self.theta_max(),
+            Course::Libration(_) => {
+                // Of a swing of next to nothing a_3 = theta_max^3/192 is the last that a double may hold.
+                amplitudes[0] = self.theta_max();
+                if n > 2 {
+                    amplitudes[2] = self.theta_max() * self.tiny_distortion();
+                }
+            }
             Course::Separatrix(..) => amplitudes.fill(f64::NAN),
             _ => {}
         }
         amplitudes
+    }
+
+    /// theta_max^2/192 = kappa^2/48 of a swing of next to nothing.
+    fn tiny_distortion(&self) -> f64 {
+        self.energy_ratio() / 48.0
     }
 
     /// Harmonic distortion of the angle: the root of the sum of a_j^2 over j >= 2, over |a_1|. 0 at rest, NaN on
@@ -96,18 +114,24 @@ impl Orbit {
     /// **Error** at most 4 ulp, plus 2^-100 of its condition.
     pub fn distortion(&self) -> f64 {
         let Some(series) = self.series() else {
-            return if matches!(self.course, Course::Separatrix(..)) { f64::NAN } else { 0.0 };
+            return match self.course {
+                Course::Libration(_) => self.tiny_distortion(),
+                Course::Separatrix(..) => f64::NAN,
+                _ => 0.0,
+            };
         };
-        let first = series.amplitude(1);
+        let (first, first_power) = series.amplitude(1);
         let mut sum = Dd::ZERO;
         let mut j = 1 + series.step;
         loop {
-            let ratio = series.amplitude(j) / first;
-            sum = sum + Dd::product(ratio, ratio);
+            let (value, power) = series.amplitude(j);
+            let ratio = (value / first).scale(power / first_power);
+            let square = ratio.square();
+            sum = sum + square;
             // sech falls by e^(-decay step) a term or faster once it falls, and 1/j always: what is left is less than
             // this term over 1 - e^(-2 decay step).
-            let left = ratio * ratio / least(2.0 * series.decay.hi * series.step as f64);
-            if left <= 1e-18 * sum.hi || ratio == 0.0 {
+            let left = square.hi / least(2.0 * series.decay.hi * series.step as f64);
+            if left <= 1e-18 * sum.hi || square.hi == 0.0 {
                 return sum.sqrt().value();
             }
             j += series.step;

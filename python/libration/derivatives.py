@@ -1,0 +1,90 @@
+"""How angle and velocity change with the start and the force: the exact derivatives, of one orbit and of arrays of states."""
+
+from typing import Any
+
+from . import _core
+from .dispatch import apply, matrix
+from .orbit import Orbit
+
+OF = ("theta", "velocity")
+BY = ("theta0", "velocity0", "omega0")
+
+
+class Derivatives(Orbit):
+    """The derivatives of one orbit."""
+
+    __slots__ = ()
+
+    def sensitivities(self, t: Any) -> Any:
+        """Derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
+
+        ``[..., i, j]`` is the derivative of (theta, velocity)[i] by (theta0, velocity0, omega0)[j]. omega0 is the square
+        root of abs(omega2), whatever the frequency was given by: by a length L at fixed g the derivative is that by
+        omega0 times -omega0/(2 L), by g at fixed L it is that times omega0/(2 g).
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign; not finite, and more than 2**53 half periods away, gives NaN.
+
+        Returns
+        -------
+        array of shape ``t.shape + (2, 3)``
+            In SI units, angles in rad; infinite where a derivative is beyond the doubles. Dask and xarray arrays give their
+            like; xarray's new dimensions are `of` and `by`.
+
+        Notes
+        -----
+        Error promised, in each row: 1e-12 of the largest change, that is of the three derivatives times the largest
+        angle, the largest velocity and omega0. The determinant of the first two columns is 1. Source: DLMF 22.13(i),
+        22.16(ii), 19.25(i); no step of it cancels next to the separatrix.
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Pendulum(1.0).sensitivities(2.0).round(6)
+        array([[-0.079122,  1.080307, -1.818094],
+               [-0.899426, -0.358228, -0.30617 ]])
+        """
+        return matrix(apply(_core.orbit_sensitivities, t, *self._operands), OF, BY)
+
+
+def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
+    """Derivatives of the state a time `t` after (theta0, velocity0), by theta0, velocity0 and omega0.
+
+    What `Pendulum.sensitivities` is, element by element. ``sensitivities(dt, theta, velocity, omega0)[..., :2]`` is the
+    Jacobian matrix of `advance`; its determinant is 1.
+
+    Parameters
+    ----------
+    t : scalar or array
+        Time in s; not finite, and more than 2**53 half periods away, gives NaN.
+    theta0 : scalar or array
+        Initial angle in rad, finite.
+    velocity0 : scalar or array, default 0.0
+        Initial angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+
+    Returns
+    -------
+    array of the broadcast shape + (2, 3)
+        ``[..., i, j]`` is the derivative of (theta, velocity)[i] by (theta0, velocity0, omega0)[j]. A bad element gives NaN
+        there and nowhere else.
+
+    Notes
+    -----
+    Error promised, in each row: 1e-12 of the largest change, as for `Pendulum.sensitivities`. Source: DLMF 22.13(i),
+    22.16(ii), 19.25(i).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import libration
+    >>> slopes = libration.sensitivities(2.0, np.array([0.1, 1.0, 3.0]))
+    >>> slopes.shape
+    (3, 2, 3)
+    >>> np.linalg.det(slopes[..., :2]).round(6)
+    array([1., 1., 1.])
+    """
+    return matrix(apply(_core.state_sensitivities, t, theta0, velocity0, omega0), OF, BY)

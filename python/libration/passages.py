@@ -1,0 +1,86 @@
+"""When an orbit passes an angle, when it turns back, and how far it gets."""
+
+import numpy as np
+
+from .orbit import Orbit, real
+
+
+class Passages(Orbit):
+    """The inverse of the motion."""
+
+    __slots__ = ()
+
+    def times(self, theta: float, start: float, stop: float) -> np.ndarray:
+        """All times from `start` to `stop`, both included, at which the angle is `theta`.
+
+        In libration modulo 2 pi: 30 degrees is passed whatever turn the pendulum hangs in. In rotation and on the
+        separatrix the angle is the unwrapped one, and passed once at most.
+
+        Parameters
+        ----------
+        theta : scalar
+            Angle in rad, finite. A turning angle, also as `theta_max` and `extremes` round it, is passed once a swing.
+        start, stop : scalar
+            Ends of the interval in s, start <= stop, in libration within 2**53 half periods.
+
+        Returns
+        -------
+        ndarray of float64
+            The times in s, rising; empty at rest, and where the motion does not get.
+
+        Raises
+        ------
+        ValueError
+            In one line: the argument, its value and what is allowed; for more than 10 million passages, how many.
+
+        Notes
+        -----
+        Error promised: the motion at each time is at `theta` within 4 ulp of the largest angle plus what an ulp of the
+        time makes of it. Source: DLMF 19.25.5, 22.15(ii).
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Pendulum(1.0).times(0.5, 0.0, 7.0).round(6)
+        array([1.126844, 5.573131])
+        """
+        return self._orbit.times(real("theta", theta), real("start", start), real("stop", stop))
+
+    def turning_times(self, start: float, stop: float) -> np.ndarray:
+        """All times from `start` to `stop`, both included, at which the pendulum turns back.
+
+        Parameters
+        ----------
+        start, stop : scalar
+            Ends of the interval in s, start <= stop, within 2**53 half periods.
+
+        Returns
+        -------
+        ndarray of float64
+            The times in s, rising; empty at rest, in rotation and on the separatrix.
+
+        Raises
+        ------
+        ValueError
+            As for `times`.
+
+        Notes
+        -----
+        Error promised: 4 ulp. Source: DLMF 22.4(i).
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Pendulum(1.0).turning_times(0.0, 10.0).round(6)
+        array([0.      , 3.349988, 6.699976])
+        """
+        return self._orbit.turning_times(real("start", start), real("stop", stop))
+
+    @property
+    def extremes(self) -> tuple[float, float]:
+        """Lowest and highest angle in rad that the orbit reaches, in its own turn.
+
+        Infinite in rotation, the limits on the separatrix, both the angle itself at rest. Error promised: 4 ulp. Source:
+        `theta_max`, on both sides of the stable equilibrium.
+        """
+        return self._orbit.extremes

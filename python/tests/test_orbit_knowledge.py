@@ -1,0 +1,188 @@
+"""What there is to know of an orbit, through the Python door: passages, action and angle, derivatives, series."""
+
+import math
+import pickle
+
+import numpy as np
+import pytest
+from bits import same
+
+import libration
+from libration import Pendulum
+
+STATES = [(1.0, 0.0), (0.0, 1.0), (-2.0, -0.5), (3.0, 0.2), (0.5, -3.0), (7.0, 4.0), (0.0, 2.0), (0.0, 0.0)]
+
+
+def test_times_are_where_the_motion_passes():
+    pendulum = Pendulum(1.0, length=1.0, gravity=9.8)
+    times = pendulum.times(0.5, 0.0, 20.0)
+    assert times.dtype == np.float64
+    assert len(times) == 2 * math.floor(20.0 / pendulum.period) + 1 + (20.0 % pendulum.period > times[1])
+    assert np.allclose(pendulum.theta(times), 0.5, rtol=1e-15)
+    assert np.array_equal(pendulum.times(0.5, 5, np.float64(6.0)), times[(times >= 5) & (times <= 6)])
+    assert np.array_equal(pendulum.times(1.0, 0, pendulum.period), [0.0, pendulum.period])
+    assert len(Pendulum(0.0).times(0.0, 0.0, 1.0)) == 0
+
+
+def test_turning_times():
+    pendulum = Pendulum(2.0, 0.3)
+    times = pendulum.turning_times(0.0, 3 * pendulum.period)
+    assert len(times) == 6
+    assert np.abs(pendulum.velocity(times)).max() < 1e-14
+    assert len(Pendulum(0.0, 3.0).turning_times(0.0, 100.0)) == 0
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (("x", 0.0, 1.0), "theta = 'x': must be one real number, a Python or NumPy scalar"),
+        ((math.inf, 0.0, 1.0), "theta = inf: must be finite"),
+        ((0.5, 1.0, 0.0), "stop = 0.0: must be a number, and not before start"),
+        ((0.5, math.nan, 0.0), "start = NaN: must be a number"),
+        ((0.5, 0.0, 1e9), f"passages from start to stop = {2e9 / Pendulum(1.0).period:.0f}: must be at most 10000000"),
+    ],
+)
+def test_bad_intervals(call, message):
+    with pytest.raises(ValueError) as caught:
+        Pendulum(1.0).times(*call)
+    assert str(caught.value) == message
+
+
+def test_extremes():
+    assert Pendulum(1.0).extremes == (-1.0, 1.0)
+    assert Pendulum(13.0).extremes[1] == 13.0
+    assert Pendulum(0.0, 3.0).extremes == (-math.inf, math.inf)
+    assert Pendulum(0.0, 2.0).extremes == (-math.pi, math.pi)
+    assert Pendulum(0.0).extremes == (0.0, 0.0)
+    low, high = Pendulum(3.0, omega2=-1.0).extremes
+    assert low == 3.0 and abs(high - (2 * math.pi - 3.0)) < 1e-15
+
+
+def test_action_and_phase_make_the_orbit():
+    for theta0, velocity0 in [(1.0, 0.0), (0.3, -1.2), (-2.0, 0.5), (0.5, -3.0), (7.0, 4.0)]:
+        pendulum = Pendulum(theta0, velocity0, length=2.0)
+        turning = pendulum.regime == "rotation"
+        direction = np.sign(pendulum.frequency) if turning else 0
+        again = Pendulum.from_action_phase(pendulum.action, pendulum.phase(0.0), direction=direction, length=2.0)
+        shift = again.theta0 - theta0 if turning else math.remainder(again.theta0 - theta0, 2 * math.pi)
+        assert abs(shift) < 1e-13 and abs(again.velocity0 - velocity0) < 1e-13
+        assert again.omega2 == pendulum.omega2
+        assert abs(pendulum.frequency) == pytest.approx(2 * math.pi / pendulum.period, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"action": 3.0}, "action = 3.0: must be below 8 omega0/pi in libration"),
+        ({"action": 1.0, "direction": 1}, "action = 1.0: must be above 4 omega0/pi in rotation"),
+        ({"action": -1.0}, "action = -1.0: must be finite and not negative"),
+        ({"action": 1.0, "direction": 2}, "direction = 2.0: must be 0, 1 or -1"),
+        ({"action": 1.0, "omega0": -1.0}, "omega0 = -1.0: must be finite and not negative"),
+        ({"action": "a"}, "action = 'a': must be one real number, a Python or NumPy scalar"),
+    ],
+)
+def test_bad_actions(arguments, message):
+    with pytest.raises(ValueError) as caught:
+        Pendulum.from_action_phase(phase=0.0, **arguments)
+    assert str(caught.value) == message
+
+
+def test_subclasses_are_made_in_kind():
+    class Bob(Pendulum):
+        pass
+
+    assert type(Bob.from_action_phase(1.0, 0.0)) is Bob
+    assert pickle.loads(pickle.dumps(Pendulum(1.0))).action == Pendulum(1.0).action
+
+
+def test_arrays_are_their_scalars():
+    theta, velocity = np.array(STATES).T
+    omega0 = np.linspace(0.5, 2.0, len(STATES))
+    t = np.linspace(-3.0, 40.0, 5)[:, None]
+    pendulums = [Pendulum(a, b, omega0=c) for a, b, c in zip(theta, velocity, omega0, strict=True)]
+    assert same(libration.action(theta, velocity, omega0), np.array([p.action for p in pendulums]))
+    assert same(libration.frequency(theta, velocity, omega0), np.array([p.frequency for p in pendulums]))
+    assert same(libration.phase(theta, velocity, omega0), np.array([p.phase(0.0) for p in pendulums]))
+    slopes = libration.sensitivities(t, theta, velocity, omega0)
+    assert slopes.shape == (5, len(STATES), 2, 3)
+    for i, pendulum in enumerate(pendulums):
+        assert same(slopes[:, i], pendulum.sensitivities(t[:, 0]))
+        assert same(slopes[2, i], pendulum.sensitivities(float(t[2, 0])))
+    # A bad element is NaN alone.
+    assert np.isnan(libration.action([1.0, np.nan, 1.0])).tolist() == [False, True, False]
+    assert np.isnan(libration.phase(1.0, 0.0, [1.0, -1.0])).tolist() == [False, True]
+    action, phase = libration.action(theta[:3], velocity[:3]), libration.phase(theta[:3], velocity[:3])
+    back, speed = libration.from_action_phase(action, phase)
+    assert np.allclose(back, theta[:3], atol=1e-13) and np.allclose(speed, velocity[:3], atol=1e-13)
+    assert np.isnan(libration.from_action_phase([1.0, 3.0, 1.0], 0.0, direction=[0, 0, 0.5])[0]).tolist() == [
+        False,
+        True,
+        True,
+    ]
+
+
+def test_out_and_where():
+    out = np.full(3, 9.0)
+    libration.action([1.0, 2.0, 3.0], out=out, where=[True, False, True])
+    assert out[1] == 9.0 and out[0] == Pendulum(1.0).action
+    assert np.isnan(libration.frequency([1.0, 2.0], where=[True, False])).tolist() == [False, True]
+    phase = np.empty(2)
+    assert Pendulum(1.0).phase(np.array([0.0, 1.0]), out=phase) is phase
+
+
+def test_sensitivities_are_derivatives_of_the_motion():
+    t, state = 3.7, np.array([1.2, 0.4, 1.5])
+    exact = Pendulum(state[0], state[1], omega0=state[2]).sensitivities(t)
+
+    def motion(point):
+        return np.array(Pendulum(point[0], point[1], omega0=point[2]).motion(t))
+
+    for j in range(3):
+        step = np.eye(3)[j] * 1e-5
+        slope = (8 * (motion(state + step) - motion(state - step)) - motion(state + 2 * step) + motion(state - 2 * step)) / 12e-5
+        assert np.allclose(exact[:, j], slope, rtol=1e-8, atol=1e-9)
+
+
+def test_sensitivities_are_the_jacobian_of_advance():
+    theta, velocity = np.array([0.1, 2.0, -1.0]), np.array([0.0, 0.5, 4.0])
+    slopes = libration.sensitivities(0.8, theta, velocity)
+    step = 1e-6
+    above, below = libration.advance(theta + step, velocity, 0.8), libration.advance(theta - step, velocity, 0.8)
+    for i in range(2):
+        assert np.allclose(slopes[:, i, 0], (above[i] - below[i]) / (2 * step), rtol=1e-7)
+    assert np.allclose(np.linalg.det(slopes[..., :2]), 1.0, rtol=1e-13)
+
+
+def test_sensitivities_of_other_arrays():
+    dask = pytest.importorskip("dask.array")
+    xarray = pytest.importorskip("xarray")
+    pendulum, t = Pendulum(1.0, 0.3), np.linspace(0.0, 4.0, 6)
+    expected = pendulum.sensitivities(t)
+    lazy = pendulum.sensitivities(dask.from_array(t, chunks=4))
+    assert lazy.shape == (6, 2, 3) and same(lazy.compute(), expected)
+    labelled = pendulum.sensitivities(xarray.DataArray(t, dims="t"))
+    assert labelled.dims == ("t", "of", "by") and same(labelled.values, expected)
+    assert float(labelled.sel(of="velocity", by="omega0")[3]) == expected[3, 1, 2]
+
+
+def test_series():
+    pendulum = Pendulum(2.5, omega0=2.0)
+    series = pendulum.fourier(41)
+    assert isinstance(series, libration.Fourier) and len(series.theta) == len(series.velocity) == 41
+    t = np.linspace(0.0, 5.0, 50)
+    j = np.arange(1, 42)
+    phase = pendulum.phase(t)[:, None] * j
+    assert np.allclose((np.sin(phase) * series.theta).sum(axis=1), pendulum.theta(t), atol=1e-12)
+    assert np.allclose((np.cos(phase) * series.velocity).sum(axis=1), pendulum.velocity(t), atol=1e-11)
+    assert libration.harmonic_distortion(2.5) == Pendulum(2.5).distortion == pytest.approx(pendulum.distortion)
+    assert libration.harmonic_distortion([0.0, 1.0]).shape == (2,)
+    assert np.isnan(Pendulum(0.0, 2.0).fourier(3).theta).all()
+    for n, message in [
+        (0, "n = 0: must be from 1 to 10000000"),
+        (-5, "n = -5: must be from 1 to 10000000"),
+        (1.5, "n = 1.5: must be a whole number"),
+        (True, "n = True: must be a whole number"),
+    ]:
+        with pytest.raises(ValueError) as caught:
+            pendulum.fourier(n)
+        assert str(caught.value) == message
