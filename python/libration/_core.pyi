@@ -31,6 +31,7 @@ __all__ = [
     "nome_mc",
     "orbit_motion",
     "orbit_phase",
+    "orbit_second_sensitivities",
     "orbit_sensitivities",
     "orbit_theta",
     "orbit_velocity",
@@ -70,6 +71,7 @@ nome_m: np.ufunc
 nome_mc: np.ufunc
 orbit_motion: np.ufunc
 orbit_phase: np.ufunc
+orbit_second_sensitivities: np.ufunc
 orbit_sensitivities: np.ufunc
 orbit_theta: np.ufunc
 orbit_velocity: np.ufunc

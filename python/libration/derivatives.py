@@ -3,11 +3,14 @@
 from typing import Any
 
 from . import _core
-from .dispatch import apply, matrix
+from .dispatch import apply, tensor
 from .orbit import Orbit
 
-OF = ("theta", "velocity")
-BY = ("theta0", "velocity0", "omega0")
+_BY = ("theta0", "velocity0", "omega0")
+_FIRST = {"of": ("theta", "velocity"), "by": _BY}
+_SECOND = {**_FIRST, "and_by": _BY}
+# The twelve different second derivatives, in the places of the two symmetric matrices.
+_SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 
 
 class Derivatives(Orbit):
@@ -46,7 +49,38 @@ class Derivatives(Orbit):
         array([[-0.079122,  1.080307, -1.818094],
                [-0.899426, -0.358228, -0.30617 ]])
         """
-        return matrix(apply(_core.orbit_sensitivities, t, *self._operands), OF, BY)
+        return tensor(apply(_core.orbit_sensitivities, t, *self._operands), _FIRST)
+
+    def second_sensitivities(self, t: Any) -> Any:
+        """Second derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
+
+        ``[..., i, j, k]`` is the derivative of (theta, velocity)[i] by (theta0, velocity0, omega0)[j] and [k].
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign; outside as for `sensitivities`.
+
+        Returns
+        -------
+        array of shape ``t.shape + (2, 3, 3)``
+            In SI units, angles in rad. The closed forms are differences of terms many times larger; they are given where
+            kappa**2 is at least 1e-10 and at least 1e-6 away from 1, and NaN nearer to rest and to the separatrix. Dask and
+            xarray arrays give their like; xarray's new dimensions are `of`, `by` and `and_by`.
+
+        Notes
+        -----
+        Error promised, in each matrix: 1e-12 of the largest change, that is of its elements times the largest angle, the
+        largest velocity and omega0. Source: DLMF 22.13(i), 22.16(ii), 19.4(ii).
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Pendulum(1.0).second_sensitivities(2.0)[0].round(6)
+        array([])
+        """
+        twelve = apply(_core.orbit_second_sensitivities, t, *self._operands)
+        return tensor(tuple(twelve[6 * of + i] for of in range(2) for i in _SYMMETRIC), _SECOND)
 
 
 def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
@@ -87,4 +121,4 @@ def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) 
     >>> np.linalg.det(slopes[..., :2]).round(6)
     array([1., 1., 1.])
     """
-    return matrix(apply(_core.state_sensitivities, t, theta0, velocity0, omega0), OF, BY)
+    return tensor(apply(_core.state_sensitivities, t, theta0, velocity0, omega0), _FIRST)

@@ -88,18 +88,22 @@ def _xarray(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
     )
 
 
-def matrix(results: tuple[Any, ...], rows: tuple[str, ...], columns: tuple[str, ...]) -> Any:
-    """The results of a ufunc, row by row of a matrix, as one array with two axes more; xarray's are `of` and `by`."""
+def tensor(results: tuple[Any, ...], axes: dict[str, tuple[str, ...]]) -> Any:
+    """The results of a ufunc as one array with further axes, the last running fastest; xarray's have their names."""
     library = array_library(results)
-    width = len(columns)
-    parts = [results[first : first + width] for first in range(0, len(rows) * width, width)]
-    if library == "xarray":
-        import xarray
+    stacked = list(results)
+    for depth, (name, labels) in enumerate(reversed(axes.items())):
+        width, axis = len(labels), -1 - depth
+        parts = [stacked[first : first + width] for first in range(0, len(stacked), width)]
+        if library == "xarray":
+            import xarray
 
-        lines = [xarray.concat(part, xarray.Variable("by", list(columns))) for part in parts]
-        return xarray.concat(lines, xarray.Variable("of", list(rows))).transpose(..., "of", "by")
-    if library == "dask":
-        from dask.array import stack
+            stacked = [xarray.concat(part, xarray.Variable(name, list(labels))) for part in parts]
+        elif library == "dask":
+            from dask.array import stack
 
-        return stack([stack(part, axis=-1) for part in parts], axis=-2)
-    return np.stack([np.stack(part, axis=-1) for part in parts], axis=-2)
+            stacked = [stack(part, axis=axis) for part in parts]
+        else:
+            stacked = [np.stack(part, axis=axis) for part in parts]
+    [whole] = stacked
+    return whole.transpose(..., *axes) if library == "xarray" else whole

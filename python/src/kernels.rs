@@ -26,6 +26,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
     add(module, "orbit_phase", orbit, each(|orbit: &Orbit, [t]| [orbit.phase(t)]))?;
     add(module, "orbit_sensitivities", |of| Some(Sensitivity::new(&orbit(of)?)), each(slopes))?;
+    add(module, "orbit_second_sensitivities", orbit, each(second_slopes))?;
 
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
@@ -123,6 +124,16 @@ fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
 fn slopes(sensitivity: &Sensitivity, [t]: [f64; 1]) -> [f64; 6] {
     let [[a, b, c], [d, e, f]] = sensitivity.at(t);
     [a, b, c, d, e, f]
+}
+
+/// The upper halves of the symmetric matrices, row by row.
+fn second_slopes(orbit: &Orbit, [t]: [f64; 1]) -> [f64; 12] {
+    let [angle, velocity] =
+        orbit.second_sensitivities(t).map(|[[a, b, c], [_, d, e], [_, _, f]]| [a, b, c, d, e, f]);
+    let mut halves = [0.0; 12];
+    halves[..6].copy_from_slice(&angle);
+    halves[6..].copy_from_slice(&velocity);
+    halves
 }
 
 /// Angle and velocity; the direction is one of 0, 1 and -1.

@@ -165,6 +165,25 @@ def test_sensitivities_of_other_arrays():
     assert float(labelled.sel(of="velocity", by="omega0")[3]) == expected[3, 1, 2]
 
 
+def test_second_derivatives():
+    t, state = 2.3, np.array([1.2, -0.4, 1.5])
+    exact = Pendulum(state[0], state[1], omega0=state[2]).second_sensitivities([t, 5.0])
+    assert exact.shape == (2, 2, 3, 3)
+    assert np.array_equal(exact, exact.swapaxes(-1, -2))
+
+    def slopes(point):
+        return Pendulum(point[0], point[1], omega0=point[2]).sensitivities(t)
+
+    for k in range(3):
+        step = np.eye(3)[k] * 1e-5
+        slope = (slopes(state + step) - slopes(state - step)) / 2e-5
+        assert np.allclose(exact[0, :, :, k], slope, rtol=1e-7, atol=1e-8)
+    assert np.isnan(Pendulum(0.0).second_sensitivities(1.0)).all()
+    xarray = pytest.importorskip("xarray")
+    labelled = Pendulum(1.2).second_sensitivities(xarray.DataArray([t], dims="t"))
+    assert labelled.dims == ("t", "of", "by", "and_by")
+
+
 def test_series():
     pendulum = Pendulum(2.5, omega0=2.0)
     series = pendulum.fourier(41)

@@ -11,6 +11,7 @@ pub mod motion;
 pub mod orbit;
 pub mod regime;
 mod rows;
+pub mod second;
 pub mod sensitivity;
 pub mod state;
 pub mod states;
