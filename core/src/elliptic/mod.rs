@@ -3,6 +3,7 @@
 pub mod agm;
 pub mod carlson;
 pub mod complete;
+pub mod glaisher;
 pub mod incomplete;
 pub mod jacobi;
 pub(crate) mod lattices;
@@ -12,6 +13,7 @@ pub mod phase;
 pub mod theta;
 
 pub use complete::{complete_e, complete_k};
+pub use glaisher::Glaisher;
 pub use incomplete::{incomplete_e, incomplete_f};
 pub use jacobi::Jacobi;
 pub use nome::nome;
