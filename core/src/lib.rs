@@ -20,7 +20,10 @@ pub mod pendulum;
 mod domain;
 
 pub use domain::Domain;
-pub use elliptic::{Glaisher, Jacobi, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
+pub use elliptic::{
+    Glaisher, Jacobi, Parameter, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k,
+    incomplete_e, incomplete_f, nome,
+};
 pub use pendulum::{Frequency, Orbit, Regime, advance, advance_into};
 
 /// Version of the core, and of everything built on it.

@@ -10,14 +10,21 @@ use super::parameter::Parameter;
 use crate::float::{Dd, circle, series};
 
 /// phi = n pi + side * r, 0 <= r <= pi/2.
-struct Reduced {
-    n: f64,
-    side: f64,
-    sine: Dd,
-    cosine: Dd,
+pub(super) struct Reduced {
+    pub n: f64,
+    pub side: f64,
+    pub sine: Dd,
+    pub cosine: Dd,
 }
 
-fn reduce(phi: f64) -> Reduced {
+/// Below, the sine is the angle and the cosine 1 to a double-double.
+const TINY: f64 = 1e-18;
+
+pub(super) fn reduce(phi: f64) -> Reduced {
+    if phi.abs() < TINY {
+        let side = f64::copysign(1.0, phi);
+        return Reduced { n: 0.0, side, sine: Dd::from(phi.abs()), cosine: Dd::ONE };
+    }
     let full = circle::reduce(phi);
     let beyond = full.from_top.hi < full.from_bottom.hi;
     let (n, side, r, other) = if beyond {

@@ -10,6 +10,7 @@ pub(crate) mod lattices;
 pub mod nome;
 pub mod parameter;
 pub mod phase;
+pub mod symmetric;
 pub mod theta;
 
 pub use complete::{complete_e, complete_k};
@@ -18,3 +19,4 @@ pub use incomplete::{incomplete_e, incomplete_f};
 pub use jacobi::Jacobi;
 pub use nome::nome;
 pub use parameter::Parameter;
+pub use symmetric::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
