@@ -21,8 +21,9 @@ mod domain;
 
 pub use domain::Domain;
 pub use elliptic::{
-    Glaisher, Jacobi, Parameter, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k,
-    incomplete_e, incomplete_f, nome,
+    Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf, carlson_rj,
+    complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi,
+    nome,
 };
 pub use pendulum::{Frequency, Orbit, Regime, advance, advance_into};
 

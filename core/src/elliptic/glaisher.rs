@@ -4,7 +4,7 @@
 //! rounded value is divided, and next to a zero or a pole the digits are those of the reduced argument.
 //! At m = 1 all are hyperbolic functions. Source: DLMF 22.2.10, 22.2.11.
 
-use super::jacobi::{Jacobi, Range, Ratio};
+use super::jacobi::{Jacobi, Range, Ratio, TINY};
 use crate::float::Dd;
 use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
 use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
@@ -134,7 +134,7 @@ impl Jacobi {
 /// Next to 0 the odd functions are u or 1/u, also where the phase would be subnormal.
 #[inline(always)]
 fn odd<L: Lane>([above, below]: [Letter; 2], u: L, value: L) -> L {
-    let tiny = u.abs().less(L::splat(1e-290));
+    let tiny = u.abs().less(L::splat(TINY));
     if above == Letter::S {
         L::select(tiny, u, value)
     } else if below == Letter::S {

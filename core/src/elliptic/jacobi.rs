@@ -6,9 +6,9 @@
 
 use super::parameter::{Parameter, Unit};
 use super::phase::Phase;
-use super::theta::Lattice;
-use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
-use crate::float::{Dd, PI};
+use super::theta::{Lattice, Thetas};
+use crate::float::elementary::{arctangent, long_sinh_cosh, quotient, saturated_sinh_cosh, sech};
+use crate::float::{Dd, PI, Wide, wide};
 use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
 
 /// Where the parameter lies, which decides the formula.
@@ -43,6 +43,8 @@ pub struct Jacobi {
     edge: Dd,
     /// Modulus of the parameter in [0, 1]: 1/k of the given one for m > 1.
     unit_modulus: Dd,
+    /// sn u / u at 0.
+    slope: Dd,
 }
 
 /// |sn| : |cn| : |dn| : 1 = sn : cn : dn : one, and the signs of the first three.
@@ -74,7 +76,7 @@ impl Jacobi {
     /// The functions of stretch * u with a parameter in [0, 1], as they are.
     pub(super) fn of_unit(unit: Unit, stretch: Dd) -> Jacobi {
         let range = if unit.mc.hi == 0.0 { Range::One } else { Range::Unit };
-        Jacobi::set_up(range, unit, stretch)
+        Jacobi { slope: stretch, ..Jacobi::set_up(range, unit, stretch) }
     }
 
     fn set_up(range: Range, unit: Unit, stretch: Dd) -> Jacobi {
@@ -87,7 +89,7 @@ impl Jacobi {
         };
         let rate = (stretch / lattice.quarter).scale(0.5);
         let phase = Phase { rate, start: Dd::ZERO };
-        Jacobi { range, lattice, phase, sine: [a, a * edge], edge, unit_modulus: k }
+        Jacobi { range, lattice, phase, sine: [a, a * edge], edge, unit_modulus: k, slope: Dd::ONE }
     }
 
     /// (sn, cn, dn, am) at u, where am = int_0^u dn: it grows by pi per 2K for m < 1, is the Gudermannian at
@@ -163,10 +165,64 @@ impl Jacobi {
     }
 }
 
+/// sn : cn : dn : 1 = sn : cn : dn : one to 2^-60, into any range; all are not negative, their signs apart. n is the nearest
+/// whole number of half periods.
+pub(super) struct LongRatio {
+    pub n: Dd,
+    pub sn: Wide,
+    pub cn: Wide,
+    pub dn: Wide,
+    pub one: Wide,
+    pub signs: [f64; 3],
+}
+
+/// Where e^-2u no longer counts beside 1.
+const LEVEL: f64 = 40.0;
+
+impl Jacobi {
+    /// The functions at u, for what must not round on the way.
+    pub(super) fn long_ratio(&self, u: f64) -> LongRatio {
+        let sign = f64::copysign(1.0, u);
+        if u.abs() < TINY {
+            let sn = Wide::from(self.slope) * u.abs();
+            return LongRatio { n: Dd::ZERO, sn, cn: Wide::ONE, dn: Wide::ONE, one: Wide::ONE, signs: [sign, 1.0, 1.0] };
+        }
+        if self.range == Range::One {
+            let y = self.slope * u.abs();
+            let (sn, cn, one) = if y.hi < LEVEL {
+                let (sinh, cosh) = long_sinh_cosh(y);
+                (sinh.into(), Wide::ONE, cosh.into())
+            } else {
+                (Wide::ONE, wide::exp(-y).shift(1), Wide::ONE)
+            };
+            return LongRatio { n: Dd::ZERO, sn, cn, dn: cn, one, signs: [sign, 1.0, 1.0] };
+        }
+        let at = self.phase.reduce(u);
+        let Thetas { theta: [t1, t2, t3, t4], folded } = self.lattice.long_thetas(at.f);
+        let (t3, t4) = if self.range == Range::Negative { (t4, t3) } else { (t3, t4) };
+        let (sn, cn, dn, one) = if folded {
+            (t2, t1 * self.sine[1], t4 * self.edge, t3)
+        } else {
+            (t1 * self.sine[0], t2, t3, t4)
+        };
+        let [sn, cn, dn, one] = [sn, cn, dn, one].map(Wide::from);
+        let odd = at.parity * at.sign;
+        if self.range == Range::Greater {
+            let sn = sn * Wide::from(self.unit_modulus);
+            LongRatio { n: at.n, sn, cn: dn, dn: cn, one, signs: [odd, 1.0, at.parity] }
+        } else {
+            LongRatio { n: at.n, sn, cn, dn, one, signs: [odd, at.parity, 1.0] }
+        }
+    }
+}
+
+/// Below, sn and am are u for every finite m, to a double-double.
+pub(super) const TINY: f64 = 1e-290;
+
 /// Where u^2 counts no more sn and am are u, down to the sign of zero; NaN stays NaN.
 #[inline(always)]
 fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
-    let tiny = u.abs().less(L::splat(1e-290));
+    let tiny = u.abs().less(L::splat(TINY));
     let small = |value: L| L::select(tiny, u - value.abs() * L::splat(0.0), value);
     [small(sn), cn, dn, small(am)]
 }
