@@ -7,7 +7,7 @@ mod ruler;
 
 use libration::lanes::InstructionSet;
 use libration::{
-    Glaisher, Jacobi, Parameter, SecondKind, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_pi,
+    Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_pi,
     heuman_lambda, incomplete_pi, inverse_jacobi,
 };
 use ruler::{Row, distance, rows, ulp};
@@ -18,6 +18,8 @@ const INVERSE: &str = include_str!("../../reference/vectors/inverse_jacobi.csv")
 const SECOND: &str = include_str!("../../reference/vectors/second_kind.csv");
 const HEUMAN: &str = include_str!("../../reference/vectors/heuman.csv");
 const THIRD: &str = include_str!("../../reference/vectors/third_kind.csv");
+const THETA: &str = include_str!("../../reference/vectors/theta_functions.csv");
+const COMPLEX: &str = include_str!("../../reference/vectors/jacobi_complex.csv");
 const CARLSON: &str = include_str!("../../reference/vectors/carlson.csv");
 
 /// What is promised.
@@ -152,6 +154,27 @@ fn of_third(value: impl Fn(&Row) -> f64) -> Table {
     of_rows(THIRD, 832, value)
 }
 
+fn thetas(row: &Row) -> Vec<f64> {
+    let theta = match row.text("given") {
+        "q" => Theta::from_nome(row.hex("parameter")),
+        _ => Theta::from_parameter(parameter(row)),
+    };
+    let z = row.hex("z");
+    (1..=4).map(|index| theta.value(index, z)).collect()
+}
+
+fn of_theta(values: impl Fn(&Row) -> Vec<f64>) -> Table {
+    of_columns(THETA, 449, &["theta1", "theta2", "theta3", "theta4"], values)
+}
+
+fn complex(row: &Row) -> Vec<f64> {
+    JacobiComplex::new(parameter(row)).values(row.hex("re"), row.hex("im")).concat()
+}
+
+fn of_complex(values: impl Fn(&Row) -> Vec<f64>) -> Table {
+    of_columns(COMPLEX, 503, &["sn_re", "sn_im", "cn_re", "cn_im", "dn_re", "dn_im"], values)
+}
+
 /// Too large in the fourth last bit.
 fn nudged(value: f64) -> f64 {
     value * (1.0 + 8.0 * f64::EPSILON)
@@ -202,6 +225,33 @@ fn second_kind() {
             let p = parameter(row);
             let formed = epsilon - row.hex("u") * (libration::complete_e(p) / libration::complete_k(p));
             vec![epsilon, if zeta.is_nan() { zeta } else { formed }]
+        })
+        .worst()
+            > BOUND
+    );
+}
+
+#[test]
+fn theta_functions() {
+    of_theta(thetas).hold();
+    assert!(of_theta(|row| spoiled(thetas(row), nudged)).worst() > BOUND);
+    assert!(of_theta(|row| spoiled(thetas(row), f64::abs)).worst() > BOUND);
+    // theta_4 for theta_3, and a NaN that becomes a number.
+    assert!(of_theta(|row| [0, 1, 3, 2].map(|i| thetas(row)[i]).to_vec()).worst() > BOUND);
+    assert!(of_theta(|row| spoiled(thetas(row), |value| if value.is_nan() { 0.0 } else { value })).worst() > BOUND);
+}
+
+#[test]
+fn complex_arguments() {
+    of_complex(complex).hold();
+    assert!(of_complex(|row| spoiled(complex(row), nudged)).worst() > BOUND);
+    assert!(of_complex(|row| spoiled(complex(row), f64::abs)).worst() > BOUND);
+    // A small part with the absolute digits of the large one.
+    assert!(
+        of_complex(|row| {
+            let mut values = complex(row);
+            values[1] = (values[1] + 1.0) - 1.0;
+            values
         })
         .worst()
             > BOUND

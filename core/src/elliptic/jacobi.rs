@@ -197,7 +197,14 @@ impl Jacobi {
             };
             return LongRatio { n: Dd::ZERO, sn, cn, dn: cn, one, signs: [sign, 1.0, 1.0] };
         }
-        let at = self.phase.reduce(u);
+        let mut at = self.phase.reduce(u);
+        let beyond = at.f - Dd::from(0.5);
+        if beyond.hi > 0.0 {
+            // The rest may pass 1/2 by a rounding error: counted from the other side cn is not negative.
+            at.n = at.n + Dd::from(at.sign);
+            at.f = Dd::from(0.5) - beyond;
+            (at.sign, at.parity) = (-at.sign, -at.parity);
+        }
         let Thetas { theta: [t1, t2, t3, t4], folded } = self.lattice.long_thetas(at.f);
         let (t3, t4) = if self.range == Range::Negative { (t4, t3) } else { (t3, t4) };
         let (sn, cn, dn, one) = if folded {
