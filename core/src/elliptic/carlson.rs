@@ -71,7 +71,8 @@ pub fn rf_of_roots(x: Dd, y: Dd) -> Dd {
 /// The series of R_J, and of R_D as its case of two equal arguments, in the elementary symmetric functions.
 fn series_of_five(e2: Dd, e3: Dd, e4: f64, e5: f64) -> Dd {
     let (s, c) = (e2.hi, e3.hi);
-    let small = 9.0 / 88.0 * s * s - 3.0 / 22.0 * e4 - 9.0 / 52.0 * s * c + 3.0 / 26.0 * e5 - s * s * s / 16.0
+    let small = 9.0 / 88.0 * s * s - 3.0 / 22.0 * e4 - 9.0 / 52.0 * s * c + 3.0 / 26.0 * e5
+        - s * s * s / 16.0
         + 3.0 / 40.0 * c * c
         + 3.0 / 20.0 * s * e4
         + 45.0 / 272.0 * s * s * c
@@ -126,7 +127,8 @@ pub fn rc(x: Dd, y: Dd) -> Dd {
             let s = apart / mean;
             let square = s.square();
             let e = s.hi;
-            let small = e * e * e * e * (3.0 / 8.0 + e * (9.0 / 22.0 + e * (159.0 / 208.0 + e * (9.0 / 8.0))));
+            let small =
+                e * e * e * e * (3.0 / 8.0 + e * (9.0 / 22.0 + e * (159.0 / 208.0 + e * (9.0 / 8.0))));
             let inner = TENTH * 3.0 + s * FOURTEENTH.scale(2.0);
             return (Dd::ONE + (square * inner + Dd::from(small))) / mean.sqrt();
         }

@@ -116,7 +116,7 @@ impl Jacobi {
     /// ```
     /// use libration::{Glaisher, Jacobi, Parameter};
     /// let jacobi = Jacobi::new(Parameter::from_m(0.5));
-    /// assert_eq!(format!("{:.12}", jacobi.glaisher(Glaisher::Sc, 1.0)), "1.347372956628");
+    /// assert_eq!(format!("{:.12}", jacobi.glaisher(Glaisher::Sc, 1.0)), "1.347371471385");
     /// ```
     pub fn glaisher(&self, which: Glaisher, u: f64) -> f64 {
         let mut value = [0.0];

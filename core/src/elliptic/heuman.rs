@@ -3,7 +3,7 @@
 //! Method: with s, c the sine and cosine of the reduced amplitude and e = c^2 + m s^2,
 //!   Lambda0 = 2/pi mc s c/sqrt(e) (R_F(0, mc, 1) + m/(3 e) R_J(0, mc, 1, mc c^2/e)),
 //! whose terms are all positive, and Lambda0(phi + pi) = Lambda0(phi) + 2.
-//! Source: DLMF 19.2.? (10.13 of Byrd & Friedman 150.03); Carlson, Numer. Math. 33 (1979) 1, (4.8).
+//! Source: Byrd & Friedman 150.03; Carlson, Numer. Math. 33 (1979) 1.
 
 use super::incomplete::{Reduced, reduce};
 use super::parameter::Parameter;
@@ -26,7 +26,7 @@ const TWO_OVER_PI: Dd = Dd::new(0.6366197723675814, -3.935735335036497e-17);
 ///
 /// ```
 /// use libration::{Parameter, heuman_lambda};
-/// assert_eq!(format!("{:.12}", heuman_lambda(0.5, Parameter::from_m(0.5))), "0.409187398294");
+/// assert_eq!(format!("{:.12}", heuman_lambda(0.5, Parameter::from_m(0.5))), "0.414660142135");
 /// ```
 pub fn heuman_lambda(phi: f64, parameter: Parameter) -> f64 {
     let Parameter { m, mc } = parameter;

@@ -109,7 +109,7 @@ fn size(x: Wide) -> Wide {
 ///
 /// The odd functions sn, sc, sd give u between the first zeros of their derivative or their first poles around 0, ns, cs, ds
 /// the branch next to their pole at 0: odd in x. The even functions give the least u >= 0. For 0 <= m <= 1 that is arcsn
-/// in [-K, K], arccn, arccd in \[0, 2K\], arcdn in \[0, K\]. A constant function (dn at m = 0, cd at m = 1) gives 0 at 1.
+/// in `[-K, K]`, arccn, arccd in `[0, 2K]`, arcdn in `[0, K]`. A constant function (dn at m = 0, cd at m = 1) gives 0 at 1.
 ///
 /// **Error** at most 3 ulp, plus 2^-98 of the condition in x and m.
 ///
@@ -118,7 +118,7 @@ fn size(x: Wide) -> Wide {
 /// ```
 /// use libration::{Glaisher, Parameter, inverse_jacobi};
 /// let u = inverse_jacobi(Glaisher::Sn, 0.5, Parameter::from_m(0.5));
-/// assert_eq!(format!("{u:.12}"), "0.535622632704");
+/// assert_eq!(format!("{u:.12}"), "0.535622732805");
 /// ```
 pub fn inverse_jacobi(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
     let [p, q] = which.letters();

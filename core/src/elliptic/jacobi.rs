@@ -185,7 +185,14 @@ impl Jacobi {
         let sign = f64::copysign(1.0, u);
         if u.abs() < TINY {
             let sn = Wide::from(self.slope) * u.abs();
-            return LongRatio { n: Dd::ZERO, sn, cn: Wide::ONE, dn: Wide::ONE, one: Wide::ONE, signs: [sign, 1.0, 1.0] };
+            return LongRatio {
+                n: Dd::ZERO,
+                sn,
+                cn: Wide::ONE,
+                dn: Wide::ONE,
+                one: Wide::ONE,
+                signs: [sign, 1.0, 1.0],
+            };
         }
         if self.range == Range::One {
             let y = self.slope * u.abs();

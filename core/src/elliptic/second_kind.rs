@@ -17,7 +17,7 @@ use crate::float::{Dd, Wide};
 /// ```
 /// use libration::{Parameter, SecondKind};
 /// let second = SecondKind::new(Parameter::from_m(0.5));
-/// assert_eq!(format!("{:.12} {:.12}", second.epsilon(1.0), second.zeta(1.0)), "0.869923130837 0.141399187834");
+/// assert_eq!(format!("{:.12} {:.12}", second.epsilon(1.0), second.zeta(1.0)), "0.872275277021 0.143801986499");
 /// ```
 #[derive(Clone, Debug)]
 pub struct SecondKind {

@@ -179,10 +179,8 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
 ///
 /// **Source** DLMF 19.2.17, 19.2.20.
 pub fn carlson_rc(x: f64, y: f64) -> f64 {
-    if y == 0.0 && x.is_infinite() {
-        return f64::NAN;
-    }
-    if x.is_nan() || y.is_nan() || x < 0.0 {
+    let undecided = y == 0.0 && x.is_infinite();
+    if x.is_nan() || y.is_nan() || x < 0.0 || undecided {
         return f64::NAN;
     }
     if x.is_infinite() || y.is_infinite() {
@@ -204,10 +202,12 @@ pub fn carlson_rc(x: f64, y: f64) -> f64 {
 ///
 /// **Source** DLMF 19.16.5, 19.36.2.
 pub fn carlson_rd(x: f64, y: f64, z: f64) -> f64 {
-    let pole = if z == 0.0 { 0.0 } else { 1.0 };
-    edge(&[x, y, z])
-        .or_else(|| edge(&[z, pole]))
-        .unwrap_or_else(|| rd(x.into(), y.into(), z.into()).value())
+    match edge(&[x, y, z]) {
+        Some(0.0) if z == 0.0 => f64::NAN,
+        Some(limit) => limit,
+        None if z == 0.0 => f64::INFINITY,
+        None => rd(x.into(), y.into(), z.into()).value(),
+    }
 }
 
 /// R_J(x, y, z, p) = 3/2 int_0^inf dt / ((t + p) sqrt((t + x)(t + y)(t + z))), for p < 0 Cauchy's principal value.
@@ -224,15 +224,14 @@ pub fn carlson_rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
     if p.is_nan() {
         return f64::NAN;
     }
-    if let Some(limit) = edge(&[x, y, z]) {
-        let undecided = limit != 0.0 && p <= 0.0 && limit.is_infinite() && p != 0.0;
-        return if undecided || (limit == 0.0 && p == 0.0) { f64::NAN } else { limit };
-    }
-    if p == 0.0 {
-        return f64::INFINITY;
-    }
-    if p.is_infinite() {
-        return 0.0;
+    match edge(&[x, y, z]) {
+        // Infinity against zero.
+        Some(0.0) if p == 0.0 => return f64::NAN,
+        Some(f64::INFINITY) if p < 0.0 || p.is_infinite() => return f64::NAN,
+        Some(limit) => return limit,
+        None if p == 0.0 => return f64::INFINITY,
+        None if p.is_infinite() => return 0.0,
+        None => {}
     }
     let [x, y, z] = [x, y, z].map(Wide::from);
     if p > 0.0 { rj(x, y, z, p.into()).value() } else { rj_principal(x, y, z, Wide::from(-p)).value() }

@@ -23,7 +23,7 @@ const SMALL: f64 = 0.0432;
 /// ```
 /// use libration::Theta;
 /// let theta = Theta::from_nome(0.1);
-/// assert_eq!(format!("{:.12} {:.12}", theta.value(1, 0.5), theta.value(3, 0.5)), "0.526980476937 1.107977230276");
+/// assert_eq!(format!("{:.12} {:.12}", theta.value(1, 0.5), theta.value(3, 0.5)), "0.527983605456 1.107977229826");
 /// ```
 #[derive(Clone, Debug)]
 pub struct Theta {
@@ -35,9 +35,16 @@ pub struct Theta {
 #[derive(Clone, Debug)]
 enum Series {
     /// In q, with 2 q^(1/4).
-    Small { q: Dd, lead: Wide },
+    Small {
+        q: Dd,
+        lead: Wide,
+    },
     /// Gaussian functions: pi t = -ln q, and t^(-1/2).
-    Large { t: Dd, log: Dd, lead: Wide },
+    Large {
+        t: Dd,
+        log: Dd,
+        lead: Wide,
+    },
     None,
 }
 
@@ -106,7 +113,11 @@ impl Theta {
                 if index < 3 { *lead * sine * first(*q, sine.to_dd()) } else { third(*q, sine.to_dd()) }
             }
             Series::Large { t, log, lead } => {
-                let value = if index < 3 { gauss_difference(*t, *log, r, rest) } else { gauss_sum(*t, *log, r, rest) };
+                let value = if index < 3 {
+                    gauss_difference(*t, *log, r, rest)
+                } else {
+                    gauss_sum(*t, *log, r, rest)
+                };
                 *lead * value
             }
             Series::None => Wide::from(f64::NAN),
