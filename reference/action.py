@@ -92,8 +92,7 @@ def conditions(given):
             moved[i] = value * (1 + sign * Fraction(1, 2**120))
             sides.append(values(*moved)[1])
         totals = [
-            total + abs(above - below) * mpf(2) ** 119
-            for total, above, below in zip(totals, *sides, strict=True)
+            total + abs(above - below) * mpf(2) ** 119 for total, above, below in zip(totals, *sides, strict=True)
         ]
     return totals
 

@@ -37,7 +37,9 @@ def row(inputs):
                 moved = list(given)
                 moved[j] += sign * STEP
                 sides.append(first(*moved))
-            slopes.append([[(a - b) / (2 * real(STEP)) for a, b in zip(*of, strict=True)] for of in zip(*sides, strict=True)])
+            slopes.append(
+                [[(a - b) / (2 * real(STEP)) for a, b in zip(*of, strict=True)] for of in zip(*sides, strict=True)]
+            )
         values = [slopes[j][of][i] for of in range(2) for i, j in PAIRS]
         mirrored = [slopes[i][of][j] for of in range(2) for i, j in PAIRS]
         worst = max(abs(a - b) / (1 + abs(a)) for a, b in zip(values, mirrored, strict=True))
@@ -48,7 +50,14 @@ def row(inputs):
 def inputs():
     """Librations and rotations of both senses, to 300 periods, reproducible."""
     state = 12345
-    for stratum, count in [("libration", 60), ("rotation", 40), ("gentle", 20), ("steep", 20), ("least", 20), ("nearest", 20)]:
+    for stratum, count in [
+        ("libration", 60),
+        ("rotation", 40),
+        ("gentle", 20),
+        ("steep", 20),
+        ("least", 20),
+        ("nearest", 20),
+    ]:
         for i in range(count):
             parts = []
             for _ in range(4):

@@ -14,8 +14,8 @@ Examples
 from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
-from .elliptic import JacobiValues, complete_e, complete_k, incomplete_e, incomplete_f, jacobi, nome
 from .derivatives import sensitivities
+from .elliptic import JacobiValues, complete_e, complete_k, incomplete_e, incomplete_f, jacobi, nome
 from .pendulum import Pendulum, Regime
 from .series import Fourier, harmonic_distortion
 

@@ -8,8 +8,6 @@ Source: Landau & Lifshitz, Mechanics, sections 11 and 49.
 
 from typing import Any, Self
 
-import numpy as np
-
 from . import _core
 from .dispatch import apply
 from .orbit import Orbit, real

@@ -1,8 +1,7 @@
 """Functions of arrays of times and states, each element exact: ``theta``, ``velocity``, ``motion``, ``advance``.
 
 Two paths, decided by the call and never by memory layout: orbit arguments without dimensions take the path of one
-orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own. Today both run the
-same code; only the looser bound is promised for arrays, so that a faster one may come.
+orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own.
 Source: DLMF 22.19(i).
 """
 
@@ -178,7 +177,8 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     Notes
     -----
     Error promised: 8 ulp of the largest angle and velocity of the orbit; a million calls in a row keep the energy
-    ratio to 1e-12 if the caller wraps the angle of a rotation. Source: DLMF 22.8(i), 22.19(i).
+    ratio to 1e-12 if the caller wraps the angle of a rotation. Its Jacobian matrix is
+    ``sensitivities(dt, theta, velocity, omega0)[..., :2]``. Source: DLMF 22.8(i), 22.19(i).
 
     Examples
     --------

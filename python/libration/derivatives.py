@@ -77,7 +77,9 @@ class Derivatives(Orbit):
         --------
         >>> import libration
         >>> libration.Pendulum(1.0).second_sensitivities(2.0)[0].round(6)
-        array([])
+        array([[ 0.71125 ,  0.375216, -1.798852],
+               [ 0.375216,  0.331688, -1.796763],
+               [-1.798852, -1.796763,  1.205754]])
         """
         twelve = apply(_core.orbit_second_sensitivities, t, *self._operands)
         return tensor(tuple(twelve[6 * of + i] for of in range(2) for i in _SYMMETRIC), _SECOND)

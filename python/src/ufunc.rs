@@ -168,6 +168,7 @@ where
     let py = module.py();
     let kernel: Kernel<M, V, S, P> =
         Kernel { set_up, block: block.value, last: Mutex::new(None), clear: clear_status(py)? };
+    const { assert!(X + P + R::CODES.len() <= WIDEST, "more operands than the loop has room for") };
     let mut codes = vec![FLOAT64; X + P];
     codes.extend_from_slice(R::CODES);
     let document = format!("Loop of the function of the same name in `libration`: {} operands.", X + P);
@@ -259,8 +260,8 @@ impl<const O: usize> Operands<O> {
     }
 }
 
-/// Operands of the widest ufunc: five inputs of the set-up, three samples, four results.
-const WIDEST: usize = 12;
+/// Operands of the widest ufunc: five inputs of the set-up, one sample, twelve results.
+const WIDEST: usize = 18;
 
 /// The loop: `dimensions[0]` rows.
 ///

@@ -3,8 +3,10 @@
 import math
 import pickle
 
+import dask.array
 import numpy as np
 import pytest
+import xarray
 from bits import same
 
 import libration
@@ -139,7 +141,9 @@ def test_sensitivities_are_derivatives_of_the_motion():
 
     for j in range(3):
         step = np.eye(3)[j] * 1e-5
-        slope = (8 * (motion(state + step) - motion(state - step)) - motion(state + 2 * step) + motion(state - 2 * step)) / 12e-5
+        slope = (
+            8 * (motion(state + step) - motion(state - step)) - motion(state + 2 * step) + motion(state - 2 * step)
+        ) / 12e-5
         assert np.allclose(exact[:, j], slope, rtol=1e-8, atol=1e-9)
 
 
@@ -154,11 +158,9 @@ def test_sensitivities_are_the_jacobian_of_advance():
 
 
 def test_sensitivities_of_other_arrays():
-    dask = pytest.importorskip("dask.array")
-    xarray = pytest.importorskip("xarray")
     pendulum, t = Pendulum(1.0, 0.3), np.linspace(0.0, 4.0, 6)
     expected = pendulum.sensitivities(t)
-    lazy = pendulum.sensitivities(dask.from_array(t, chunks=4))
+    lazy = pendulum.sensitivities(dask.array.from_array(t, chunks=4))
     assert lazy.shape == (6, 2, 3) and same(lazy.compute(), expected)
     labelled = pendulum.sensitivities(xarray.DataArray(t, dims="t"))
     assert labelled.dims == ("t", "of", "by") and same(labelled.values, expected)
@@ -179,7 +181,6 @@ def test_second_derivatives():
         slope = (slopes(state + step) - slopes(state - step)) / 2e-5
         assert np.allclose(exact[0, :, :, k], slope, rtol=1e-7, atol=1e-8)
     assert np.isnan(Pendulum(0.0).second_sensitivities(1.0)).all()
-    xarray = pytest.importorskip("xarray")
     labelled = Pendulum(1.2).second_sensitivities(xarray.DataArray([t], dims="t"))
     assert labelled.dims == ("t", "of", "by", "and_by")
 

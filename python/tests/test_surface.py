@@ -30,8 +30,9 @@ def test_close_sees_nan_signs_and_negative_truth():
 
 def test_every_public_name_is_there_and_documented():
     names = [
-        "JacobiValues Pendulum Regime __version__ advance complete_e complete_k incomplete_e incomplete_f jacobi",
-        "motion nome theta velocity",
+        "Fourier JacobiValues Pendulum Regime __version__ action advance complete_e complete_k frequency",
+        "from_action_phase harmonic_distortion incomplete_e incomplete_f jacobi motion nome phase sensitivities theta",
+        "velocity",
     ]
     assert libration.__all__ == " ".join(names).split()
     for name in libration.__all__:
@@ -47,6 +48,19 @@ def test_every_public_name_is_there_and_documented():
         (Pendulum.velocity, "(self, t, out=None)"),
         (Pendulum.motion, "(self, t)"),
         (Pendulum.turns, "(self, t)"),
+        (Pendulum.times, "(self, theta, start, stop)"),
+        (Pendulum.turning_times, "(self, start, stop)"),
+        (Pendulum.phase, "(self, t, out=None)"),
+        (Pendulum.sensitivities, "(self, t)"),
+        (Pendulum.second_sensitivities, "(self, t)"),
+        (Pendulum.fourier, "(self, n)"),
+        (
+            Pendulum.from_action_phase,
+            "(action, phase, *, direction=0, omega0=None, omega2=None, length=None, gravity=None)",
+        ),
+        (libration.action, "(theta, velocity=0.0, omega0=1.0, *, out=None, where=True)"),
+        (libration.from_action_phase, "(action, phase, omega0=1.0, *, direction=0.0, out=None, where=True)"),
+        (libration.sensitivities, "(t, theta0, velocity0=0.0, omega0=1.0)"),
         (libration.theta, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
         (libration.velocity, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
         (libration.motion, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),

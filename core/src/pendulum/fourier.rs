@@ -35,7 +35,7 @@ struct Series {
 
 impl Series {
     /// a_j but for a power of two.
-    fn amplitude(&self, j: u64) -> (Dd, f64) {
+    fn harmonic(&self, j: u64) -> (Dd, f64) {
         if j % self.step != 1 % self.step {
             return (Dd::ZERO, 1.0);
         }
@@ -83,7 +83,7 @@ impl Orbit {
             let side = |j: u64| if turned && j % 2 == 1 { -1.0 } else { 1.0 };
             return (1..=n)
                 .map(|j| {
-                    let (value, power) = series.amplitude(j);
+                    let (value, power) = series.harmonic(j);
                     side(j) * (value.value() * power)
                 })
                 .collect();
@@ -120,11 +120,11 @@ impl Orbit {
                 _ => 0.0,
             };
         };
-        let (first, first_power) = series.amplitude(1);
+        let (first, first_power) = series.harmonic(1);
         let mut sum = Dd::ZERO;
         let mut j = 1 + series.step;
         loop {
-            let (value, power) = series.amplitude(j);
+            let (value, power) = series.harmonic(j);
             let ratio = (value / first).scale(power / first_power);
             let square = ratio.square();
             sum = sum + square;
