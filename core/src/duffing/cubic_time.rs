@@ -1,0 +1,1 @@
+//! When a value is passed: the inverse of the motion.
