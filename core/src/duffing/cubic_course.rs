@@ -133,12 +133,12 @@ pub(super) fn rf(roots: [Wide; 3]) -> Wide {
 }
 
 /// sign(value), + for 0.
-fn sign(value: Wide) -> f64 {
+pub(super) fn sign(value: Wide) -> f64 {
     if value.is_negative() { -1.0 } else { 1.0 }
 }
 
 /// value with the sign, and zero as it is.
-fn signed(value: Wide, sign: f64) -> Wide {
+pub(super) fn signed(value: Wide, sign: f64) -> Wide {
     if sign < 0.0 { -value } else { value }
 }
 
@@ -156,7 +156,7 @@ fn phase(rate: Wide, start: Wide) -> (Phase, f64) {
 }
 
 /// Amplitude, rate W of the argument, parameter and complement of an elliptic motion.
-struct Canonical {
+pub(super) struct Canonical {
     shape: Shape,
     amplitude: Wide,
     rate: Wide,
@@ -166,7 +166,7 @@ struct Canonical {
 
 impl Constants {
     /// The regime and its canonical form for q != 0 and a start that moves.
-    fn canonical(&self, shape: Shape) -> Canonical {
+    pub(super) fn canonical(&self, shape: Shape) -> Canonical {
         let Constants { q, energy, s, plus, minus, delta, p } = *self;
         let twice = s.shift(1);
         let (amplitude, rate, m, mc) = match shape {
@@ -225,7 +225,7 @@ impl Constants {
     }
 
     /// t from a place to the pole that it moves to (velocity of the sign of u), for q < 0 and Delta >= 0.
-    fn to_pole(&self, place: &Place) -> Wide {
+    pub(super) fn until_pole(&self, place: &Place) -> Wide {
         let size = self.q.abs();
         let far = self.s - place.stiffness;
         let near = place.velocity.abs() * (Wide::ONE.shift(1) / far).sqrt();
@@ -265,7 +265,7 @@ impl Constants {
 
 /// Half periods of a libration or a well at a place, with the velocity upwards for the first and of either sign for the
 /// second; in [-1/2, 1/2].
-fn half_periods(c: &Constants, canonical: &Canonical, lattice: &Lattice, place: &Place) -> Wide {
+pub(super) fn half_periods(c: &Constants, canonical: &Canonical, lattice: &Lattice, place: &Place) -> Wide {
     let half = Wide::from(0.5);
     let per = Wide::from(lattice.quarter).shift(1);
     match canonical.shape {
@@ -282,7 +282,12 @@ fn half_periods(c: &Constants, canonical: &Canonical, lattice: &Lattice, place: 
 }
 
 /// Half periods of an escape at a place: from its pole or its middle, and which. From the middle with the sign that t has.
-fn escape_phase(c: &Constants, canonical: &Canonical, lattice: &Lattice, place: &Place) -> (Wide, bool) {
+pub(super) fn escape_phase(
+    c: &Constants,
+    canonical: &Canonical,
+    lattice: &Lattice,
+    place: &Place,
+) -> (Wide, bool) {
     let per = Wide::from(lattice.quarter).shift(1);
     let (u, velocity) = (place.u, place.velocity);
     let after = if u.is_zero() || velocity.is_zero() || sign(u) == sign(velocity) { 1.0 } else { -1.0 };
@@ -300,14 +305,14 @@ fn escape_phase(c: &Constants, canonical: &Canonical, lattice: &Lattice, place: 
                 return (Wide::ZERO, false);
             }
             let from_pole = (u.abs() - canonical.amplitude).is_positive();
-            (unit(if from_pole { c.to_pole(place) } else { c.since_middle(place) }), from_pole)
+            (unit(if from_pole { c.until_pole(place) } else { c.since_middle(place) }), from_pole)
         }
         _ => {
             if velocity.is_zero() {
                 return (Wide::ZERO, false);
             }
             let from_pole = (u.square() - canonical.amplitude.square().shift(1)).is_positive();
-            (unit(if from_pole { c.to_pole(place) } else { c.since_turning(place) }), from_pole)
+            (unit(if from_pole { c.until_pole(place) } else { c.since_turning(place) }), from_pole)
         }
     };
     // From a pole the phase counts away from it: it falls towards a pole ahead.
@@ -438,7 +443,7 @@ fn simple(plain: Plain, amplitude: Wide, rate: Wide, from: Wide) -> Course {
 }
 
 /// artanh of x = |sine| with 1 - x^2 = root^2.
-fn artanh(x: Wide, root: Wide) -> Wide {
+pub(super) fn artanh(x: Wide, root: Wide) -> Wide {
     x * rf([Wide::ONE, Wide::ONE, root])
 }
 
@@ -474,7 +479,7 @@ fn separatrix(c: &Constants, start: &Place, regime: Regime) -> SetUp {
         }
         _ => {
             // The pole is the one that the motion comes from or goes to; it reaches the equilibrium on the other way.
-            let time = c.to_pole(start);
+            let time = c.until_pole(start);
             let (plain, rate, a) = if c.p.is_negative() {
                 let rate = (-c.p).sqrt();
                 (Plain::Csch, rate, (-c.p.shift(1) / c.q.abs()).sqrt())

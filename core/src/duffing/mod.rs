@@ -12,4 +12,5 @@ pub mod regime;
 pub use cubic::Duffing;
 pub use cubic_states::duffing_motion_into;
 pub use forms::Form;
+pub use link::Companion;
 pub use regime::Regime;

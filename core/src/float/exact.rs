@@ -102,7 +102,10 @@ mod tests {
     fn nothing_is_lost() {
         let sum = |products: &[&[f64]]| sum_of_products(products).value();
         assert_eq!(sum(&[&[3.0, 0.5], &[-1.5]]), 0.0);
-        assert_eq!(sum(&[&[1e300; 8], &[5e-324], &[-1e300, 1e300, 1e300, 1e300, 1e300, 1e300, 1e300, 1e300]]), 5e-324);
+        assert_eq!(
+            sum(&[&[1e300; 8], &[5e-324], &[-1e300, 1e300, 1e300, 1e300, 1e300, 1e300, 1e300, 1e300]]),
+            5e-324
+        );
         assert_eq!(sum(&[&[-0.1, 10.0], &[1.0]]), -f64::EPSILON / 4.0);
         assert_eq!(sum(&[&[5e-324; 8], &[-5e-324, 3.0]]), -1.5e-323);
         assert_eq!(sum(&[&[-7.25, 2.0]]), -14.5);
