@@ -3,13 +3,24 @@
 pub mod cubic;
 mod cubic_course;
 pub mod cubic_motion;
+pub mod cubic_quintic;
 pub mod cubic_states;
 pub mod cubic_time;
 pub mod forms;
 pub mod link;
+mod quintic_course;
+mod quintic_exact;
+mod quintic_level;
+mod quintic_marks;
+pub mod quintic_motion;
+mod quintic_plain;
+mod quintic_roots;
+mod quintic_theta;
+pub mod quintic_time;
 pub mod regime;
 
 pub use cubic::Duffing;
+pub use cubic_quintic::CubicQuintic;
 pub use cubic_states::duffing_motion_into;
 pub use forms::Form;
 pub use link::Companion;
