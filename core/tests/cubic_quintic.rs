@@ -88,7 +88,12 @@ fn gamma_zero_is_the_cubic_oscillator() {
         let (five, three) = (orbit([u0, v0, p, q, 0.0]), Duffing::new(u0, v0, p, q).unwrap());
         assert_eq!(five.regime(), three.regime(), "{u0} {v0} {p} {q}");
         let near = |a: f64, b: f64| a == b || (a - b).abs() <= 4.0 * f64::EPSILON * b.abs();
-        assert!(near(five.period(), three.period()), "{u0} {v0} {p} {q} {} {}", five.period(), three.period());
+        assert!(
+            near(five.period(), three.period()),
+            "{u0} {v0} {p} {q} {} {}",
+            five.period(),
+            three.period()
+        );
         assert!(near(five.escape_time(), three.escape_time()), "{u0} {v0} {p} {q}");
         assert!(near(five.escape_time_backward(), three.escape_time_backward()));
         assert!(near(five.range().0, three.range().0) && near(five.range().1, three.range().1));
@@ -103,7 +108,10 @@ fn gamma_zero_is_the_cubic_oscillator() {
         } else {
             (c.abs().max(u0.abs()), d.abs().max(v0.abs()))
         };
-        assert!((a - c).abs() <= unit * u && (b - d).abs() <= unit * v, "{u0} {v0} {p} {q} {t} {a} {c} {b} {d}");
+        assert!(
+            (a - c).abs() <= unit * u && (b - d).abs() <= unit * v,
+            "{u0} {v0} {p} {q} {t} {a} {c} {b} {d}"
+        );
     }
 }
 
@@ -210,7 +218,13 @@ fn exact_boundaries() {
     let pole = orbit([2.0, 8.0, 0.0, 0.0, -3.0]);
     assert_eq!((pole.regime(), pole.escape_time(), pole.u(-0.375)), (Regime::Escape, 0.125, 1.0));
     // v = 1/u^2 = c + b e^(2t) at alpha = -1, beta = 4, gamma = -3: from 0 to 1/sqrt c = 1.
-    check([0.5, 0.375, -1.0, 4.0, -3.0], Regime::Heteroclinic, 1.0, (1.0 + 3.0 * (-2f64).exp()).powf(-0.5), inf);
+    check(
+        [0.5, 0.375, -1.0, 4.0, -3.0],
+        Regime::Heteroclinic,
+        1.0,
+        (1.0 + 3.0 * (-2f64).exp()).powf(-0.5),
+        inf,
+    );
     check([2.0, 6.0, -1.0, 4.0, -3.0], Regime::Escape, -1.0, (1.0 - 0.75 * (-2f64).exp()).powf(-0.5), inf);
     assert!((orbit([2.0, 6.0, -1.0, 4.0, -3.0]).escape_time() - 0.5 * (4f64 / 3.0).ln()).abs() < 1e-16);
     // Homoclinic: v = cosh^2 t, E = 0, alpha = -1, beta = 2, gamma = 0 (sech); and with a square of the time.
@@ -243,7 +257,10 @@ fn the_range_of_doubles() {
         let one = orbit(start);
         let (low, high) = one.range();
         assert!(low <= start[0] && start[0] <= high, "{start:?} {low} {high}");
-        assert!(one.period() >= 0.0 && one.escape_time() >= 0.0 && one.escape_time_backward() <= 0.0, "{start:?} {one:?}");
+        assert!(
+            one.period() >= 0.0 && one.escape_time() >= 0.0 && one.escape_time_backward() <= 0.0,
+            "{start:?} {one:?}"
+        );
         assert_eq!(one.motion(0.0), (start[0], start[1]));
     }
 }

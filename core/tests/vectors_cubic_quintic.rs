@@ -9,8 +9,7 @@ use std::collections::BTreeMap;
 
 const VECTORS: &str = include_str!("../../reference/vectors/cubic_quintic.csv");
 const COUNT: usize = 784;
-const NAMES: [&str; 8] =
-    ["u", "velocity", "period", "low", "high", "energy", "escape", "escape_backward"];
+const NAMES: [&str; 8] = ["u", "velocity", "period", "low", "high", "energy", "escape", "escape_backward"];
 
 fn orbit(row: &Row) -> CubicQuintic {
     let [u0, velocity0, alpha, beta, gamma] =
@@ -27,7 +26,10 @@ fn answers(orbit: &CubicQuintic, t: f64) -> [f64; 8] {
 }
 
 /// Worst errors by stratum and name, in units of what is promised for each; and how many regimes are wrong.
-fn report(rows: &[Row], answers: impl Fn(&CubicQuintic, f64) -> [f64; 8]) -> (BTreeMap<String, [Vec<f64>; 8]>, usize) {
+fn report(
+    rows: &[Row],
+    answers: impl Fn(&CubicQuintic, f64) -> [f64; 8],
+) -> (BTreeMap<String, [Vec<f64>; 8]>, usize) {
     let mut strata: BTreeMap<String, [Vec<f64>; 8]> = BTreeMap::new();
     let mut wrong = 0;
     for row in rows {
@@ -51,7 +53,12 @@ fn report(rows: &[Row], answers: impl Fn(&CubicQuintic, f64) -> [f64; 8]) -> (BT
             };
             let error = distance(got, truth, unit);
             if error > 4.0 {
-                println!("{} {} {name} {got:e} {truth:?} {error:.3e} {}", row.text("id"), row.text("stratum"), row.text("regime"));
+                println!(
+                    "{} {} {name} {got:e} {truth:?} {error:.3e} {}",
+                    row.text("id"),
+                    row.text("stratum"),
+                    row.text("regime")
+                );
             }
             list.push(error);
         }
@@ -107,7 +114,8 @@ fn spoiled_siblings_are_found() {
     assert!(change(2, 2.0) > 4.0);
     // The time reversed, whole periods off by rounding, an answer beyond the escape.
     assert!(spoiled(&|orbit, t, _| answers(orbit, -t)) > 4.0);
-    let rest = |orbit: &CubicQuintic, t: f64| if orbit.period() < f64::INFINITY { t % orbit.period() } else { t };
+    let rest =
+        |orbit: &CubicQuintic, t: f64| if orbit.period() < f64::INFINITY { t % orbit.period() } else { t };
     assert!(spoiled(&|orbit, t, _| answers(orbit, rest(orbit, t))) > 4.0);
     // gamma forgotten.
     assert!(

@@ -265,7 +265,8 @@ pub(super) fn course(spring: &Spring, u: f64, velocity: f64, force: [f64; 3]) ->
         (Marker::Energy(Box::new(marks)), outline)
     };
     let start = marker.at(&y, &square_speed);
-    let outwards = if u == 0.0 || velocity == 0.0 { 1.0 } else { sign(Wide::from(u)) * sign(Wide::from(velocity)) };
+    let outwards =
+        if u == 0.0 || velocity == 0.0 { 1.0 } else { sign(Wide::from(u)) * sign(Wide::from(velocity)) };
     let side = sign(Wide::from(if u == 0.0 { velocity } else { u }));
     let way = Way { side, turn: if outline.grows { outwards } else { -outwards } };
     let infinite = Wide::from(f64::INFINITY);

@@ -1,9 +1,9 @@
 //! Whole numbers of any length times a power of two: sums and products of doubles without any rounding, for the signs that
 //! decide a regime (the discriminant has terms of sixteen factors) and for what is left where they cancel.
 
+use crate::float::Dd;
 use crate::float::scaling::{exponent, ldexp, mantissa};
 use crate::float::wide::Wide;
-use crate::float::Dd;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// digits * 2^power, least significant word first, without zeros at either end.

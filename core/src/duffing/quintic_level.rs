@@ -173,7 +173,8 @@ impl Level {
         let exact_y = y;
         let y = y.to_wide();
         let u = y.sqrt();
-        let pole = if self.pole.is_some() { self.omega * self.until_pole(exact_y, y, u, speed) } else { Wide::ZERO };
+        let pole =
+            if self.pole.is_some() { self.omega * self.until_pole(exact_y, y, u, speed) } else { Wide::ZERO };
         let half_rate = speed / (y * u);
         let base = match self.kind {
             Kind::Cosine => {

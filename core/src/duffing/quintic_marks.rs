@@ -132,11 +132,8 @@ impl Marks {
         let v = v.abs();
         let sum = v + h;
         // V^2 - H^2 = (V + q)(V - q) - w^2: what is left of V - H counts next to dn where q < 0.
-        let cosine = if q.is_negative() {
-            (leg * (v - q) - w.square()) / sum.square()
-        } else {
-            (v - h) / sum
-        };
+        let cosine =
+            if q.is_negative() { (leg * (v - q) - w.square()) / sum.square() } else { (v - h) / sum };
         let (sine, delta) = ((v * h).sqrt().shift(1) / sum, pair.sqrt() / sum);
         let near = sine * rf([cosine.abs(), delta, Wide::ONE]);
         // `near` is counted from where cn = 1 or -1, whichever is nearer; the base is V infinite when crossing, else 0.
@@ -168,11 +165,8 @@ impl Marks {
         let ds = ends * narrow * wide / (h.shift(2) * y);
         let cs = ds - self.mc;
         let near = self.mc.sqrt().shift(-1);
-        let rest = if less(near, cs) {
-            rf([cs.sqrt(), ds.sqrt(), (cs + Wide::ONE).sqrt()])
-        } else {
-            pole - base
-        };
+        let rest =
+            if less(near, cs) { rf([cs.sqrt(), ds.sqrt(), (cs + Wide::ONE).sqrt()]) } else { pole - base };
         Mark { base, pole: rest }
     }
 }

@@ -111,7 +111,8 @@ impl Plain {
             return (f64::NAN, f64::NAN);
         }
         let power = matches!(self.shape, Shape::Squares { curve: Curve::Power, .. } | Shape::Straight(_));
-        let far = |x: Wide| if power || x.abs().value() < FAR { x } else { signed(Wide::from(FAR), x.value()) };
+        let far =
+            |x: Wide| if power || x.abs().value() < FAR { x } else { signed(Wide::from(FAR), x.value()) };
         let x = far(x);
         rest = far(rest);
         let behind = self.pole.map_or(x, |pole| pole + x);

@@ -7,8 +7,8 @@
 //! the roots themselves.
 //! Source: DLMF 1.11(iii).
 
-use super::quintic_exact::Exact;
 use super::cubic_course::rf;
+use super::quintic_exact::Exact;
 use crate::float::Dd;
 use crate::float::elementary::long_sin_cos;
 use crate::float::wide::Wide;
@@ -67,7 +67,11 @@ fn cube_root(x: Wide) -> Wide {
 fn three(p: Wide, q: Wide, root: Wide, falling: bool) -> Shape {
     // z = 2R cos(...) with 3 phi' = phi = atan2(root, |q|), root = 2 R^3 sin phi.
     let r = p.abs().sqrt();
-    let half = if r.is_zero() { Wide::ZERO } else { root * rf([q.abs(), r * r.square().shift(1), r * r.square().shift(1)]) };
+    let half = if r.is_zero() {
+        Wide::ZERO
+    } else {
+        root * rf([q.abs(), r * r.square().shift(1), r * r.square().shift(1)])
+    };
     let third = half / Wide::from(THREE);
     let (sine, cosine) = if third.power() < -CARRIED || third.is_zero() {
         (third, Wide::ONE)

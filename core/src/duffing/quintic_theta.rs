@@ -20,12 +20,12 @@ use super::quintic_marks::{Form, Mark, Marks};
 use super::quintic_roots::Distances;
 use crate::elliptic::phase::{Phase, alternating};
 use crate::elliptic::theta::{Lattice, Thetas};
-use crate::float::Dd;
 use crate::float::double_double::two_sum;
 use crate::float::elementary::quotient;
 use crate::float::loose::Loose;
 use crate::float::scaling::ldexp;
 use crate::float::wide::Wide;
+use crate::float::{Dd, LN_2};
 use crate::lanes::Lane;
 
 /// The poles of an escape: argument to the one ahead at any time, and of both, in half periods.
@@ -51,7 +51,8 @@ pub(super) struct Theta {
     fourth: [[Dd; 2]; 2],
     mc: Dd,
     /// Signs of u and u', and the powers of two that their factors cannot carry.
-    scales: [f64; 2],
+    u_scale: [f64; 2],
+    velocity_scale: [f64; 2],
     time: f64,
     /// 2K.
     half: Wide,
@@ -72,6 +73,27 @@ pub(super) struct Factors {
     /// Of u'.
     pub velocity: Wide,
     pub pole: Option<Wide>,
+}
+
+/// Below this power of two k' is kept from a lattice's own mean; K = ln(4/k') beyond.
+const LEAST: i32 = -900;
+
+/// The lattice of m and 1 - m of any size, and 2K.
+fn wide_lattice(m: Wide, mc: Wide) -> (Lattice, Wide) {
+    let kc = mc.sqrt();
+    if kc.power() >= LEAST {
+        let lattice = Lattice::new(m.to_dd(), mc.to_dd(), m.sqrt().to_dd(), kc.to_dd());
+        let half = Wide::from(lattice.quarter).shift(1);
+        return (lattice, half);
+    }
+    // Each power of two of 1/k' more makes K larger by ln 2; K' stays pi/2.
+    let kept = kc.shift(LEAST - kc.power());
+    let mut lattice = Lattice::new(Dd::ONE, Dd::ZERO, Dd::ONE, kept.to_dd());
+    lattice.quarter = lattice.quarter + LN_2.to_dd() * f64::from(LEAST - kc.power());
+    lattice.angle = lattice.quarter.scale(2.0);
+    lattice.kc = kc.to_dd();
+    let half = Wide::from(lattice.quarter).shift(1);
+    (lattice, half)
 }
 
 fn power_of(values: &[Wide]) -> i32 {
@@ -114,8 +136,7 @@ pub(super) fn theta(marks: &Marks, outline: &Outline, start: Mark, way: Way) -> 
 impl Theta {
     pub fn new(factors: &Factors, start: Mark, way: Way) -> (Theta, Wide) {
         let Factors { form, m, mc, omega, squares: [l, q], velocity, pole } = *factors;
-        let lattice = Lattice::new(m.to_dd(), mc.to_dd(), m.sqrt().to_dd(), mc.sqrt().to_dd());
-        let half = Wide::from(lattice.quarter).shift(1);
+        let (lattice, half) = wide_lattice(m, mc);
         let t = Wide::from(lattice.theta1_factor);
         let square = t.square();
         let one = Wide::ONE;
@@ -134,9 +155,9 @@ impl Theta {
         let scaled = |pair: [Wide; 2], step: i32| [0, 1].map(|k| pair[k].shift(step * powers[k]));
         let (l, q) = (scaled(l, -2), scaled(q, -2));
         let (n, w) = (scaled(n, -1), scaled(w.map(|factor| factor * velocity), -3));
-        let outside = |pair: [Wide; 2]| power_of(&pair).clamp(-OUTSIDE, OUTSIDE);
-        let (u_power, velocity_power) = (outside(n), outside(w));
-        let carried = |pair: [Wide; 2], power: i32| pair.map(|factor| factor.shift(-power).to_dd());
+        let outside = |pair: [Wide; 2]| pair.map(|factor| factor.power().clamp(-OUTSIDE, OUTSIDE));
+        let (u_powers, velocity_powers) = (outside(n), outside(w));
+        let carried = |pair: [Wide; 2], powers: [i32; 2]| [0, 1].map(|k| pair[k].shift(-powers[k]).to_dd());
         let rate = omega / half;
         let time = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
         let rate = rate.shift(-time).to_dd() * way.turn;
@@ -148,16 +169,14 @@ impl Theta {
             form,
             phase: Phase { rate, start: (start.base / half).to_dd() },
             poles,
-            n: carried(n, u_power),
+            n: carried(n, u_powers),
             l: l.map(Wide::to_dd),
             m: q.map(Wide::to_dd),
-            w: carried(w, velocity_power),
+            w: carried(w, velocity_powers),
             fourth,
             mc: mc.to_dd(),
-            scales: [
-                way.side * ldexp(1.0, u_power),
-                way.side * way.turn * ldexp(1.0, velocity_power),
-            ],
+            u_scale: u_powers.map(|power| way.side * ldexp(1.0, power)),
+            velocity_scale: velocity_powers.map(|power| way.side * way.turn * ldexp(1.0, power)),
             time: ldexp(1.0, time),
             half,
             lattice,
@@ -264,6 +283,7 @@ impl Theta {
         };
         // A loop, so that the theta functions, which are long, stand here once.
         let mut found = [zero; 3];
+        let mut folded = one.less(one);
         let (mut product, mut below, mut dn_factor) = (Dd::from_double(one), zero, zero);
         let (arguments, count) = ([f, ahead, behind], if self.poles.is_some() { 3 } else { 1 });
         let mut k = 0;
@@ -271,6 +291,7 @@ impl Theta {
             let thetas = self.lattice.thetas_on::<HYPERBOLIC, L>(arguments[k]);
             k += 1;
             if k == 1 {
+                folded = thetas.folded;
                 found = self.parts(thetas);
                 continue;
             }
@@ -291,8 +312,9 @@ impl Theta {
             }
         }
         let root = Loose::from(sum).root().tight();
-        let u = quotient(n, root).value() * (u_sign * L::splat(self.scales[0]));
-        let velocity = quotient(w, root * sum).value() * (velocity_sign * L::splat(self.scales[1]));
+        let u = quotient(n, root).value() * (u_sign * pick_double(folded, &self.u_scale));
+        let velocity =
+            quotient(w, root * sum).value() * (velocity_sign * pick_double(folded, &self.velocity_scale));
         [u, velocity]
     }
 }
@@ -301,6 +323,11 @@ impl Theta {
 #[inline(always)]
 fn pick<L: Lane>(folded: L::Mask, pair: &[Dd; 2]) -> Dd<L> {
     Dd::select(folded, Dd::splat(pair[1]), Dd::splat(pair[0]))
+}
+
+#[inline(always)]
+fn pick_double<L: Lane>(folded: L::Mask, pair: &[f64; 2]) -> L {
+    L::select(folded, L::splat(pair[1]), L::splat(pair[0]))
 }
 
 /// An argument to a pole, in half periods: folded into [0, 1/2], NaN where it is not positive.
