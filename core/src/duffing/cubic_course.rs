@@ -444,7 +444,7 @@ fn simple(plain: Plain, amplitude: Wide, rate: Wide, from: Wide) -> Course {
 
 /// artanh of x = |sine| with 1 - x^2 = root^2.
 pub(super) fn artanh(x: Wide, root: Wide) -> Wide {
-    x * rf([Wide::ONE, Wide::ONE, root])
+    x * rf([root, root, Wide::ONE])
 }
 
 fn separatrix(c: &Constants, start: &Place, regime: Regime) -> SetUp {
