@@ -83,9 +83,10 @@ fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd
     if e.shape == Shape::SdOverC {
         let [t1, t2, t3, t4] = thetas;
         let (above, below) = (t1 * t3, t2 * t4);
-        let (dn, sn) = (t3.square().square(), t1.square().square());
-        let rising = (dn * factor).plain_sum(sn * pick::<L>(folded, &e.other));
-        return [[above * u_factor, below], [rising, below.square()]];
+        let dn = quotient(t3.square() * factor, below);
+        let sn = quotient(t1.square() * pick::<L>(folded, &e.other), below);
+        let rising = dn.square().plain_sum(sn.square()) * Dd::splat(e.slope);
+        return [[above * u_factor, below], [rising, Dd::from_double(L::splat(1.0))]];
     }
     let [above, below, left, right] = letters(e.shape, thetas);
     [[above * u_factor, below], [left * right * factor, below.square()]]
