@@ -180,7 +180,7 @@ pub(super) fn half_periods(c: &Constants, canonical: &Canonical, lattice: &Latti
     }
 }
 
-/// Half periods of an escape at a place: from its pole or its middle, and which. From the middle with the sign that t has.
+/// Half periods of an escape at a place, from its pole or its middle, and which; from the middle with the sign of t.
 pub(super) fn escape_phase(
     c: &Constants,
     canonical: &Canonical,
