@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from .orbit import Orbit, real
+from .fixed import real
+from .orbit import Orbit
 
 
 class Passages(Orbit):
