@@ -25,13 +25,23 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "orbit_motion", orbit, whole::<[f64; 2], _>(motion))?;
     add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
     add(module, "orbit_phase", orbit, each(|orbit: &Orbit, [t]| [orbit.phase(t)]))?;
-    add(module, "orbit_sensitivities", |of| Some(Sensitivity::new(&orbit(of)?)), each(slopes))?;
+    add(
+        module,
+        "orbit_sensitivities",
+        |of| Some(Sensitivity::new(&orbit(of)?)),
+        whole::<[f64; 6], _>(slopes),
+    )?;
     add(module, "orbit_second_sensitivities", orbit, each(second_slopes))?;
 
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
     add(module, "state_motion", nothing, whole::<[f64; 2], _>(state_motion))?;
-    add(module, "state_sensitivities", |of| Some(Sensitivity::new(&state(of)?)), each(slopes))?;
+    add(
+        module,
+        "state_sensitivities",
+        |of| Some(Sensitivity::new(&state(of)?)),
+        whole::<[f64; 6], _>(slopes),
+    )?;
     add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
 
     let kept = |value: &f64, []: [f64; 0]| [*value];
@@ -121,9 +131,8 @@ fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
 }
 
 /// Row by row of the matrix.
-fn slopes(sensitivity: &Sensitivity, [t]: [f64; 1]) -> [f64; 6] {
-    let [[a, b, c], [d, e, f]] = sensitivity.at(t);
-    [a, b, c, d, e, f]
+fn slopes(of: &Sensitivity, [t]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 6]) {
+    of.at_into(t, columns.each_mut().map(|column| &mut column[..rows]));
 }
 
 /// The upper halves of the symmetric matrices, row by row.

@@ -15,6 +15,7 @@
 use super::canonical::LAST_HALF_PERIOD;
 use super::orbit::{Course, Orbit, carried, divisor};
 use super::regime::Regime;
+use super::slopes::{Fill, Motion, Slopes};
 use super::state::State;
 use crate::elliptic::carlson::{THIRD, rd, rf};
 use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
@@ -24,6 +25,7 @@ use crate::elliptic::theta::Lattice;
 use crate::float::elementary::long_sinh_cosh;
 use crate::float::scaling::ldexp;
 use crate::float::{Dd, LN_2, PI};
+use crate::lanes::{single, wide};
 
 /// Rows: angle, velocity. Columns: their derivatives by the initial angle, the initial velocity and omega0.
 pub type Jacobian = [[f64; 3]; 2];
@@ -32,12 +34,12 @@ const UNDEFINED: Jacobian = [[f64::NAN; 3]; 2];
 
 /// The two solutions at a phase: `a`, `b` over 2^-power and `p`, `q` over 2^power.
 #[derive(Clone, Copy, Debug)]
-struct Solutions {
-    a: Dd,
-    b: Dd,
-    p: Dd,
-    q: Dd,
-    power: i32,
+pub(super) struct Solutions {
+    pub a: Dd,
+    pub b: Dd,
+    pub p: Dd,
+    pub q: Dd,
+    pub power: i32,
 }
 
 /// A motion that theta functions describe.
@@ -73,6 +75,8 @@ enum Kind {
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     kind: Kind,
+    /// The same in double over lanes, where that keeps enough digits.
+    slopes: Option<Box<Slopes>>,
     phase: Phase,
     time_scale: f64,
     start: Solutions,
@@ -86,6 +90,10 @@ pub struct Sensitivity {
     omega_power: i32,
     side: f64,
 }
+
+/// Most powers of two in omega0, and largest kappa, of the set-up in double.
+const ORDINARY: i32 = 300;
+const ORDINARY_RATIO: f64 = 1e15;
 
 /// Where dn is smaller, 1 is lost beside its inverse square.
 const TOP: f64 = 1e-60;
@@ -206,6 +214,7 @@ impl Sensitivity {
         let origin = Solutions { a: Dd::ONE, b: Dd::ZERO, p: Dd::ZERO, q: Dd::ONE, power: 0 };
         let still = Sensitivity {
             kind: Kind::Straight,
+            slopes: None,
             phase: Phase { rate: Dd::ZERO, start: Dd::ZERO },
             time_scale: orbit.time_scale,
             start: origin,
@@ -217,9 +226,44 @@ impl Sensitivity {
             omega_power: 0,
             side: 1.0,
         };
-        match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
+        let made = match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
             Ok(state) => still.along(orbit, &state),
             Err(_) => still.plain(orbit),
+        };
+        Sensitivity { slopes: made.short(), ..made }
+    }
+
+    /// The set-up in double, of orbits that are neither next to the separatrix nor of an extreme size.
+    fn short(&self) -> Option<Box<Slopes>> {
+        let Kind::Periodic(periodic) = &self.kind else { return None };
+        let Periodic { rotation, parameter, lattice, .. } = &**periodic;
+        if self.power != 0 || self.omega_power.abs() > ORDINARY || self.k.hi > ORDINARY_RATIO {
+            return None;
+        }
+        let motion = Motion {
+            rotation: *rotation,
+            phase: self.phase,
+            time_scale: self.time_scale,
+            last: if *rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
+            start: self.start,
+            k: self.k,
+            x: self.x,
+            stretch: self.stretch,
+            omega: self.omega.ldexp(self.omega_power),
+            side: self.side,
+        };
+        Slopes::new(*parameter, lattice, &motion).map(Box::new)
+    }
+
+    /// Every time, over the lanes that `run` takes or one by one.
+    fn sample(&self, t: &[f64], mut results: [&mut [f64]; 6], run: fn(Fill<'_, '_>)) {
+        if let Some(slopes) = &self.slopes {
+            return run(Fill { slopes, t, results });
+        }
+        for (row, t) in t.iter().enumerate() {
+            for (column, slope) in results.iter_mut().zip(self.careful(*t).as_flattened()) {
+                column[row] = *slope;
+            }
         }
     }
 
@@ -281,14 +325,7 @@ impl Sensitivity {
             Course::Still | Course::Free => {
                 let (inside, outside) = carried(omega_power);
                 let phase = Phase { rate: omega.ldexp(inside), start: Dd::ZERO };
-                Sensitivity {
-                    kind: Kind::Balance,
-                    phase,
-                    time_scale: ldexp(1.0, outside),
-                    omega,
-                    omega_power,
-                    ..self
-                }
+                Sensitivity { kind: Kind::Balance, phase, time_scale: ldexp(1.0, outside), ..common }
             }
         }
     }
@@ -299,6 +336,24 @@ impl Sensitivity {
     /// the doubles. **Error** in each row at most 1e-12 of the largest change: the three derivatives times the largest
     /// angle, the largest velocity and omega0.
     pub fn at(&self, t: f64) -> Jacobian {
+        let mut slopes = [[0.0]; 6];
+        self.sample(&[t], slopes.each_mut().map(|column| column.as_mut_slice()), |fill| single(fill));
+        let [[a], [b], [c], [d], [e], [f]] = slopes;
+        [[a, b, c], [d, e, f]]
+    }
+
+    /// [`Sensitivity::at`] of every time, bit for bit, on the widest lanes, row by row of the matrix; panics where the
+    /// lengths differ.
+    pub fn at_into(&self, t: &[f64], slopes: [&mut [f64]; 6]) {
+        assert!(
+            slopes.iter().all(|column| column.len() == t.len()),
+            "results of another length than the times"
+        );
+        self.sample(t, slopes, |fill| wide(fill));
+    }
+
+    /// By Carlson's integrals in double-double.
+    fn careful(&self, t: f64) -> Jacobian {
         if !t.is_finite() {
             return UNDEFINED;
         }
