@@ -29,12 +29,7 @@ def real(name: str, value: Any) -> float:
             return float(value)
         except OverflowError:
             raise ValueError(f"{name} = an integer beyond the doubles: must be finite") from None
-    if getattr(value, "ndim", 0):
-        shown = f"an array of shape {value.shape}"
-    else:
-        shown = " ".join(repr(value).split())
-        shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
-    raise ValueError(f"{name} = {shown}: must be one real number, a Python or NumPy scalar")
+    raise ValueError(f"{name} = {shown(value)}: must be one real number, a Python or NumPy scalar")
 
 
 def count(name: str, value: Any) -> int:
@@ -44,5 +39,15 @@ def count(name: str, value: Any) -> int:
             raise TypeError
         whole = index(value)
     except TypeError:
-        raise ValueError(f"{name} = {value!r}: must be a whole number") from None
-    return min(max(whole, -(2**63)), 2**63 - 1)
+        raise ValueError(f"{name} = {shown(value)}: must be a whole number") from None
+    if not -(2**63) <= whole < 2**63:
+        raise ValueError(f"{name} = an integer beyond 64 bits: must be in range")
+    return whole
+
+
+def shown(value: Any) -> str:
+    """A value as it stands in an error: on one line, and short."""
+    if getattr(value, "ndim", 0):
+        return f"an array of shape {value.shape}"
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else f"{text[:57]}..."

@@ -9,9 +9,9 @@
 use super::sensitivity::Solutions;
 use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
-use crate::elliptic::phase::Phase;
+use crate::elliptic::phase::{Phase, alternating};
 use crate::elliptic::theta::Lattice;
-use crate::float::{Dd, HALF_PI};
+use crate::float::{Dd, HALF_PI, Wide};
 use crate::lanes::{Kernel, Lane, Sampler, sweep};
 
 /// Least 1 - m: below, too many of a double's digits cancel.
@@ -79,7 +79,7 @@ impl Slopes {
             (mean, -mean, HALF_PI / quarter)
         };
         let shift = if motion.rotation { complete_e_dd(parameter) } else { -whole }.scale(2.0) / mc;
-        let Solutions { a, b, p, q, .. } = motion.start;
+        let Solutions { a, b, p, q } = motion.start;
         Some(Slopes {
             rotation: motion.rotation,
             lattice: lattice.clone(),
@@ -94,7 +94,7 @@ impl Slopes {
             far: far.hi,
             zeta: zeta.hi,
             shift: shift.hi,
-            start: [a.hi, b.hi, p.hi, q.hi],
+            start: [a, b, p, q].map(Wide::value),
             k: motion.k.hi,
             x: motion.x.hi,
             stretch: motion.stretch.hi,
@@ -132,7 +132,7 @@ impl Slopes {
         let (a, b, p, q) = if ROTATION {
             (a, b, p, q)
         } else {
-            let parity = crate::elliptic::phase::alternating(n);
+            let parity = alternating(n);
             (a * parity, b * parity, p * parity, q * parity)
         };
         let [a0, b0, p0, q0] = self.start.map(constant);
