@@ -5,12 +5,14 @@ Built from bits and IEEE operations, like elliptic_inputs.py; places such as n K
 
 import math
 import random
+from fractions import Fraction
 
 import mpmath as mp
-from elliptic import parameters
+from elliptic import jacobi_evaluate, parameters
 from elliptic_inputs import either, log_uniform, neighbours, sign
 from exact import mpf, real
-from family import CARLSON, GLAISHER
+from family import GLAISHER
+from integrals import CARLSON
 
 SEED = 2
 BELOW, ABOVE = math.nextafter(1.0, 0.0), math.nextafter(1.0, 2.0)
@@ -120,8 +122,6 @@ def second_kind():
 
 def jacobi_value(name, u, m, mc):
     """pq(u | m) at 60 digits, through the real amplitude."""
-    from elliptic import jacobi_evaluate
-
     with mp.workdps(400):
         sn, cn, dn, _ = jacobi_evaluate(u, m, mc)
         part = {"s": sn, "c": cn, "d": dn, "n": mpf(1)}
@@ -130,8 +130,6 @@ def jacobi_value(name, u, m, mc):
 
 def inverses():
     """Values of the function itself over its branch, the ends of its range and what lies beyond, tiny and huge x."""
-    from fractions import Fraction
-
     for name in GLAISHER:
         for stratum in EVERY:
             count = 6 if stratum in ("m_zero", "m_one") else 10
@@ -145,7 +143,9 @@ def inverses():
                 with mp.workdps(60):
                     u = float(K * share) * (3 if m == 1 else 1)
                 x = float(jacobi_value(name, Fraction(u), m, mc))
-                yield item(stratum, function=name, given=given, parameter=parameter, x=x * sign(rng) if "s" in name else x)
+                yield item(
+                    stratum, function=name, given=given, parameter=parameter, x=x * sign(rng) if "s" in name else x
+                )
                 if i == 0:
                     yield item(stratum, function=name, given=given, parameter=parameter, x=-x)
             ends = [1.0, BELOW, ABOVE, 0.0, -1.0, 1e-300, -1e-20, 1e15, -1e300]
@@ -255,9 +255,26 @@ def carlson():
                 yield row("principal", function, *x, -x[i % (count - 1)] * (1 + sign(rng) * log_uniform(rng, -50, -2)))
         edges = {
             "rf": [(0, 0, 1), (0, 0, 0), (-1, 1, 1), (1, math.inf, 2), (math.nan, 1, 1)],
-            "rc": [(1, 0), (0, 0), (-1, 1), (0, -1), (0, 1), (1, math.inf), (1, -math.inf), (math.inf, 1), (1, math.nan)],
+            "rc": [
+                (1, 0),
+                (0, 0),
+                (-1, 1),
+                (0, -1),
+                (0, 1),
+                (1, math.inf),
+                (1, -math.inf),
+                (math.inf, 1),
+                (1, math.nan),
+            ],
             "rd": [(0, 0, 1), (1, 1, 0), (0, 1, 0), (1, 1, -1), (-1, 1, 1), (math.inf, 1, 1), (1, 1, math.inf)],
-            "rj": [(0, 0, 1, 1), (1, 1, 1, 0), (-1, 1, 1, 1), (1, 2, 3, math.inf), (1, 2, 3, -math.inf), (1, 1, math.nan, 1)],
+            "rj": [
+                (0, 0, 1, 1),
+                (1, 1, 1, 0),
+                (-1, 1, 1, 1),
+                (1, 2, 3, math.inf),
+                (1, 2, 3, -math.inf),
+                (1, 1, math.nan, 1),
+            ],
         }
         for edge in edges[function]:
             yield row("edge", function, *edge)
@@ -310,7 +327,9 @@ def third_kind():
                     angles[0] = pole * (1 + sign(rng) * log_uniform(rng, -50, -3))
                 angle = angles[(i + len(stratum)) % len(angles)] if i % 3 else angles[0]
                 for phi in {angle, angles[-1]}:
-                    yield item(stratum, function="incomplete_pi", given=given, parameter=parameter, n=n, phi=sign(rng) * phi)
+                    yield item(
+                        stratum, function="incomplete_pi", given=given, parameter=parameter, n=n, phi=sign(rng) * phi
+                    )
         given, parameter = values[0]
         for phi in (0.0, -0.0):
             yield item("signed_zero", function="incomplete_pi", given=given, parameter=parameter, n=0.5, phi=phi)
@@ -338,7 +357,11 @@ def jacobi_complex():
             a, b = float(K), min(float(height), 300.0)
             for quadrant in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
                 yield item(
-                    stratum, given=given, parameter=parameter, re=quadrant[0] * 2 * a * rng.random(), im=quadrant[1] * b * rng.random()
+                    stratum,
+                    given=given,
+                    parameter=parameter,
+                    re=quadrant[0] * 2 * a * rng.random(),
+                    im=quadrant[1] * b * rng.random(),
                 )
             size = log_uniform(rng, -40, -4)
             x, y = rng.choice(((size, size), (0.0, size), (size, 0.0), (size, -size / 3)))
