@@ -7,8 +7,14 @@
 //! | angle, velocity, period ... of one orbit | [`Orbit`] |
 //! | the force: omega0, its square, or gravity and length | [`Frequency`] |
 //! | one state a step later | [`advance`] |
-//! | sn, cn, dn, am | [`Jacobi`] |
+//! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
+//! | the twelve inverses | [`inverse_jacobi`] |
+//! | sn, cn, dn of complex u | [`JacobiComplex`] |
+//! | Jacobi's epsilon and zeta | [`SecondKind`] |
+//! | theta functions | [`Theta`] |
 //! | K, E, F, nome | [`complete_k`], [`complete_e`], [`incomplete_f`], [`incomplete_e`], [`nome`] |
+//! | Pi, Heuman's lambda | [`complete_pi`], [`incomplete_pi`], [`heuman_lambda`] |
+//! | Carlson's R_F, R_C, R_D, R_J | [`carlson_rf`], [`carlson_rc`], [`carlson_rd`], [`carlson_rj`] |
 //!
 //! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
 
@@ -20,7 +26,11 @@ pub mod pendulum;
 mod domain;
 
 pub use domain::Domain;
-pub use elliptic::{Jacobi, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
+pub use elliptic::{
+    Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf,
+    carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,
+    incomplete_pi, inverse_jacobi, nome,
+};
 pub use pendulum::{Frequency, Orbit, Regime, advance, advance_into};
 
 /// Version of the core, and of everything built on it.

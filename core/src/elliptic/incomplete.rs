@@ -7,33 +7,62 @@
 use super::carlson::{THIRD, rd, rf};
 use super::complete::{complete_e_dd, complete_k_dd};
 use super::parameter::Parameter;
-use crate::float::{Dd, circle, series};
+use crate::float::{Dd, Td, circle, series};
 
 /// phi = n pi + side * r, 0 <= r <= pi/2.
-struct Reduced {
-    n: f64,
-    side: f64,
-    sine: Dd,
-    cosine: Dd,
+pub(super) struct HalfTurns {
+    pub n: f64,
+    /// Whether n is odd, also beyond 2^53.
+    pub odd: bool,
+    pub side: f64,
+    pub r: Td,
+    /// pi/2 - r.
+    pub rest: Td,
 }
 
-fn reduce(phi: f64) -> Reduced {
+/// phi modulo pi, for finite phi.
+pub(super) fn half_turns(phi: f64) -> HalfTurns {
     let full = circle::reduce(phi);
-    let beyond = full.from_top.hi < full.from_bottom.hi;
-    let (n, side, r, other) = if beyond {
+    let odd = full.from_top.hi < full.from_bottom.hi;
+    let (n, side, r, other) = if odd {
         (2.0 * full.turns + full.side, -full.side, full.from_top, full.from_bottom)
     } else {
         (2.0 * full.turns, full.side, full.from_bottom, full.from_top)
     };
     // pi/2 - r, half the difference of r and pi - r.
     let rest = (other - r).scale(0.5);
+    HalfTurns { n, odd, side, r, rest }
+}
+
+/// Below, the sine is the angle and the cosine 1 to a double-double.
+const TINY: f64 = 1e-18;
+
+/// sin r and cos r.
+pub(super) fn sines(r: Td, rest: Td) -> (Dd, Dd) {
+    if r.hi < TINY {
+        return (r.to_dd(), Dd::ONE);
+    }
     let (sine, cosine) = if r.hi <= rest.hi {
         series::sin_cos(r)
     } else {
         let (cosine, sine) = series::sin_cos(rest);
         (sine, cosine)
     };
-    Reduced { n, side, sine: sine.to_dd(), cosine: cosine.to_dd() }
+    (sine.to_dd(), cosine.to_dd())
+}
+
+/// phi = n pi + side * r, with the sine and cosine of r.
+pub(super) struct Reduced {
+    pub n: f64,
+    pub side: f64,
+    pub sine: Dd,
+    pub cosine: Dd,
+}
+
+pub(super) fn reduce(phi: f64) -> Reduced {
+    let HalfTurns { n, side, r, rest, .. } = half_turns(phi);
+    let (sine, cosine) = sines(r, rest);
+    Reduced { n, side, sine, cosine }
 }
 
 /// Which of the two integrals.

@@ -8,9 +8,11 @@ pub(crate) mod loose;
 pub mod scaling;
 pub mod series;
 pub mod triple_double;
+pub mod wide;
 
 pub use double_double::Dd;
 pub use triple_double::Td;
+pub use wide::Wide;
 
 /// pi to a double-double.
 pub const PI: Dd = TWO_PI.half();

@@ -51,6 +51,10 @@ impl<'a> Row<'a> {
     pub fn text(&self, column: &str) -> &'a str {
         self.cells.get(column).unwrap_or_else(|| panic!("no column {column}"))
     }
+    /// The text of a cell, if there is such a column.
+    pub fn get(&self, column: &str) -> Option<&'a str> {
+        self.cells.get(column).copied()
+    }
     /// A hexadecimal double, or inf, -inf, nan.
     pub fn hex(&self, column: &str) -> f64 {
         hex(self.text(column))
