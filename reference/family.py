@@ -105,7 +105,7 @@ def first_branch(p, q, x, m, mc):
         a, b = (delta(letter, other, m, mc) for letter in "cdn" if letter != other)
         if q == "s":
             arguments = (square, square + a, square + b)
-            if sum(value == 0 for value in arguments) > 1:
+            if min(arguments) == 0 and sum(value == 0 for value in arguments) > 1:
                 return math.inf  # m = 1: the end of the range is taken at infinity
             return rf(*arguments)
         if x == 0:
