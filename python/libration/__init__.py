@@ -1,8 +1,8 @@
 """The exact nonlinear pendulum, in every regime, right to the last digits.
 
 ``Pendulum`` is one orbit and answers at any time; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
-states; ``jacobi``, ``complete_k``, ``complete_e``, ``incomplete_f``, ``incomplete_e`` and ``nome`` are the elliptic
-functions behind them. Angles are in radians, everything else in SI units.
+states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
+``libration.elliptic``. Angles are in radians, everything else in SI units.
 
 Examples
 --------
@@ -13,22 +13,60 @@ Examples
 
 from ._core import __version__
 from .arrays import advance, motion, theta, velocity
-from .elliptic import JacobiValues, complete_e, complete_k, incomplete_e, incomplete_f, jacobi, nome
+from .elliptic import (
+    JacobiComplexValues,
+    JacobiValues,
+    carlson_rc,
+    carlson_rd,
+    carlson_rf,
+    carlson_rj,
+    complete_e,
+    complete_k,
+    complete_pi,
+    heuman_lambda,
+    incomplete_e,
+    incomplete_f,
+    incomplete_pi,
+    jacobi,
+    jacobi_complex,
+    jacobi_epsilon,
+    jacobi_zeta,
+    nome,
+    theta1,
+    theta2,
+    theta3,
+    theta4,
+)
 from .pendulum import Pendulum, Regime
 
 __all__ = [
+    "JacobiComplexValues",
     "JacobiValues",
     "Pendulum",
     "Regime",
     "__version__",
     "advance",
+    "carlson_rc",
+    "carlson_rd",
+    "carlson_rf",
+    "carlson_rj",
     "complete_e",
     "complete_k",
+    "complete_pi",
+    "heuman_lambda",
     "incomplete_e",
     "incomplete_f",
+    "incomplete_pi",
     "jacobi",
+    "jacobi_complex",
+    "jacobi_epsilon",
+    "jacobi_zeta",
     "motion",
     "nome",
     "theta",
+    "theta1",
+    "theta2",
+    "theta3",
+    "theta4",
     "velocity",
 ]
