@@ -298,3 +298,71 @@ fn carlson_integrals() {
     assert!(of_carlson(|row| nudged(carlson(row))).worst() > BOUND);
     assert!(of_carlson(|row| carlson(row).abs()).worst() > BOUND);
 }
+
+/// What stands at the ends: signs of zero, poles, infinities, NaN.
+#[test]
+fn ends_of_the_domains() {
+    let same = |got: f64, expected: f64| {
+        assert!(
+            got.to_bits() == expected.to_bits() || (got.is_nan() && expected.is_nan()),
+            "{got} {expected}"
+        );
+    };
+    let (inf, nan) = (f64::INFINITY, f64::NAN);
+    for m in [-1e300, -2.0, 0.0, 0.3, 1.0, 7.0, 1e300] {
+        let p = Parameter::from_m(m);
+        let (jacobi, second) = (Jacobi::new(p), SecondKind::new(p));
+        for zero in [0.0, -0.0] {
+            for which in [Glaisher::Sn, Glaisher::Sc, Glaisher::Sd] {
+                same(jacobi.glaisher(which, zero), zero);
+                same(inverse_jacobi(which, zero, p), zero);
+            }
+            for which in [Glaisher::Ns, Glaisher::Cs, Glaisher::Ds] {
+                same(jacobi.glaisher(which, zero), 1.0 / zero);
+                same(inverse_jacobi(which, 1.0 / zero, p), zero);
+            }
+            same(second.epsilon(zero), zero);
+            same(second.zeta(zero), if m > 1.0 { nan } else { zero });
+            same(incomplete_pi(0.5, zero, p), zero);
+        }
+        for which in Glaisher::ALL {
+            same(jacobi.glaisher(which, nan), nan);
+            same(inverse_jacobi(which, nan, p), nan);
+            if m != 1.0 {
+                same(jacobi.glaisher(which, inf), nan);
+            }
+        }
+        if m != 1.0 {
+            same(second.epsilon(-inf), -inf);
+        }
+        same(JacobiComplex::new(p).values(nan, 0.0)[0][0], nan);
+        same(JacobiComplex::new(p).values(0.0, inf)[0][0], nan);
+    }
+    let one = Parameter::from_m(1.0);
+    let limit = |which| Jacobi::new(one).glaisher(which, -inf);
+    same(limit(Glaisher::Sn), -1.0);
+    same(limit(Glaisher::Nc), inf);
+    same(limit(Glaisher::Sc), -inf);
+    same(limit(Glaisher::Cd), 1.0);
+    same(SecondKind::new(one).epsilon(-inf), -1.0);
+    same(SecondKind::new(one).zeta(inf), 1.0);
+    same(heuman_lambda(-inf, Parameter::from_m(0.5)), -inf);
+    same(heuman_lambda(0.5, Parameter::from_m(-0.5)), nan);
+    let unknown = Parameter::from_m(nan);
+    same(SecondKind::new(unknown).epsilon(1.0), nan);
+    same(SecondKind::new(unknown).zeta(1.0), nan);
+    same(complete_pi(0.5, unknown), nan);
+    same(heuman_lambda(0.5, unknown), nan);
+    same(Theta::from_parameter(unknown).value(3, 0.5), nan);
+    same(Theta::from_nome(0.1).value(0, 0.5), nan);
+    same(Theta::from_nome(0.1).value(3, inf), nan);
+    same(Jacobi::new(unknown).glaisher(Glaisher::Sc, 1.0), nan);
+    same(inverse_jacobi(Glaisher::Sc, 1.0, unknown), nan);
+    same(JacobiComplex::new(unknown).values(1.0, 1.0)[2][1], nan);
+    // Infinity against zero.
+    same(carlson_rc(inf, 0.0), nan);
+    same(carlson_rd(inf, 1.0, 0.0), nan);
+    same(carlson_rj(inf, 1.0, 1.0, 0.0), nan);
+    same(carlson_rf(inf, 0.0, 0.0), nan);
+    same(carlson_rj(0.0, 0.0, 1.0, -1.0), nan);
+}

@@ -23,7 +23,7 @@ use crate::float::{Dd, Wide};
 /// ```
 /// use libration::{JacobiComplex, Parameter};
 /// let [sn, _, _] = JacobiComplex::new(Parameter::from_m(0.5)).values(0.5, 0.5);
-/// assert_eq!(format!("{:.12} {:.12}", sn[0], sn[1]), "0.552843250984 0.430329864837");
+/// assert_eq!(format!("{:.12} {:.12}", sn[0], sn[1]), "0.552843250984 0.430329864836");
 /// ```
 #[derive(Clone, Debug)]
 pub struct JacobiComplex {

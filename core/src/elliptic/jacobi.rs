@@ -70,16 +70,16 @@ impl Jacobi {
         } else {
             (Range::Unit, Dd::ONE)
         };
-        Jacobi::set_up(range, parameter.unit(), stretch)
+        Jacobi::with_range(range, parameter.unit(), stretch)
     }
 
     /// The functions of stretch * u with a parameter in [0, 1], as they are.
     pub(super) fn of_unit(unit: Unit, stretch: Dd) -> Jacobi {
         let range = if unit.mc.hi == 0.0 { Range::One } else { Range::Unit };
-        Jacobi { slope: stretch, ..Jacobi::set_up(range, unit, stretch) }
+        Jacobi { slope: stretch, ..Jacobi::with_range(range, unit, stretch) }
     }
 
-    fn set_up(range: Range, unit: Unit, stretch: Dd) -> Jacobi {
+    fn with_range(range: Range, unit: Unit, stretch: Dd) -> Jacobi {
         let unit = if range == Range::One { Parameter::from_m(0.0).unit() } else { unit };
         let (k, kc) = (unit.k, unit.kc);
         let lattice = Lattice::new(unit.m, unit.mc, k, kc);

@@ -181,7 +181,7 @@ impl Dd<f64> {
             return Dd::ZERO;
         }
         // The error of the root's square must not fall below the range.
-        if self.hi < 1e-200 {
+        if self.hi > 0.0 && self.hi < 1e-200 {
             return self.scale(exp2(800)).sqrt().scale(exp2(-400));
         }
         let root = f64::sqrt(self.hi);
