@@ -92,5 +92,9 @@ def columns(formula, inputs, moved, names, step=STEP):
     """All hi and lo columns, then all conditions. A name that the formula does not give is NaN."""
     values = rising(lambda: formula(*inputs), 140, 300)
     conditions = condition(formula, inputs, moved, values, step)
-    pairs = [piece for name in names for piece in hi_lo(values.get(name, math.nan))]
-    return pairs + [text(conditions.get(name, arb(0))) for name in names]
+    pairs = [hi_lo(values.get(name, math.nan)) for name in names]
+    counted = [
+        conditions[name] if math.isfinite(float.fromhex(hi)) else arb(0)
+        for name, (hi, _) in zip(names, pairs, strict=True)
+    ]
+    return [piece for pair in pairs for piece in pair] + [text(x) for x in counted]
