@@ -259,8 +259,8 @@ def incomplete_pi(
 def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Heuman's lambda function, Lambda_0(phi).
 
-    Lambda_0(phi | m) = 2/pi (E(m) F(phi | 1 - m) + K(m) (E(phi | 1 - m) - F(phi | 1 - m))): odd in phi, 1 at pi/2, and growing
-    by 2 with every pi. The solid angle of a disc and the field of a ring are made of it.
+    Lambda_0(phi | m) = 2/pi (E(m) F(phi | 1 - m) + K(m) (E(phi | 1 - m) - F(phi | 1 - m))): odd in phi, 1 at pi/2, and
+    growing by 2 with every pi. The solid angle of a disc is made of it.
 
     Parameters
     ----------
