@@ -2,6 +2,7 @@
 //!
 //! No formula and no arithmetic on doubles: everything is handed to the core.
 
+mod elliptic;
 mod kernels;
 mod orbit;
 mod pool;
