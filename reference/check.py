@@ -4,7 +4,7 @@ Row counts must be those of README.md. A seeded sample of every file is derived 
 must be the same text. Every row must agree with Arb balls by other formulas (balls.py), the derivative and
 condition columns of the sample with central differences (slopes.py), and spoiled rows must fail. The elliptic
 family, whose truth is balls, is compared with mpmath by other formulas (second_route.py), values and conditions of
-a sample. --all takes every row as the sample and draws all inputs again.
+a sample; actions and amplitudes with samples of the motion (samples_route.py). --all takes every row as the sample and draws all inputs again.
 """
 
 import argparse
@@ -12,6 +12,7 @@ import math
 import random
 from collections import Counter
 
+import action
 import balls
 import corners
 import elliptic
@@ -20,18 +21,24 @@ import exact
 import family
 import family_inputs
 import pendulum
+import samples_route
+import second
 import second_route
 import slopes
 
 GENERATORS = {
     "pendulum.csv": (pendulum.HEADER, pendulum.row),
     "pendulum_corners.csv": (corners.HEADER, corners.row),
+    "action.csv": (action.HEADER, action.row),
+    "second.csv": (second.HEADER, second.row),
     **elliptic.FILES,
     **family.FILES,
 }
 SAMPLES = {
     "pendulum.csv": 120,
     "pendulum_corners.csv": 60,
+    "action.csv": 16,
+    "second.csv": 8,
     "jacobi.csv": 250,
     "jacobi_special.csv": 500,
     "complete.csv": 120,
@@ -79,6 +86,8 @@ def inputs_of(name):
         return exact.read(exact.ROOM / "inputs" / name)
     if name == "pendulum_corners.csv":
         return list(corners.inputs())
+    if name in ("action.csv", "second.csv"):
+        return list({"action.csv": action, "second.csv": second}[name].inputs())
     return list((family_inputs if name in family.FILES else elliptic_inputs).rows(name))
 
 
@@ -115,6 +124,15 @@ def main():
             for row in slope_rows:
                 if found := slopes.wrong(name, row):
                     fail(name, "differences contradict", found, row)
+        elif name == "action.csv":
+            steady = [row for row in sample if samples_route.measured(row)][:6]
+            if not steady:
+                fail(name, "the sample holds no row for the second route")
+            for row in steady:
+                if found := samples_route.wrong(row):
+                    fail(name, "samples of the motion contradict", found, row)
+            if not samples_route.wrong({**steady[0], "action_lo": steady[0]["action_hi"]}):
+                fail(name, "a spoiled action passes")
         elif name in family.FILES:
             for i, row in enumerate(sample):
                 if found := second_route.wrong(name, row):
