@@ -8,7 +8,7 @@ from itertools import groupby
 
 import exact
 import oscillator
-from oscillator_inputs import Draw, instants, numbered, product, root
+from oscillator_inputs import Draw, first, instants, numbered, product, root
 
 NAME = "duffing.csv"
 INPUTS = "u0 velocity0 p q t".split()
@@ -219,10 +219,6 @@ def disparate(draw):
         yield draw.sign() * draw.number(), draw.sign() * draw.number(), p * draw.number(), q * draw.number()
     for p, q in ((-1e-30, 1.0), (-1e-30, -1.0), (1.0, 1e-300), (1e-300, 1.0), (-1.0, 1e-60), (1.0, -1e-9)):
         yield draw.sign() * draw.number(), draw.sign() * draw.number(), p * draw.number(), q * draw.number()
-
-
-def first(generator, count):
-    return [values for values, _ in zip(generator, range(count), strict=False)]
 
 
 def inputs():

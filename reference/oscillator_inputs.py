@@ -41,6 +41,10 @@ def root(square):
     return nearest(Fraction(math.isqrt(int(square * Fraction(4) ** shift)), 1) / Fraction(2) ** shift)
 
 
+def first(generator, count):
+    return [values for values, _ in zip(generator, range(count), strict=False)]
+
+
 def instants(draw, u0, velocity0, force, count, longest=20):
     """Times of both signs: within a period and after up to longest periods, within a flight, or a few units."""
     period, ahead, behind, unit = clock(u0, velocity0, force)
