@@ -9,6 +9,7 @@
 //! | passages, action, phase, Fourier series of an orbit | [`Orbit`] |
 //! | its derivatives by start and force | [`Sensitivity`] |
 //! | one state a step later | [`advance`] |
+//! | u'' + p u + q u^3 = 0 | [`Duffing`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
 //! | sn, cn, dn of complex u | [`JacobiComplex`] |
@@ -20,6 +21,7 @@
 //!
 //! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
 
+pub mod duffing;
 pub mod elliptic;
 pub mod float;
 pub mod lanes;
@@ -28,6 +30,7 @@ pub mod pendulum;
 mod domain;
 
 pub use domain::Domain;
+pub use duffing::{Duffing, Form};
 pub use elliptic::{
     Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf,
     carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,

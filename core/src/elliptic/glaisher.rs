@@ -40,7 +40,7 @@ pub enum Glaisher {
 
 /// sn, cn, dn and 1: what stands above and below.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Letter {
+pub(crate) enum Letter {
     S,
     C,
     D,
@@ -80,7 +80,7 @@ impl Glaisher {
             Glaisher::Dc => "dc",
         }
     }
-    pub(super) const fn letters(self) -> [Letter; 2] {
+    pub(crate) const fn letters(self) -> [Letter; 2] {
         use Letter::{C, D, N, S};
         match self {
             Glaisher::Sn => [S, N],

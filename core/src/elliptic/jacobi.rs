@@ -35,8 +35,8 @@ pub(super) enum Range {
 #[derive(Clone, Debug)]
 pub struct Jacobi {
     pub(super) range: Range,
-    pub(super) lattice: Lattice,
-    pub(super) phase: Phase,
+    pub(crate) lattice: Lattice,
+    pub(crate) phase: Phase,
     /// The factor of theta1 in sn, and in cn counted from K.
     sine: [Dd; 2],
     /// The factor of dn counted from K.
@@ -48,7 +48,7 @@ pub struct Jacobi {
 }
 
 /// |sn| : |cn| : |dn| : 1 = sn : cn : dn : one, and the signs of the first three.
-pub(super) struct Ratio<L: Lane> {
+pub(crate) struct Ratio<L: Lane> {
     pub sn: Dd<L>,
     pub cn: Dd<L>,
     pub dn: Dd<L>,
@@ -74,7 +74,7 @@ impl Jacobi {
     }
 
     /// The functions of stretch * u with a parameter in [0, 1], as they are.
-    pub(super) fn of_unit(unit: Unit, stretch: Dd) -> Jacobi {
+    pub(crate) fn of_unit(unit: Unit, stretch: Dd) -> Jacobi {
         let range = if unit.mc.hi == 0.0 { Range::One } else { Range::Unit };
         Jacobi { slope: stretch, ..Jacobi::with_range(range, unit, stretch) }
     }
@@ -143,7 +143,7 @@ impl Jacobi {
 
     /// The nearest whole number of half periods, and the functions at u.
     #[inline(always)]
-    pub(super) fn ratio<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> (Dd<L>, Ratio<L>) {
+    pub(crate) fn ratio<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> (Dd<L>, Ratio<L>) {
         let at = self.phase.spread::<L>().reduce(u);
         let thetas = self.lattice.thetas_on::<HYPERBOLIC, L>(at.f);
         let folded = thetas.folded;

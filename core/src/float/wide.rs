@@ -59,6 +59,14 @@ impl Wide {
     pub fn power(self) -> i32 {
         self.power
     }
+    /// The value over its power of two, in [1, 2) but for its sign; zero, infinite or NaN where the value is.
+    pub fn part(self) -> Dd {
+        self.part
+    }
+    /// Absolute value.
+    pub fn abs(self) -> Wide {
+        Wide { part: self.part.abs(), power: self.power }
+    }
     /// Whether it is zero.
     pub fn is_zero(self) -> bool {
         self.part.hi == 0.0

@@ -1,0 +1,587 @@
+//! Which formula an orbit follows, with its factors and the phase of its start.
+//!
+//! Phases are counted from the zero, the turning point or the pole next to the start, so that they keep their digits
+//! there; each by Carlson's R_F from u and u' both, in which nothing is subtracted:
+//!   from a zero of u    u R_F(a1 a2, a2 (a1 + b1 u^2), a1 (a2 + b2 u^2))   where u'^2 = (a1 + b1 u^2)(a2 + b2 u^2),
+//!   to a pole of u      sqrt(2/|q|) R_F(u^2, u^2 - r1, u^2 - r2)           where u'^2 = |q|/2 (u^2 - r1)(u^2 - r2).
+//! Source: DLMF 19.25(v), 19.29(i), 22.15; Carlson, Math. Comp. 53 (1989) 327.
+
+use super::cubic::{Constants, Place};
+use super::regime::Regime;
+use crate::elliptic::carlson::rf_of_roots;
+use crate::elliptic::phase::Phase;
+use crate::elliptic::theta::Lattice;
+use crate::float::scaling::ldexp;
+use crate::float::wide::{self, Wide};
+use crate::float::{Dd, LN_2, TWO_PI};
+
+/// The quotients of theta functions that u can be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// A k' sd, from the upward zero: the libration of a hardening spring, A cn.
+    Cn,
+    /// A sn, from the upward zero: the libration of a softening spring.
+    Sn,
+    /// A dn, from the outer turning point.
+    Dn,
+    /// A nc, from the turning point or a pole.
+    Nc,
+    /// A dc, likewise.
+    Dc,
+    /// A sc, from the zero or a pole.
+    Sc,
+    /// A sn dn/cn, likewise.
+    SdOverC,
+}
+
+/// The motions that hyperbolic functions or none describe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Plain {
+    Sech,
+    Tanh,
+    Csch,
+    Coth,
+    /// 1/y.
+    Inverse,
+    Cosh,
+    Sinh,
+    /// e^y.
+    Exp,
+}
+
+/// A double-double factor, and the power of two that it cannot carry.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scales {
+    /// Of u and of u'.
+    pub u: f64,
+    pub velocity: f64,
+    pub time: f64,
+}
+
+/// A motion by theta functions.
+#[derive(Clone, Debug)]
+pub(super) struct Elliptic {
+    pub shape: Shape,
+    pub lattice: Lattice,
+    /// Half periods 2K.
+    pub phase: Phase,
+    /// Whether the phase counts from a pole.
+    pub from_pole: bool,
+    /// Factors of u and u' where the argument is counted from 0 and from K (the other way round with `from_pole`).
+    pub u: [Dd; 2],
+    pub velocity: [Dd; 2],
+    /// For [`Shape::SdOverC`]: what sn^4 takes in the velocity where dn^4 takes `velocity`.
+    pub other: [Dd; 2],
+    pub scales: Scales,
+}
+
+/// A motion by hyperbolic functions of y = start + rate t.
+#[derive(Clone, Debug)]
+pub(super) struct Simple {
+    pub plain: Plain,
+    pub phase: Phase,
+    pub u: Dd,
+    pub velocity: Dd,
+    pub scales: Scales,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Course {
+    Still,
+    /// u0 + velocity0 t.
+    Straight,
+    Elliptic(Box<Elliptic>),
+    Simple(Simple),
+}
+
+/// All that does not depend on time.
+pub(super) struct SetUp {
+    pub course: Course,
+    pub regime: Regime,
+    pub period: Wide,
+    pub range: [Wide; 2],
+    /// Backward and forward.
+    pub escapes: [Wide; 2],
+}
+
+/// Powers of two that a double-double can carry beside its digits, and those a factor can.
+const CARRIED: i32 = 300;
+const OUTSIDE: i32 = 1000;
+
+const INFINITY: f64 = f64::INFINITY;
+
+/// R_F(x^2, y^2, z^2) from roots of any size, at most one of them 0.
+pub(super) fn rf(roots: [Wide; 3]) -> Wide {
+    let [mut x, mut y, mut z] = roots;
+    if (x - z).is_positive() {
+        (x, z) = (z, x);
+    }
+    if (y - z).is_positive() {
+        (y, z) = (z, y);
+    }
+    let (x, y) = (x / z, y / z);
+    let sum = x + y;
+    let unit = if sum.power() < -CARRIED {
+        // ln(8/(x + y)): beyond what a double-double holds.
+        let part = sum.part();
+        let rest = part.lo / part.hi;
+        LN_2.to_dd() * f64::from(3 - sum.power()) - wide::ln(part.hi) - Dd::from(rest)
+    } else {
+        rf_of_roots(x.to_dd(), y.to_dd())
+    };
+    Wide::from(unit) / z
+}
+
+/// sign(value), + for 0.
+pub(super) fn sign(value: Wide) -> f64 {
+    if value.is_negative() { -1.0 } else { 1.0 }
+}
+
+/// value with the sign, and zero as it is.
+pub(super) fn signed(value: Wide, sign: f64) -> Wide {
+    if sign < 0.0 { -value } else { value }
+}
+
+/// The parts that a factor of two values shares: the values over 2^power, and 2^power as far as a double holds it.
+fn factors<const N: usize>(values: [Wide; N]) -> ([Dd; N], f64) {
+    let power = values.iter().filter(|value| !value.is_zero()).map(|value| value.power()).max().unwrap_or(0);
+    let outside = power.clamp(-OUTSIDE, OUTSIDE);
+    (values.map(|value| value.shift(-outside).to_dd()), ldexp(1.0, outside))
+}
+
+/// Rate and start of a phase, and the power of two that times take.
+fn phase(rate: Wide, start: Wide) -> (Phase, f64) {
+    let outside = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
+    (Phase { rate: rate.shift(-outside).to_dd(), start: start.to_dd() }, ldexp(1.0, outside))
+}
+
+/// Amplitude, rate W of the argument, parameter and complement of an elliptic motion.
+pub(super) struct Canonical {
+    shape: Shape,
+    amplitude: Wide,
+    rate: Wide,
+    m: Wide,
+    mc: Wide,
+}
+
+impl Constants {
+    /// The regime and its canonical form for q != 0 and a start that moves.
+    pub(super) fn canonical(&self, shape: Shape) -> Canonical {
+        let Constants { q, energy, s, plus, minus, delta, p } = *self;
+        let twice = s.shift(1);
+        let (amplitude, rate, m, mc) = match shape {
+            Shape::Cn => {
+                // 4E/(S + p), or (S - p)/q where S + p is itself a quotient.
+                let square = if p.is_negative() { minus / q } else { energy / plus };
+                (square, s, minus / twice, plus / twice)
+            }
+            Shape::Sn => (energy / plus, plus.shift(-1), minus.abs() / plus, twice / plus),
+            Shape::Dn => (minus / q, minus.shift(-1), twice / minus, -plus / minus),
+            Shape::Nc => (plus / q.abs(), s, minus / twice, plus / twice),
+            Shape::Dc => (plus / q.abs(), plus.shift(-1), minus.abs() / plus, twice / plus),
+            Shape::Sc => (energy / minus, minus.shift(-1), twice / minus, -plus / minus),
+            Shape::SdOverC => {
+                // G = |q| B^2 = sqrt(4 |q| E), m = (G + p)/2G, 1 - m = (G - p)/2G, G^2 - p^2 = -Delta.
+                let g = (q.abs() * energy).sqrt();
+                let (sum, difference) = if p.is_negative() {
+                    let difference = g - p;
+                    (-delta / difference, difference)
+                } else {
+                    let sum = g + p;
+                    (sum, -delta / sum)
+                };
+                (g / q.abs(), g.shift(-1), sum / g.shift(1), difference / g.shift(1))
+            }
+        };
+        Canonical { shape, amplitude: amplitude.sqrt(), rate: rate.sqrt(), m, mc }
+    }
+
+    /// S - a and S + a at a place: one by their product 2 q u'^2.
+    fn around(&self, place: &Place) -> (Wide, Wide) {
+        let product = (self.q * place.velocity.square()).shift(1);
+        if place.stiffness.is_negative() {
+            let difference = self.s - place.stiffness;
+            (difference, product / difference)
+        } else {
+            let sum = self.s + place.stiffness;
+            (if sum.is_zero() { Wide::ZERO } else { product / sum }, sum)
+        }
+    }
+
+    /// W t from the upward zero to a place passed upwards (velocity >= 0), for [`Shape::Cn`] and [`Shape::Sn`].
+    fn since_zero(&self, canonical: &Canonical, place: &Place) -> Wide {
+        // u/A R_F(1, x^2, h^2), x = u'/(sqrt(2E) h), h^2 = (S + a)/(S + p).
+        let h = (self.around(place).1 / self.plus).sqrt();
+        let root = self.energy.shift(-1).sqrt();
+        let x = place.velocity.abs() / (root * h);
+        canonical.rate * place.u / root * rf([Wide::ONE, x, h])
+    }
+
+    /// W t from the outer turning point, not negative, for [`Shape::Dn`].
+    fn since_outer(&self, canonical: &Canonical, place: &Place) -> Wide {
+        let (minus, plus) = self.around(place);
+        let twice = self.s.shift(1);
+        (minus / twice).sqrt() * rf([(plus / twice).sqrt(), place.u.abs() / canonical.amplitude, Wide::ONE])
+    }
+
+    /// t from a place to the pole that it moves to (velocity of the sign of u), for q < 0 and Delta >= 0.
+    pub(super) fn until_pole(&self, place: &Place) -> Wide {
+        let size = self.q.abs();
+        let far = self.s - place.stiffness;
+        let near = place.velocity.abs() * (Wide::ONE.shift(1) / far).sqrt();
+        (Wide::ONE.shift(1) / size).sqrt() * rf([place.u.abs(), near, (far / size).sqrt()])
+    }
+
+    /// t from the turning point of an escape to a place, for [`Shape::Nc`] and [`Shape::Dc`].
+    fn since_turning(&self, place: &Place) -> Wide {
+        // sqrt(2 Y/(S + p)) R_F(2 S/|q|, Z, 2 S u^2/(S + p)), Y = 2 u'^2/(S - a), Z = (S - a)/|q|.
+        let size = self.q.abs();
+        let far = self.s - place.stiffness;
+        let near = place.velocity.abs().shift(1) / (far * self.plus).sqrt();
+        let root = (self.s.shift(1) / size).sqrt();
+        near * rf([root, (far / size).sqrt(), place.u.abs() * (self.s.shift(1) / self.plus).sqrt()])
+    }
+
+    /// t from the zero to a place, for [`Shape::Sc`].
+    fn since_middle(&self, place: &Place) -> Wide {
+        let size = self.q.abs();
+        let far = self.s - place.stiffness;
+        let near = place.velocity.abs() * (Wide::ONE.shift(1) / far).sqrt();
+        let first = (self.minus.shift(-1)).sqrt() * near;
+        let second = (-self.plus.shift(-1) * far / size).sqrt();
+        place.u.abs() * rf([self.energy.shift(-1).sqrt(), first, second])
+    }
+
+    /// (2 W t from the zero or to the pole, whichever is nearer; whether that is the pole), for [`Shape::SdOverC`].
+    fn half_argument(&self, canonical: &Canonical, place: &Place) -> (Wide, bool) {
+        // With x = 2 W t, u^2/B^2 = (1 - cn x)/(1 + cn x) and u' = W (B^2 + u^2)/B dn x.
+        let square = canonical.amplitude.square() + place.u.square();
+        let cn = place.excess / (self.q.abs() * square.square());
+        let dn = place.velocity.abs() * canonical.amplitude / (canonical.rate * square);
+        let sn = (canonical.amplitude * place.u.abs()).shift(1) / square;
+        (sn * rf([cn.abs(), dn, Wide::ONE]), cn.is_negative())
+    }
+}
+
+/// Half periods of a libration or a well at a place, with the velocity upwards for the first and of either sign for the
+/// second; in [-1/2, 1/2].
+pub(super) fn half_periods(c: &Constants, canonical: &Canonical, lattice: &Lattice, place: &Place) -> Wide {
+    let half = Wide::from(0.5);
+    let per = Wide::from(lattice.quarter).shift(1);
+    match canonical.shape {
+        Shape::Dn => {
+            if place.velocity.is_zero() {
+                return if place.stiffness.is_positive() { Wide::ZERO } else { half };
+            }
+            let outwards = sign(place.u) == sign(place.velocity);
+            signed(c.since_outer(canonical, place) / per, if outwards { -1.0 } else { 1.0 })
+        }
+        _ if place.velocity.is_zero() => signed(half, sign(place.u)),
+        _ => c.since_zero(canonical, place) / per,
+    }
+}
+
+/// Half periods of an escape at a place: from its pole or its middle, and which. From the middle with the sign that t has.
+pub(super) fn escape_phase(
+    c: &Constants,
+    canonical: &Canonical,
+    lattice: &Lattice,
+    place: &Place,
+) -> (Wide, bool) {
+    let per = Wide::from(lattice.quarter).shift(1);
+    let (u, velocity) = (place.u, place.velocity);
+    let after = if u.is_zero() || velocity.is_zero() || sign(u) == sign(velocity) { 1.0 } else { -1.0 };
+    let unit = |time: Wide| canonical.rate * time / per;
+    let (size, from_pole) = match canonical.shape {
+        Shape::SdOverC => {
+            if u.is_zero() {
+                return (Wide::ZERO, false);
+            }
+            let (argument, from_pole) = c.half_argument(canonical, place);
+            (argument / per.shift(1), from_pole)
+        }
+        Shape::Sc => {
+            if u.is_zero() {
+                return (Wide::ZERO, false);
+            }
+            let from_pole = (u.abs() - canonical.amplitude).is_positive();
+            (unit(if from_pole { c.until_pole(place) } else { c.since_middle(place) }), from_pole)
+        }
+        _ => {
+            if velocity.is_zero() {
+                return (Wide::ZERO, false);
+            }
+            let from_pole = (u.square() - canonical.amplitude.square().shift(1)).is_positive();
+            (unit(if from_pole { c.until_pole(place) } else { c.since_turning(place) }), from_pole)
+        }
+    };
+    // From a pole the phase counts away from it: it falls towards a pole ahead.
+    (if from_pole { size } else { signed(size, after) }, from_pole)
+}
+
+fn lattice(canonical: &Canonical) -> Lattice {
+    let [m, mc] = [canonical.m, canonical.mc].map(Wide::to_dd);
+    Lattice::new(m, mc, canonical.m.sqrt().to_dd(), canonical.mc.sqrt().to_dd())
+}
+
+/// Factors of u, of the velocity, and of sn^4, counted from 0 and from K; with the signs of u and of the velocity.
+fn quotient_factors(canonical: &Canonical, lattice: &Lattice, sides: [f64; 2]) -> [[Wide; 2]; 3] {
+    let Canonical { shape, m, mc, .. } = *canonical;
+    let [a, w] = sides.map(|side| signed(canonical.amplitude, side));
+    let w = w * canonical.rate;
+    let t = Wide::from(lattice.theta1_factor);
+    let kc = mc.sqrt();
+    let none = [Wide::ZERO; 2];
+    match shape {
+        Shape::Cn => [[a * kc * t, a], [w * kc, w * t], none],
+        Shape::Sn => [[a * t, a], [w, w * mc * t], none],
+        Shape::Dn => [[a, a * kc], [-w * m * t, -w * m * kc * t], none],
+        Shape::Nc => [[a, a / (kc * t)], [w * t, w / (kc * t.square())], none],
+        Shape::Dc => [[a, a / t], [w * mc * t, w / t.square()], none],
+        Shape::Sc => [[a * t, a / (kc * t)], [w, w / (kc * t.square())], none],
+        Shape::SdOverC => {
+            let square = t.square();
+            let others = [w * m * mc * square.square(), w * m / square];
+            [[a * t, a / t], [w, w * mc / square], others]
+        }
+    }
+}
+
+fn reversed<T: Copy>([a, b]: [T; 2], yes: bool) -> [T; 2] {
+    if yes { [b, a] } else { [a, b] }
+}
+
+/// Lowest and highest of two values, on the side of a sign.
+fn on_side(inner: Wide, outer: Wide, side: f64) -> [Wide; 2] {
+    if side < 0.0 { [-outer, -inner] } else { [inner, outer] }
+}
+
+fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
+    let canonical = c.canonical(shape);
+    let lattice = lattice(&canonical);
+    let side = match shape {
+        // The canonical motion goes upwards, or is above 0.
+        Shape::Cn | Shape::Sn | Shape::Sc | Shape::SdOverC => sign(start.velocity),
+        Shape::Dn | Shape::Nc | Shape::Dc => sign(start.u),
+    };
+    let per = Wide::from(lattice.quarter).shift(1);
+    let rate = canonical.rate / per;
+    let infinite = Wide::from(INFINITY);
+    let mut set_up = SetUp {
+        course: Course::Still,
+        regime: Regime::Escape,
+        period: infinite,
+        range: [-infinite, infinite],
+        escapes: [-infinite, infinite],
+    };
+    let (mut signed_rate, mut from_pole) = (rate, false);
+    let from;
+    let a = canonical.amplitude;
+    match shape {
+        Shape::Cn | Shape::Sn => {
+            let canonical_start = Place { u: signed(start.u, side), ..*start };
+            from = half_periods(c, &canonical, &lattice, &canonical_start);
+            set_up.regime = if c.q.is_zero() { Regime::Linear } else { Regime::Libration };
+            set_up.period = Wide::from(2.0) / rate;
+            set_up.range = [-a, a];
+        }
+        Shape::Dn => {
+            from = half_periods(c, &canonical, &lattice, start);
+            set_up.regime = Regime::Well;
+            set_up.period = Wide::ONE / rate;
+            set_up.range = on_side(a * canonical.mc.sqrt(), a, side);
+        }
+        _ => {
+            (from, from_pole) = escape_phase(c, &canonical, &lattice, start);
+            let moving_out = sign(start.u) == sign(start.velocity) || start.velocity.is_zero();
+            let rest = |whole: f64| Wide::from(whole) - from;
+            set_up.escapes = if !from_pole {
+                [-(from + Wide::from(0.5)) / rate, rest(0.5) / rate]
+            } else if moving_out {
+                signed_rate = -rate;
+                [-rest(1.0) / rate, from / rate]
+            } else {
+                [-from / rate, rest(1.0) / rate]
+            };
+            if matches!(shape, Shape::Nc | Shape::Dc) {
+                set_up.range = on_side(a, infinite, side);
+            }
+        }
+    }
+    // A phase that counts from a pole starts on the leg of the start.
+    let sides = if from_pole { [sign(start.u), sign(start.velocity)] } else { [side; 2] };
+    let [u, velocity, other] = quotient_factors(&canonical, &lattice, sides);
+    let [u, velocity, other] = [u, velocity, other].map(|pair| reversed(pair, from_pole));
+    let (u, u_scale) = factors(u);
+    let ([v0, v1, w0, w1], velocity_scale) = factors([velocity[0], velocity[1], other[0], other[1]]);
+    let (phase, time) = phase(signed_rate, from);
+    set_up.course = Course::Elliptic(Box::new(Elliptic {
+        shape,
+        lattice,
+        phase,
+        from_pole,
+        u,
+        velocity: [v0, v1],
+        other: [w0, w1],
+        scales: Scales { u: u_scale, velocity: velocity_scale, time },
+    }));
+    set_up
+}
+
+/// A motion by hyperbolic functions: amplitude with its sign, rate with its sign, phase of the start.
+fn simple(plain: Plain, amplitude: Wide, rate: Wide, from: Wide) -> Course {
+    let ([u], u_scale) = factors([amplitude]);
+    let ([velocity], velocity_scale) = factors([amplitude * rate]);
+    let (phase, time) = phase(rate, from);
+    Course::Simple(Simple {
+        plain,
+        phase,
+        u,
+        velocity,
+        scales: Scales { u: u_scale, velocity: velocity_scale, time },
+    })
+}
+
+/// artanh of x = |sine| with 1 - x^2 = root^2.
+pub(super) fn artanh(x: Wide, root: Wide) -> Wide {
+    x * rf([root, root, Wide::ONE])
+}
+
+fn separatrix(c: &Constants, start: &Place, regime: Regime) -> SetUp {
+    let infinite = Wide::from(INFINITY);
+    let (u, velocity) = (start.u, start.velocity);
+    let mut set_up = SetUp {
+        course: Course::Still,
+        regime,
+        period: infinite,
+        range: [Wide::ZERO; 2],
+        escapes: [-infinite, infinite],
+    };
+    let side = sign(u);
+    let inwards = sign(u) != sign(velocity);
+    match regime {
+        Regime::Homoclinic => {
+            let rate = (-c.p).sqrt();
+            let a = (-c.p.shift(1) / c.q).sqrt();
+            let tanh = velocity.abs() / (rate * u.abs());
+            // Falling from the top before 0, after it.
+            let from = signed(artanh(tanh, u.abs() / a), if inwards { 1.0 } else { -1.0 });
+            set_up.course = simple(Plain::Sech, signed(a, side), rate, from);
+            set_up.range = on_side(Wide::ZERO, a, side);
+        }
+        Regime::Heteroclinic => {
+            let rate = c.p.shift(-1).sqrt();
+            let a = (c.p / c.q.abs()).sqrt();
+            let way = sign(velocity);
+            let from = signed(artanh(u.abs() / a, (start.stiffness / c.p).sqrt()), way * side);
+            set_up.course = simple(Plain::Tanh, signed(a, way), rate, from);
+            set_up.range = [-a, a];
+        }
+        _ => {
+            // The pole is the one that the motion comes from or goes to; it reaches the equilibrium on the other way.
+            let time = c.until_pole(start);
+            let (plain, rate, a) = if c.p.is_negative() {
+                let rate = (-c.p).sqrt();
+                (Plain::Csch, rate, (-c.p.shift(1) / c.q.abs()).sqrt())
+            } else if c.p.is_positive() {
+                (Plain::Coth, c.p.shift(-1).sqrt(), (c.p / c.q.abs()).sqrt())
+            } else {
+                (Plain::Inverse, Wide::ONE / time, (Wide::ONE.shift(1) / c.q.abs()).sqrt() / time)
+            };
+            let away = if inwards { 1.0 } else { -1.0 };
+            set_up.course = simple(plain, signed(a, side), signed(rate, away), rate * time);
+            set_up.escapes = if inwards { [-time, infinite] } else { [-infinite, time] };
+            let inner = if plain == Plain::Coth { a } else { Wide::ZERO };
+            set_up.range = on_side(inner, infinite, side);
+        }
+    }
+    set_up
+}
+
+/// q = 0 and p < 0, or no force at all.
+fn unbounded_linear(c: &Constants, start: &Place) -> SetUp {
+    let infinite = Wide::from(INFINITY);
+    let (u, velocity) = (start.u, start.velocity);
+    let mut set_up = SetUp {
+        course: Course::Straight,
+        regime: Regime::Linear,
+        period: infinite,
+        range: [-infinite, infinite],
+        escapes: [-infinite, infinite],
+    };
+    if c.p.is_zero() {
+        return set_up;
+    }
+    let rate = (-c.p).sqrt();
+    let a = (c.energy.abs().shift(-1) / c.p.abs()).sqrt();
+    let along = sign(u) * sign(velocity);
+    let speed = velocity.abs() / rate;
+    if c.energy.is_zero() {
+        set_up.course = simple(Plain::Exp, u, signed(rate, along), Wide::ZERO);
+        set_up.range = on_side(Wide::ZERO, infinite, sign(u));
+    } else if c.energy.is_negative() {
+        // u = A cosh y: tanh y = u'/(w u), 1/cosh y = A/u.
+        let from = artanh(speed / u.abs(), a / u.abs());
+        set_up.course = simple(Plain::Cosh, signed(a, sign(u)), rate, signed(from, along));
+        set_up.range = on_side(a, infinite, sign(u));
+    } else {
+        let from = artanh(u.abs() / speed, a / speed);
+        set_up.course = simple(Plain::Sinh, signed(a, sign(velocity)), rate, signed(from, along));
+    }
+    set_up
+}
+
+fn rest(c: &Constants, start: &Place) -> SetUp {
+    let infinite = Wide::from(INFINITY);
+    // The stiffness of small oscillations: p at 0, -2p at the equilibria of p + q u^2 = 0.
+    let square = if start.u.is_zero() || c.q.is_zero() { c.p } else { -c.p.shift(1) };
+    let period = if square.is_positive() { Wide::from(TWO_PI) / square.sqrt() } else { infinite };
+    SetUp {
+        course: Course::Still,
+        regime: Regime::Rest,
+        period,
+        range: [start.u; 2],
+        escapes: [-infinite, infinite],
+    }
+}
+
+/// The regime by exact signs, and the formula it asks for.
+pub(super) fn course(c: &Constants, start: &Place) -> SetUp {
+    let Place { u, velocity, stiffness, .. } = *start;
+    if velocity.is_zero() && (u.is_zero() || stiffness.is_zero()) {
+        return rest(c, start);
+    }
+    if c.q.is_zero() {
+        return if c.p.is_positive() { elliptic(c, start, Shape::Sn) } else { unbounded_linear(c, start) };
+    }
+    if c.q.is_positive() {
+        return if c.energy.is_positive() {
+            elliptic(c, start, Shape::Cn)
+        } else if c.energy.is_zero() {
+            separatrix(c, start, Regime::Homoclinic)
+        } else {
+            elliptic(c, start, Shape::Dn)
+        };
+    }
+    if c.delta.is_negative() {
+        return elliptic(c, start, Shape::SdOverC);
+    }
+    if c.p.is_positive() && stiffness.is_positive() {
+        return if c.delta.is_zero() {
+            separatrix(c, start, Regime::Heteroclinic)
+        } else {
+            elliptic(c, start, Shape::Sn)
+        };
+    }
+    let on_top = c.p.is_positive() && c.delta.is_zero();
+    if on_top || c.energy.is_zero() && !c.p.is_positive() {
+        return separatrix(c, start, Regime::Escape);
+    }
+    if c.energy.is_negative() {
+        elliptic(c, start, Shape::Nc)
+    } else if c.p.is_positive() {
+        elliptic(c, start, Shape::Dc)
+    } else {
+        elliptic(c, start, Shape::Sc)
+    }
+}

@@ -1,0 +1,361 @@
+//! u and u' of an orbit at any time, over lanes.
+//!
+//! Elliptic motions are quotients of theta functions at the reduced phase. With t1 (without its factor A) to t4:
+//!
+//! | motion | u | u' | swaps |
+//! |---|---|---|---|
+//! | A k' sd | t1/t3 | t2 t4/t3^2 | counted from K, t1 with t2 and t3 with t4 |
+//! | A sn | t1/t4 | t2 t3/t4^2 | |
+//! | A dn | t3/t4 | t1 t2/t4^2 | |
+//! | A nc | t4/t2 | t1 t3/t2^2 | |
+//! | A dc | t3/t2 | t1 t4/t2^2 | |
+//! | A sc | t1/t2 | t3 t4/t2^2 | |
+//! | A sn dn/cn | t1 t3/(t2 t4) | (t3^4 + m k'^2 A^4 t1^4)/(t2 t4)^2 | |
+//!
+//! An escape counts its phase from the pole or from the middle, whichever is next to the start: beyond the poles NaN.
+//! Source: DLMF 20.2, 22.2, 22.13(i).
+
+use super::cubic::Duffing;
+use super::cubic_course::{Course, Elliptic, Plain, Shape, Simple};
+use crate::elliptic::phase::{Phase, alternating};
+use crate::float::Dd;
+use crate::float::double_double::two_sum;
+use crate::float::elementary::{exp, quotient, saturated_sinh_cosh, sech};
+use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+
+/// 2^53 half periods: beyond, doubles are further apart than the motion repeats.
+pub(super) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
+
+/// What an evaluation returns first; where it returns no more, the rest is not computed.
+const U: bool = true;
+const VELOCITY: bool = false;
+
+/// t rate + start, without reduction.
+#[inline(always)]
+fn counted<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
+    let (passed, error) = t.two_product(L::splat(phase.rate.hi));
+    let error = t.mul_add(L::splat(phase.rate.lo), error);
+    let (y, rest) = two_sum(passed, L::splat(phase.start.hi));
+    Dd::ordered_sum(y, rest + (error + L::splat(phase.start.lo)))
+}
+
+/// Numerators and denominators of u and u', but for their signs.
+#[inline(always)]
+fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd<L>; 2]; 2] {
+    let thetas = e.lattice.thetas_on::<HYPERBOLIC, L>(size);
+    let [t1, t2, t3, t4] = thetas.theta;
+    let folded = thetas.folded;
+    // From a pole, what is near 0 is near K of the functions.
+    let (odd, even) = if e.from_pole { ([t2, t4], [t1, t3]) } else { ([t1, t3], [t2, t4]) };
+    let [t1, t3] = [Dd::select(folded, even[0], odd[0]), Dd::select(folded, even[1], odd[1])];
+    let [t2, t4] = [Dd::select(folded, odd[0], even[0]), Dd::select(folded, odd[1], even[1])];
+    let pick = |pair: &[Dd; 2]| Dd::select(folded, Dd::splat(pair[1]), Dd::splat(pair[0]));
+    let (u_factor, factor) = (pick(&e.u), pick(&e.velocity));
+    let (above, below, left, right) = match e.shape {
+        Shape::Cn => (t1, t3, t2, t4),
+        Shape::Sn => (t1, t4, t2, t3),
+        Shape::Dn => (t3, t4, t1, t2),
+        Shape::Nc => (t4, t2, t1, t3),
+        Shape::Dc => (t3, t2, t1, t4),
+        Shape::Sc => (t1, t2, t3, t4),
+        Shape::SdOverC => {
+            let (above, below) = (t1 * t3, t2 * t4);
+            let fourth = |t: Dd<L>| t.square().square();
+            let rising = (fourth(t3) * factor).plain_sum(fourth(t1) * pick(&e.other));
+            return [[above * u_factor, below], [rising, below.square()]];
+        }
+    };
+    [[above * u_factor, below], [left * right * factor, below.square()]]
+}
+
+/// A libration or a well on one side of the theta functions.
+struct Bounded<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Duffing, &'a Elliptic);
+
+/// An escape, likewise.
+struct Escape<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Duffing, &'a Elliptic);
+
+/// A hyperbolic motion.
+struct Plainly<'a, const FIRST: bool>(&'a Duffing, &'a Simple);
+
+/// No motion, or a straight line.
+struct Straight<'a, const FIRST: bool>(&'a Duffing);
+
+/// The start as it was given, at t = 0; what is wanted first.
+#[inline(always)]
+fn finished<const FIRST: bool, L: Lane>(orbit: &Duffing, t: L, u: L, velocity: L) -> [L; 2] {
+    let start = t.equal(L::splat(0.0));
+    let u = L::select(start, L::splat(orbit.u0), u);
+    let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
+    if FIRST { [u, velocity] } else { [velocity, u] }
+}
+
+impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Bounded<'_, HYPERBOLIC, FIRST> {
+    #[inline(always)]
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let Bounded(orbit, e) = self;
+        let scaled = t * L::splat(e.scales.time);
+        let (n, f) = e.phase.spread::<L>().count(scaled, LAST_HALF_PERIOD);
+        let sign = L::splat(1.0).copysign(f.hi);
+        let [[above, below], [rising, square]] = quotients::<HYPERBOLIC, L>(e, f.scale(sign));
+        let (u_sign, velocity_sign) = if e.shape == Shape::Dn {
+            (L::splat(1.0), sign)
+        } else {
+            let parity = alternating(n);
+            (sign * parity, parity)
+        };
+        let u = quotient(above, below).value() * (u_sign * L::splat(e.scales.u));
+        let velocity = quotient(rising, square).value() * (velocity_sign * L::splat(e.scales.velocity));
+        finished::<FIRST, L>(orbit, t, u, velocity)
+    }
+}
+
+impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Escape<'_, HYPERBOLIC, FIRST> {
+    #[inline(always)]
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let Escape(orbit, e) = self;
+        let f = counted(&e.phase, t * L::splat(e.scales.time));
+        let half = L::splat(0.5);
+        // From the middle to both poles, or from one pole to the other: the distance from where the count began or ends.
+        let (sign, size, left) = if e.from_pole {
+            let far = half.less(f.hi);
+            let rest = Dd::sum(L::splat(1.0), -f.hi).plain_sum(Dd::new(-f.lo, L::splat(0.0)));
+            let size = Dd::select(far, rest, f);
+            (L::select(far, L::splat(-1.0), L::splat(1.0)), size, size.hi)
+        } else {
+            let sign = L::splat(1.0).copysign(f.hi);
+            let size = f.scale(sign);
+            (sign, size, (half - size.hi) - size.lo)
+        };
+        // False for NaN as well.
+        let inside = L::splat(0.0).less(left);
+        let size = Dd::select(inside, size, Dd::from_double(L::splat(0.25)));
+        let [[above, below], [rising, square]] = quotients::<HYPERBOLIC, L>(e, size);
+        let one = L::splat(1.0);
+        let even = matches!(e.shape, Shape::Nc | Shape::Dc);
+        let (u_sign, velocity_sign) = if even { (one, sign) } else { (sign, one) };
+        let u = quotient(above, below).value() * (u_sign * L::splat(e.scales.u));
+        let velocity = quotient(rising, square).value() * (velocity_sign * L::splat(e.scales.velocity));
+        let nan = L::splat(f64::NAN);
+        finished::<FIRST, L>(orbit, t, L::select(inside, u, nan), L::select(inside, velocity, nan))
+    }
+}
+
+/// Beyond this hyperbolic phase every function has its limit; and where both exponentials no longer matter.
+const FAR: f64 = 1e6;
+const LEVEL: f64 = 40.0;
+/// Exponentials are taken in two halves, each in range.
+const HALF_END: f64 = 690.0;
+
+impl<const FIRST: bool> Plainly<'_, FIRST> {
+    /// y, held where nothing changes any more; infinite times too.
+    #[inline(always)]
+    fn argument<L: Lane>(&self, t: L) -> Dd<L> {
+        let Plainly(_, simple) = self;
+        let scaled = t * L::splat(simple.scales.time);
+        let y = counted(&simple.phase, scaled);
+        if simple.plain == Plain::Inverse {
+            return y;
+        }
+        let passed = scaled * L::splat(simple.phase.rate.hi);
+        let near = passed.abs().less(L::splat(FAR));
+        let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
+        Dd::select(near, y, Dd::from_double(far))
+    }
+}
+
+/// A e^y scale / 2 for y >= 0, to infinity without a stop on the way.
+#[inline(always)]
+fn half_exponential<L: Lane>(y: Dd<L>, amplitude: Dd, scale: f64) -> L {
+    let half = y.scale(L::splat(0.5));
+    let beyond = L::splat(HALF_END).less(half.hi);
+    let e = exp(Dd::select(beyond, Dd::from_double(L::splat(HALF_END)), half));
+    let first = (e * Dd::splat(amplitude)).scale(L::splat(0.5 * scale));
+    let value = (first * e).value();
+    // A product beyond the range is infinity minus infinity in its second word.
+    let plain = first.hi * e.hi;
+    L::select(plain.abs().less(L::splat(f64::MAX)), value, plain)
+}
+
+impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
+    #[inline(always)]
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let Plainly(orbit, simple) = self;
+        let y = self.argument(t);
+        let one = L::splat(1.0);
+        let sign = one.copysign(y.hi);
+        let size = y.scale(sign);
+        let (a, b) = (Dd::splat(simple.u), Dd::splat(simple.velocity));
+        let (u_scale, velocity_scale) = (L::splat(simple.scales.u), L::splat(simple.scales.velocity));
+        let (u, velocity) = match simple.plain {
+            Plain::Sech => {
+                let (sinh, cosh) = saturated_sinh_cosh(size);
+                let (falling, power) = sech(size);
+                let velocity = -(falling * quotient(sinh, cosh) * b).value() * sign;
+                ((falling * a).value() * u_scale * power, velocity * velocity_scale * power)
+            }
+            Plain::Tanh => {
+                let (sinh, cosh) = saturated_sinh_cosh(size);
+                let (falling, power) = sech(size);
+                let velocity = (falling.square() * b).value() * velocity_scale * power * power;
+                ((quotient(sinh, cosh) * a).value() * (sign * u_scale), velocity)
+            }
+            Plain::Csch | Plain::Coth => {
+                let (sinh, cosh) = saturated_sinh_cosh(size);
+                let coth = quotient(cosh, sinh);
+                let (falling, power) = sech(size);
+                let inside = L::splat(0.0).less(y.hi);
+                let (u, u_power, velocity, velocity_power) = if simple.plain == Plain::Csch {
+                    (falling * coth, power, falling * coth.square(), power)
+                } else {
+                    (coth, one, (falling * coth).square(), power * power)
+                };
+                let nan = L::splat(f64::NAN);
+                let u = (u * a).value() * u_scale * u_power;
+                let velocity = -(velocity * b).value() * velocity_scale * velocity_power;
+                (L::select(inside, u, nan), L::select(inside, velocity, nan))
+            }
+            Plain::Inverse => {
+                let inside = L::splat(0.0).less(y.hi);
+                let nan = L::splat(f64::NAN);
+                let u = quotient(a, y).value() * u_scale;
+                let velocity = -quotient(b, y.square()).value() * velocity_scale;
+                (L::select(inside, u, nan), L::select(inside, velocity, nan))
+            }
+            Plain::Cosh | Plain::Sinh => {
+                let (sinh, cosh) = saturated_sinh_cosh(size);
+                let near = size.hi.less(L::splat(LEVEL));
+                let grown = |amplitude, scale| half_exponential(size, amplitude, scale);
+                let (far_u, far_v) =
+                    (grown(simple.u, simple.scales.u), grown(simple.velocity, simple.scales.velocity));
+                let (u, velocity) = if simple.plain == Plain::Cosh { (cosh, sinh) } else { (sinh, cosh) };
+                let u = L::select(near, (u * a).value() * u_scale, far_u);
+                let velocity = L::select(near, (velocity * b).value() * velocity_scale, far_v);
+                if simple.plain == Plain::Cosh { (u, velocity * sign) } else { (u * sign, velocity) }
+            }
+            Plain::Exp => {
+                let rises = L::splat(0.0).less(y.hi);
+                let two = L::splat(2.0);
+                let (falling, power) = sech(size);
+                let near = size.hi.less(L::splat(LEVEL));
+                let small = exp(Dd::select(near, y, Dd::from_double(L::splat(0.0))));
+                // Far below, e^-y is half of sech y.
+                let fallen = |amplitude: Dd<L>, scale: L| {
+                    (falling * amplitude).value() * L::splat(0.5) * scale * power
+                };
+                let both = |amplitude: Dd, scale: f64| {
+                    let far = half_exponential(size, amplitude, scale) * two;
+                    let low = fallen(Dd::splat(amplitude), L::splat(scale));
+                    let value = (small * Dd::splat(amplitude)).value() * L::splat(scale);
+                    L::select(near, value, L::select(rises, far, low))
+                };
+                (both(simple.u, simple.scales.u), both(simple.velocity, simple.scales.velocity))
+            }
+        };
+        let nan = y.hi.equal(y.hi);
+        let (u, velocity) =
+            (L::select(nan, u, L::splat(f64::NAN)), L::select(nan, velocity, L::splat(f64::NAN)));
+        finished::<FIRST, L>(orbit, t, u, velocity)
+    }
+}
+
+impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Straight<'_, FIRST> {
+    #[inline(always)]
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let orbit = self.0;
+        // Zero, and NaN for t = NaN.
+        let nothing = L::select(t.equal(t), L::splat(0.0), t);
+        let velocity = L::splat(orbit.velocity0) + nothing;
+        let u = if matches!(orbit.course, Course::Still) {
+            L::splat(orbit.u0) + nothing
+        } else {
+            let (passed, error) = t.two_product(L::splat(orbit.velocity0));
+            let sum = Dd::sum(passed, L::splat(orbit.u0));
+            let exact = sum.hi + (sum.lo + error);
+            // Beyond the range the second words are infinity minus infinity.
+            L::select(sum.hi.abs().less(L::splat(f64::MAX)), exact, sum.hi)
+        };
+        finished::<FIRST, L>(orbit, t, u, velocity)
+    }
+}
+
+/// Times into slices of the R results wanted, each of the length of the times.
+struct Fill<'a, 'b, const FIRST: bool, const R: usize> {
+    orbit: &'a Duffing,
+    t: &'a [f64],
+    results: [&'b mut [f64]; R],
+}
+
+impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(mut self) {
+        let (orbit, t, results) = (self.orbit, [self.t], &mut self.results);
+        match &orbit.course {
+            Course::Elliptic(e) => {
+                let bounded = matches!(e.shape, Shape::Cn | Shape::Sn | Shape::Dn);
+                match (bounded, e.lattice.hyperbolic()) {
+                    (true, true) => sweep::<L, _, _, _>(&Bounded::<true, FIRST>(orbit, e), t, results),
+                    (true, false) => sweep::<L, _, _, _>(&Bounded::<false, FIRST>(orbit, e), t, results),
+                    (false, true) => sweep::<L, _, _, _>(&Escape::<true, FIRST>(orbit, e), t, results),
+                    (false, false) => sweep::<L, _, _, _>(&Escape::<false, FIRST>(orbit, e), t, results),
+                }
+            }
+            Course::Simple(simple) => sweep::<L, _, _, _>(&Plainly::<FIRST>(orbit, simple), t, results),
+            Course::Still | Course::Straight => sweep::<L, _, _, _>(&Straight::<FIRST>(orbit), t, results),
+        }
+    }
+}
+
+impl Duffing {
+    fn fill<'a, 'b, const FIRST: bool, const R: usize>(
+        &'a self,
+        t: &'a [f64],
+        results: [&'b mut [f64]; R],
+    ) -> Fill<'a, 'b, FIRST, R> {
+        assert!(
+            results.iter().all(|result| result.len() == t.len()),
+            "results of another length than the times"
+        );
+        Fill { orbit: self, t, results }
+    }
+
+    /// u at t.
+    ///
+    /// NaN at and beyond an escape, for times that are not finite (but for motions with a limit there), and more than 2^53
+    /// half periods away. **Error** at most 4 ulp of the largest |u| of a bounded orbit, of max(|u|, |u0|) else, plus
+    /// 2^-100 of the condition.
+    pub fn u(&self, t: f64) -> f64 {
+        let mut u = [0.0];
+        single(self.fill::<U, 1>(&[t], [&mut u]));
+        u[0]
+    }
+
+    /// u' at t; domain and error as for [`Duffing::u`].
+    pub fn velocity(&self, t: f64) -> f64 {
+        let mut velocity = [0.0];
+        single(self.fill::<VELOCITY, 1>(&[t], [&mut velocity]));
+        velocity[0]
+    }
+
+    /// u and u' at t, bit for bit those of [`Duffing::u`] and [`Duffing::velocity`].
+    pub fn motion(&self, t: f64) -> (f64, f64) {
+        let (mut u, mut velocity) = ([0.0], [0.0]);
+        single(self.fill::<U, 2>(&[t], [&mut u, &mut velocity]));
+        (u[0], velocity[0])
+    }
+
+    /// [`Duffing::u`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
+        wide(self.fill::<U, 1>(t, [u]));
+    }
+
+    /// [`Duffing::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
+        wide(self.fill::<VELOCITY, 1>(t, [velocity]));
+    }
+
+    /// [`Duffing::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
+        wide(self.fill::<U, 2>(t, [u, velocity]));
+    }
+}

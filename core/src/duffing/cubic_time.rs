@@ -1,0 +1,208 @@
+//! When a value is passed: the inverse of the motion.
+//!
+//! With the velocity at the value from 2 u'^2 = 4E - 2 p u^2 - q u^4, a sum without rounding, its phase is that of a start
+//! there (cubic_course.rs), so passages keep their digits at zeros, turning points and next to escapes.
+
+use super::cubic::{Constants, Duffing, Place};
+use super::cubic_course::{
+    Course, Elliptic, Plain, Shape, Simple, artanh, escape_phase, half_periods, sign, signed,
+};
+use super::cubic_motion::LAST_HALF_PERIOD;
+use crate::domain::Domain;
+use crate::elliptic::phase::Phase;
+use crate::float::Dd;
+use crate::float::exact::sum_of_products;
+use crate::float::wide::Wide;
+
+/// Most passages in one answer.
+pub const MOST_TIMES: f64 = 1e7;
+
+impl Duffing {
+    /// The place of a value, with a velocity that is not negative; `None` where the motion does not get.
+    fn place(&self, u: f64) -> Option<Place> {
+        let given = [self.u0, self.velocity0, self.p, self.q];
+        let [u0, v0, p, q] = given;
+        let (low, high) = self.range();
+        let velocity = if u == u0 {
+            Wide::from(v0.abs())
+        } else if self.turns_at(u) {
+            Wide::ZERO
+        } else {
+            let products: [&[f64]; 5] = [
+                &[2.0, v0, v0],
+                &[2.0, p, u0, u0],
+                &[q, u0, u0, u0, u0],
+                &[-2.0, p, u, u],
+                &[-q, u, u, u, u],
+            ];
+            let square = sum_of_products(&products).shift(-1);
+            if square.is_negative() || !(low <= u && u <= high) {
+                return None;
+            }
+            square.sqrt()
+        };
+        Some(Place::new(u, velocity, given))
+    }
+
+    /// Whether a value is a turning point, as it is rounded: an end of the range that is not only a limit.
+    fn turns_at(&self, u: f64) -> bool {
+        let (low, high) = self.range();
+        let end = u == low || u == high;
+        match &self.course {
+            Course::Elliptic(_) => end,
+            Course::Simple(simple) => end && matches!(simple.plain, Plain::Sech | Plain::Cosh) && u != 0.0,
+            _ => false,
+        }
+    }
+
+    /// All times from `start` to `stop` (both included) at which the motion passes `u`, rising.
+    ///
+    /// | argument | domain |
+    /// |---|---|
+    /// | `u` | finite; none where the motion does not get, or only in infinite time |
+    /// | `start`, `stop` | `start` <= `stop`; with more than 10^7 passages between them, or beyond 2^53 half periods, an error |
+    ///
+    /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
+    pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        Domain::check("u", u, u.is_finite(), "finite")?;
+        Domain::check("start", start, !start.is_nan(), "a number")?;
+        Domain::check("stop", stop, stop >= start, "a number, and not before start")?;
+        let Some(place) = self.place(u) else { return Ok(Vec::new()) };
+        let mut times = match &self.course {
+            Course::Still => Vec::new(),
+            Course::Straight => vec![(Dd::sum(u, -self.u0) / Dd::from(self.velocity0)).value()],
+            Course::Simple(simple) => self.simple_times(simple, &place),
+            Course::Elliptic(e) => match e.shape {
+                Shape::Cn | Shape::Sn | Shape::Dn => return self.periodic_times(e, &place, start, stop),
+                _ => self.escape_times(e, &place),
+            },
+        };
+        times.retain(|t| t.is_finite() && (start..=stop).contains(t));
+        times.sort_by(f64::total_cmp);
+        Ok(times)
+    }
+
+    fn periodic_times(&self, e: &Elliptic, place: &Place, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        let canonical = self.constants.canonical(e.shape);
+        let well = e.shape == Shape::Dn;
+        // Upwards in the canonical motion; inwards, after the outer turning point, in a well.
+        let side = if well { 1.0 } else { sign(Wide::from(self.velocity0)) };
+        let velocity = if well { signed(place.velocity, -sign(place.u)) } else { place.velocity };
+        let there = Place { u: signed(place.u, side), velocity, ..*place };
+        let at = half_periods(&self.constants, &canonical, &e.lattice, &there).to_dd();
+        let (spacing, other) = if well { (1.0, -at) } else { (2.0, Dd::ONE - at) };
+        let phases = if place.velocity.is_zero() { vec![at] } else { vec![at, other] };
+        repeated(&e.phase, e.scales.time, &phases, spacing, start, stop)
+    }
+
+    fn escape_times(&self, e: &Elliptic, place: &Place) -> Vec<f64> {
+        let canonical = self.constants.canonical(e.shape);
+        let even = matches!(e.shape, Shape::Nc | Shape::Dc);
+        let (half, one) = (Dd::from(0.5), Dd::ONE);
+        // On the leg that leaves the middle.
+        let outwards = Place { velocity: signed(place.velocity, sign(place.u)), ..*place };
+        let (size, at_pole) = escape_phase(&self.constants, &canonical, &e.lattice, &outwards);
+        let size = size.to_dd();
+        let time = |after: bool| {
+            let y = if e.from_pole {
+                // Whether the phase is counted from the pole that comes first on this leg's side.
+                let same = after == (e.phase.rate.hi < 0.0);
+                match (at_pole, same) {
+                    (true, true) => size,
+                    (true, false) => one - size,
+                    (false, true) => half - size,
+                    (false, false) => half + size,
+                }
+            } else {
+                let distance = if at_pole { half - size } else { size };
+                if after { distance } else { -distance }
+            };
+            time_of(&e.phase, e.scales.time, y)
+        };
+        if !even {
+            return vec![time(sign(place.u) == sign(Wide::from(self.velocity0)))];
+        }
+        if place.velocity.is_zero() { vec![time(true)] } else { vec![time(false), time(true)] }
+    }
+
+    fn simple_times(&self, simple: &Simple, place: &Place) -> Vec<f64> {
+        let Constants { p, q, energy, .. } = self.constants;
+        let u = place.u.abs();
+        let velocity = place.velocity;
+        let (along, way) = (sign(place.u), sign(Wide::from(self.velocity0)));
+        let time = |y: Wide| time_of(&simple.phase, simple.scales.time, y.to_dd());
+        let both = |y: Wide| if y.is_zero() { vec![time(y)] } else { vec![time(-y), time(y)] };
+        let rate = p.abs().sqrt();
+        let amplitude = || (energy.abs().shift(-1) / p.abs()).sqrt();
+        match simple.plain {
+            Plain::Sech => both(artanh(velocity / (rate * u), u / (p.abs().shift(1) / q).sqrt())),
+            Plain::Tanh => {
+                let reach = (p / q.abs()).sqrt();
+                vec![time(signed(artanh(u / reach, (place.stiffness / p).sqrt()), along * way))]
+            }
+            Plain::Csch | Plain::Coth | Plain::Inverse => {
+                let rate = match simple.plain {
+                    Plain::Csch => rate,
+                    Plain::Coth => p.shift(-1).sqrt(),
+                    _ => Wide::ONE / self.constants.until_pole(&self.beginning()),
+                };
+                vec![time(rate * self.constants.until_pole(place))]
+            }
+            Plain::Cosh => both(artanh(velocity / (rate * u), amplitude() / u)),
+            Plain::Sinh => {
+                let speed = velocity / rate;
+                vec![time(signed(artanh(u / speed, amplitude() / speed), along * way))]
+            }
+            Plain::Exp => {
+                // ln(u/u0) = 2 artanh((u - u0)/(u + u0)).
+                let start = Wide::from(self.u0).abs();
+                let (difference, sum) = (u - start, u + start);
+                let root = (u * start).sqrt().shift(1) / sum;
+                vec![time(artanh(difference / sum, root).shift(1))]
+            }
+        }
+    }
+
+    fn beginning(&self) -> Place {
+        Place::new(self.u0, Wide::from(self.velocity0), [self.u0, self.velocity0, self.p, self.q])
+    }
+}
+
+/// Time of a phase.
+fn time_of(phase: &Phase, scale: f64, at: Dd) -> f64 {
+    ((at - phase.start) / phase.rate).value() / scale
+}
+
+/// Times from `start` to `stop` of phases that repeat every `spacing` half periods, rising.
+fn repeated(
+    phase: &Phase,
+    scale: f64,
+    phases: &[Dd],
+    spacing: f64,
+    start: f64,
+    stop: f64,
+) -> Result<Vec<f64>, Domain> {
+    let passed = |t: f64| if t.is_finite() { (phase.rate * (t * scale) + phase.start).hi } else { t };
+    let (first, last) = (passed(start), passed(stop));
+    let count = phases.len() as f64 * ((last - first) / spacing + 1.0);
+    if count > MOST_TIMES {
+        let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
+        let (argument, allowed) = ("passages from start to stop", "at most 10000000");
+        return Err(Domain { argument, given, allowed });
+    }
+    let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
+    Domain::check("stop", stop, near, "within 2^53 half periods, like start")?;
+    let mut times = Vec::new();
+    let mut turn = (first / spacing).floor() - 2.0;
+    while turn * spacing <= last + 2.0 * spacing {
+        for at in phases {
+            let t = time_of(phase, scale, *at + Dd::from(turn * spacing));
+            if (start..=stop).contains(&t) {
+                times.push(t);
+            }
+        }
+        turn += 1.0;
+    }
+    times.sort_by(f64::total_cmp);
+    Ok(times)
+}

@@ -1,0 +1,16 @@
+//! u'' + p u + q u^3 = 0 from any start, in every regime; the twelve forms of its solution; and its link to the pendulum.
+
+pub mod cubic;
+mod cubic_course;
+pub mod cubic_motion;
+pub mod cubic_states;
+pub mod cubic_time;
+pub mod forms;
+pub mod link;
+pub mod regime;
+
+pub use cubic::Duffing;
+pub use cubic_states::duffing_motion_into;
+pub use forms::Form;
+pub use link::Companion;
+pub use regime::Regime;

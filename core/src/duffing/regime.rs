@@ -1,0 +1,35 @@
+//! The seven regimes of an oscillator u'' = -V'(u) with an even polynomial V.
+
+/// What the energy and the start allow. Decided exactly, by signs of sums of products of what was given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Regime {
+    /// At an equilibrium: nothing moves.
+    Rest,
+    /// No force but -p u: cosine, hyperbolic functions or a straight line.
+    Linear,
+    /// Periodic and symmetric about u = 0.
+    Libration,
+    /// Periodic on one side of u = 0.
+    Well,
+    /// Leaves u = 0 and comes back to it, both in infinite time.
+    Homoclinic,
+    /// From one unstable equilibrium to another, in infinite time.
+    Heteroclinic,
+    /// Reaches infinity in finite time, forward, backward or both.
+    Escape,
+}
+
+impl Regime {
+    /// `rest`, `linear`, `libration`, `well`, `homoclinic`, `heteroclinic` or `escape`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Regime::Rest => "rest",
+            Regime::Linear => "linear",
+            Regime::Libration => "libration",
+            Regime::Well => "well",
+            Regime::Homoclinic => "homoclinic",
+            Regime::Heteroclinic => "heteroclinic",
+            Regime::Escape => "escape",
+        }
+    }
+}
