@@ -68,6 +68,7 @@ bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes a
 docs: $(VENV)/.built ## write every generated page, table and picture
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot docs/motion.png
+	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
 
 wheel: $(VENV)/.built ## a wheel for this machine in dist/

@@ -4,7 +4,8 @@ Run: python cubic_quintic.py
 """
 
 from fractions import Fraction
-from itertools import groupby, product as pairs
+from itertools import groupby
+from itertools import product as pairs
 
 import exact
 import oscillator
@@ -250,7 +251,11 @@ def scales(draw):
     for length, rate in ((1e60, 1.0), (1e-60, 1.0), (1.0, 1e100), (1.0, 1e-100), (1e30, 1e-30)):
         for pattern in ((1, -1, 1), (1, -1, -1), (-1, 1, 1), (-1, 1, -1)):
             u0, v0 = draw.sign() * draw.number(-2, 1) * length, draw.sign() * draw.number(-2, 0) * length * rate
-            units = [rate * rate, (rate / length) * (rate / length), (rate / length / length) * (rate / length / length)]
+            units = [
+                rate * rate,
+                (rate / length) * (rate / length),
+                (rate / length / length) * (rate / length / length),
+            ]
             yield u0, v0, *(sign * draw.number() * unit for sign, unit in zip(pattern, units, strict=True))
 
 

@@ -74,7 +74,13 @@ def motion(start, force, t):
             total = total * x0 + c
         at.append(total)
     g2 = f[0] * f[4] - f[1] * f[3] / 4 + f[2] * f[2] / 12
-    g3 = f[0] * f[2] * f[4] / 6 + f[1] * f[2] * f[3] / 48 - f[2] ** 3 / 216 - f[0] * f[3] ** 2 / 16 - f[1] ** 2 * f[4] / 16
+    g3 = (
+        f[0] * f[2] * f[4] / 6
+        + f[1] * f[2] * f[3] / 48
+        - f[2] ** 3 / 216
+        - f[0] * f[3] ** 2 / 16
+        - f[1] ** 2 * f[4] / 16
+    )
     found = wp(ball_of(t), g2, g3)
     if found is None:
         return None

@@ -255,7 +255,12 @@ def inputs():
     add("start_zero", start_zero(draw), 3, "libration escape")
     add("scales", scales(draw), 2, "libration well escape")
     add("disparate", disparate(draw), 3, "libration well escape")
-    for orbit in [*first(hardening(draw), 3), *first(above(draw), 2), *first(softening(draw), 3), *first(one_well(draw), 3)]:
+    for orbit in [
+        *first(hardening(draw), 3),
+        *first(above(draw), 2),
+        *first(softening(draw), 3),
+        *first(one_well(draw), 3),
+    ]:
         period = oscillator.clock(*orbit[:2], orbit[2:])[0]
         for turns in (1e3, 1e6, 1e9):
             rows.append(("long", *orbit, product(period, draw.sign() * turns * (1 + draw.part()))))

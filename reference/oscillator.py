@@ -11,7 +11,7 @@ Conditions: derivatives by u0, velocity0 (and c) from the linearised equation; t
 from fractions import Fraction
 
 import mpmath as mp
-from exact import agreement, decimal, hi_lo, mpf, nearest, real
+from exact import agreement, decimal, hi_lo, mpf, real
 from flint import acb, arb, ctx, fmpq, fmpz_poly
 from taylor import Sweep
 
@@ -231,6 +231,7 @@ class Orbit:
             return narrow(lambda: 2 * arb.pi() / ball(k).sqrt(), goal) if k > 0 else mp.inf
         if not self.periodic():
             return mp.inf
+
         def through():
             A2 = self.upper.square()
             H = quotient([ball(g) for g in self.G], A2)
@@ -291,8 +292,7 @@ class Orbit:
         if self.regime == "rest":
             return real(self.u0), real(self.u0)
         return tuple(
-            side * mp.inf if end is None else narrow(end.u, goal)
-            for side, end in ((-1, self.lower), (1, self.upper))
+            side * mp.inf if end is None else narrow(end.u, goal) for side, end in ((-1, self.lower), (1, self.upper))
         )
 
     def fastest(self):
@@ -554,7 +554,11 @@ def outputs(u0, velocity0, force, times):
         low, high = orbit.bounds(200)
         forward, backward = fine.flights
         fixed = [*hi_lo(period * second), *hi_lo(low * unit), *hi_lo(high * unit)]
-        fixed += [*hi_lo(real(orbit.energy) * (unit / second) ** 2), *hi_lo(forward * second), *hi_lo(-backward * second)]
+        fixed += [
+            *hi_lo(real(orbit.energy) * (unit / second) ** 2),
+            *hi_lo(forward * second),
+            *hi_lo(-backward * second),
+        ]
         ends = [decimal(x * second, 6) for x in (cond_period, *cond_flights)]
         bounded = mp.isfinite(low) and mp.isfinite(high)
         if bounded:

@@ -15,6 +15,7 @@ from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
 from .derivatives import sensitivities
+from .duffing import Duffing, DuffingForm, OscillatorRegime, duffing_motion
 from .elliptic import (
     JacobiComplexValues,
     JacobiValues,
@@ -43,9 +44,12 @@ from .pendulum import Pendulum, Regime
 from .series import Fourier, harmonic_distortion
 
 __all__ = [
+    "Duffing",
+    "DuffingForm",
     "Fourier",
     "JacobiComplexValues",
     "JacobiValues",
+    "OscillatorRegime",
     "Pendulum",
     "Regime",
     "__version__",
@@ -58,6 +62,7 @@ __all__ = [
     "complete_e",
     "complete_k",
     "complete_pi",
+    "duffing_motion",
     "frequency",
     "from_action_phase",
     "harmonic_distortion",

@@ -3,6 +3,8 @@ from typing import final
 import numpy as np
 
 __all__ = [
+    "Duffing",
+    "DuffingForm",
     "Orbit",
     "__version__",
     "action",
@@ -74,6 +76,10 @@ __all__ = [
     "ds_k",
     "ds_m",
     "ds_mc",
+    "duffing_motion",
+    "duffing_of_pendulum",
+    "duffing_u",
+    "duffing_velocity",
     "factors",
     "frequency",
     "from_action_phase",
@@ -120,6 +126,7 @@ __all__ = [
     "orbit_sensitivities",
     "orbit_theta",
     "orbit_velocity",
+    "pendulum_of_duffing",
     "phase",
     "sc_k",
     "sc_m",
@@ -224,6 +231,9 @@ dn_mc: np.ufunc
 ds_k: np.ufunc
 ds_m: np.ufunc
 ds_mc: np.ufunc
+duffing_motion: np.ufunc
+duffing_u: np.ufunc
+duffing_velocity: np.ufunc
 factors: np.ufunc
 frequency: np.ufunc
 from_action_phase: np.ufunc
@@ -361,3 +371,50 @@ class Orbit:
     def frequency(self) -> float: ...
     @property
     def distortion(self) -> float: ...
+
+@final
+class Duffing:
+    def __new__(cls, u0: float, velocity0: float, p: float, q: float) -> Duffing: ...
+    @property
+    def operands(self) -> list[float]: ...
+    @property
+    def u0(self) -> float: ...
+    @property
+    def velocity0(self) -> float: ...
+    @property
+    def regime(self) -> str: ...
+    @property
+    def period(self) -> float: ...
+    @property
+    def range(self) -> tuple[float, float]: ...
+    @property
+    def energy(self) -> float: ...
+    @property
+    def escape_time(self) -> float: ...
+    @property
+    def escape_time_backward(self) -> float: ...
+    def u(self, /, t: float) -> np.float64: ...
+    def velocity(self, /, t: float) -> np.float64: ...
+    def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
+    def times(self, /, u: float, start: float, stop: float) -> np.ndarray: ...
+
+@final
+class DuffingForm:
+    def __new__(cls, form: str, p: float, q: float, c1: float, c2: float) -> DuffingForm: ...
+    @property
+    def rate(self) -> float: ...
+    @property
+    def parameter(self) -> tuple[float, float]: ...
+    def motion(self, /, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+    @staticmethod
+    def table() -> list[tuple[str, list[str]]]: ...
+
+def duffing_of_pendulum(
+    theta0: float,
+    velocity0: float,
+    omega0: float | None = None,
+    omega2: float | None = None,
+    length: float | None = None,
+    gravity: float | None = None,
+) -> tuple[float, float, float, float]: ...
+def pendulum_of_duffing(duffing: Duffing) -> tuple[float, float, float, float] | None: ...

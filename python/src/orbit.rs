@@ -204,12 +204,12 @@ impl Orbit {
 }
 
 /// A refused argument as Python's `ValueError`, in the words of the core.
-fn refused(domain: Domain) -> PyErr {
+pub(crate) fn refused(domain: Domain) -> PyErr {
     PyValueError::new_err(domain.to_string())
 }
 
 /// A NumPy float64.
-fn float64(py: Python<'_>, value: f64) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn float64(py: Python<'_>, value: f64) -> PyResult<Bound<'_, PyAny>> {
     static FLOAT64: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     FLOAT64.import(py, "numpy", "float64")?.call1((PyFloat::new(py, value),))
 }

@@ -1,6 +1,7 @@
 """What commands that sample a motion share: their instants, their files and their picture."""
 
 import contextlib
+import importlib
 import os
 import textwrap
 
@@ -102,8 +103,8 @@ def instants(options):
     return times, f"column {quoted(column)} of {shown(options.times)}"
 
 
-def plotter(name, path):
-    """The function of libration.plot, or a Refusal if matplotlib is missing, before anything is computed; None without a path."""
+def plotter(module, name, path):
+    """A function that draws, or a Refusal if matplotlib is missing, before anything is computed; None without a path."""
     if path is None:
         return None
     try:
@@ -115,9 +116,7 @@ def plotter(name, path):
         # Its settings are read now, and a bad one may raise anything.
         reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
         raise refusal("--plot", path, f"matplotlib does not start: {reason}") from error
-    from libration import plot
-
-    return getattr(plot, name)
+    return getattr(importlib.import_module(module), name)
 
 
 def draw(plot, motion, times, picture, path):
