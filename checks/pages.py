@@ -9,7 +9,8 @@ from tree import files, finish
 SOURCES = (".rs", ".py", ".pyi", ".md", ".toml", ".sh", ".yml", ".cff")
 BLOCK = re.compile(r"<!-- generated: (\S+) -->\n(.*?)<!-- end generated -->", re.DOTALL)
 LONGEST = 400
-TABLES = {"functions.toml", "docs/functions.md"}  # a row, a section for every function, however many there are
+# A row, a section, a line for every function, however many there are.
+TABLES = {"functions.toml", "docs/functions.md", "python/libration/_core.pyi"}
 WORDS = [
     (r"\b(TO" + r"DO|FIX" + r"ME|XX" + r"X)\b", "unfinished work does not stand in main"),
     (

@@ -15,7 +15,8 @@ from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
 from .derivatives import sensitivities
-from .duffing import Duffing, DuffingForm, OscillatorRegime, duffing_motion
+from .duffing import Duffing, duffing_motion
+from .duffing_form import DuffingForm
 from .elliptic import (
     JacobiComplexValues,
     JacobiValues,
@@ -40,6 +41,7 @@ from .elliptic import (
     theta3,
     theta4,
 )
+from .oscillator import OscillatorRegime
 from .pendulum import Pendulum, Regime
 from .series import Fourier, harmonic_distortion
 

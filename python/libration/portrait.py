@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .duffing import Oscillator
+from .oscillator import Oscillator
 from .plot import EXACT, FAINT, FEW, SEPARATRIX, is_svg, legend, number, quiet
 
 # Displacements of an escape are drawn up to this multiple of where it starts or turns.
