@@ -187,13 +187,20 @@ def log_slope(start, force, t):
 
 
 def back(start, force, t):
-    """Distance from the start in x, or in x' where the start turns (first order in t in both)."""
     found = motion(start, force, t)
-    if found is None:
-        return None
+    return None if found is None else distance(found, start, force, by_place(start, force))
+
+
+def by_place(start, force):
+    """Whether x leaves its start to first order in t, rather than x'."""
     (u0, v0), (a, b, c) = start, force
+    return abs(v0) > abs(u0 * (a + b * u0**2 + c * u0**4)) and (u0 != 0 or c == 0)
+
+
+def distance(found, start, force, place):
+    """Distance from the start in x or in x'."""
     _, x0, y0 = quartic(start, force)
-    return found[0] - ball(x0) if abs(v0) > abs(u0 * (a + b * u0**2 + c * u0**4)) else found[1] - ball(y0)
+    return found[0] - ball(x0) if place else found[1] - ball(y0)
 
 
 def bounds(row, start, force, energy):
@@ -236,7 +243,7 @@ def slopes_wrong(row):
     numbers = [u0, v0, a, b, *([] if "p" in row else [c]), t]
     found = []
     u = truth(row, "u")
-    plain = c == 0
+    plain, place = c == 0, by_place((u0, v0), (a, b, c))
     whole = lambda values: motion(values[:2], (*values[2:-1], Fraction(0))[:3], values[-1])
 
     def state(values):
@@ -250,15 +257,13 @@ def slopes_wrong(row):
         """Time of return or escape by one input: -(d/dx) / (d/dt) of a function that vanishes there."""
 
         def function(values):
-            moved = whole([*values[:-1], values[-1]])
+            moved = whole(values)
             if moved is None:
                 return None
             if k != "period":
                 return (moved[0] / moved[1],)
             start, force = tuple(values[:2]), (*values[2:-1], Fraction(0))[:3]
-            _, x0, y0 = quartic(start, force)
-            first = abs(v0) > abs(u0 * (a + b * u0**2 + c * u0**4))
-            return (moved[0] - ball(x0) if first else moved[1] - ball(y0),)
+            return (distance(moved, start, force, place),)
 
         return total(function, [*numbers[:-1], end], quotient=True)
 
@@ -312,16 +317,25 @@ def total(function, numbers, quotient=False):
     raise ArithmeticError("differences do not settle")
 
 
+def mid_root(square):
+    """A rational near the root of a rational."""
+    shift = (square.denominator.bit_length() - square.numerator.bit_length()) // 2 + 64
+    return Fraction(math.isqrt(int(square * Fraction(4) ** shift))) / Fraction(2) ** shift
+
+
 def side(row):
     """Sign of u by following u = +-sqrt(y) through its zeros, for a libration of the quintic equation."""
     (u0, v0), (a, b, c), t = parts(row)
     period = truth(row, "period")
     left = t - period * math.floor(t / period)
     with ctx.workprec(400):
-        now, u, v, step = Fraction(0), ball(u0), ball(v0), period / 64
+        top = truth(row, "high")
+        rate = mid_root(abs(a) + 3 * abs(b) * top**2 + 5 * abs(c) * top**4)
+        most = 1 / (3 * rate)
+        now, u, v, step = Fraction(0), ball(u0), ball(v0), most
         while now < left:
             pull = -u * (ball(a) + ball(b) * u**2 + ball(c) * u**4)
-            step = min(step, left - now)
+            step = min(step, most, left - now)
             found = motion((u0, v0), (a, b, c), now + step)
             size = found[0].sqrt() if found[0] > 0 else abs(found[0]).sqrt()
             # u and u' together name the branch: the prediction has to be clearly nearer to one of the two
