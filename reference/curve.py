@@ -102,11 +102,11 @@ def inside(evaluate, truth, scale=0):
 
 
 def changes_sign(evaluate, truth):
-    """Whether evaluate(x) has different signs at truth (1 - 2^-100) and truth (1 + 2^-100)."""
+    """Whether evaluate(x) has different signs at truth (1 - 2^-102) and truth (1 + 2^-102)."""
     bits = 512
     while bits < 1 << 15:
         with ctx.workprec(bits):
-            ends = [evaluate(truth * (1 + side * Fraction(1, 2**100))) for side in (-1, 1)]
+            ends = [evaluate(truth * (1 + side * Fraction(1, 2**102))) for side in (-1, 1)]
             if all(e is not None and (e > 0 or e < 0) for e in ends):
                 return bool(ends[0] > 0) != bool(ends[1] > 0)
         bits *= 2
@@ -167,7 +167,25 @@ def wrong(row):
         if not changes_sign(lambda s: back(start, force, s), period):
             found.append("period")
     found += bounds(row, start, force, energy)
+    found += scales(row, start, force, energy)
     return found
+
+
+def scales(row, start, force, energy):
+    """The scales: ends of the range and the largest of many velocities on it, or truth and start."""
+    a, b, c = force
+    told = [Fraction(row[name]) for name in ("scale_u", "scale_velocity")]
+    low, high = truth(row, "low"), truth(row, "high")
+    if isinstance(low, Fraction) and isinstance(high, Fraction):
+        squares = [(low + (high - low) * Fraction(k, 500)) ** 2 for k in range(501)]
+        fastest = mid_root(max(2 * energy - a * y - b * y**2 / 2 - c * y**3 / 3 for y in squares)) if told[1] else 0
+        ranges = (max(abs(low), abs(high)), 10**-15), (fastest, 10**-4 if row["regime"] != "rest" else 0)
+    else:
+        known = [truth(row, name) for name in ("u", "velocity")]
+        known = [x if isinstance(x, Fraction) else 0 for x in known]
+        ranges = [(max(abs(x), abs(y)), 10**-15) for x, y in zip(known, start, strict=True)]
+    names = zip(("scale_u", "scale_velocity"), told, ranges, strict=True)
+    return [name for name, x, (y, room) in names if abs(x - y) > Fraction(room) * x]
 
 
 def expected_side(row, u, v):
