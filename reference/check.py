@@ -4,7 +4,8 @@ Row counts must be those of README.md. A seeded sample of every file is derived 
 must be the same text. Every row must agree with Arb balls by other formulas (balls.py), the derivative and
 condition columns of the sample with central differences (slopes.py), and spoiled rows must fail. The elliptic
 family, whose truth is balls, is compared with mpmath by other formulas (second_route.py), values and conditions of
-a sample; actions and amplitudes with samples of the motion (samples_route.py). --all takes every row as the sample and draws all inputs again.
+a sample; actions and amplitudes with samples of the motion (samples_route.py). --all takes every row as the sample and
+draws all inputs again.
 """
 
 import argparse
@@ -145,6 +146,9 @@ def main():
                 if not contradictions(name, row):
                     fail(name, "a spoiled", column, "passes")
         print(f"{name}: {len(rows)} rows, {len(sample)} derived again", flush=True)
+    import oscillator_check  # which imports this file
+
+    oscillator_check.main(chosen.all, chosen.seed)
 
 
 def is_exact(name, row):

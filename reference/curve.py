@@ -108,11 +108,11 @@ def inside(evaluate, truth, scale=0):
 
 
 def changes_sign(evaluate, truth):
-    """Whether evaluate(x) has different signs at truth (1 - 2^-100) and truth (1 + 2^-100)."""
+    """Whether evaluate(x) has different signs at truth (1 - 2^-102) and truth (1 + 2^-102)."""
     bits = 512
     while bits < 1 << 15:
         with ctx.workprec(bits):
-            ends = [evaluate(truth * (1 + side * Fraction(1, 2**100))) for side in (-1, 1)]
+            ends = [evaluate(truth * (1 + side * Fraction(1, 2**102))) for side in (-1, 1)]
             if all(e is not None and (e > 0 or e < 0) for e in ends):
                 return bool(ends[0] > 0) != bool(ends[1] > 0)
         bits *= 2
@@ -159,6 +159,8 @@ def wrong(row):
             found.append("u")
         if not inside(pick(1), y, 0 if c == 0 else 4 * abs(y)):
             found.append("velocity")
+        if c != 0 and (u > 0) != (expected_side(row, u, v) > 0):
+            found.append("u")
     for name, end in (("escape", ahead), ("escape_backward", behind)):
         # 1 / x = 0, with a sign change in 1 / x or in x' / x = O(1 / time left)
         if isinstance(end, Fraction) and not changes_sign(lambda s: log_slope(start, force, s), end):
@@ -171,7 +173,36 @@ def wrong(row):
         if not changes_sign(lambda s: back(start, force, s), period):
             found.append("period")
     found += bounds(row, start, force, energy)
+    found += scales(row, start, force, energy)
     return found
+
+
+def scales(row, start, force, energy):
+    """The scales: ends of the range and the largest of many velocities on it, or truth and start."""
+    a, b, c = force
+    told = [Fraction(row[name]) for name in ("scale_u", "scale_velocity")]
+    low, high = truth(row, "low"), truth(row, "high")
+    if isinstance(low, Fraction) and isinstance(high, Fraction):
+        squares = [(low + (high - low) * Fraction(k, 500)) ** 2 for k in range(501)]
+        fastest = mid_root(max(2 * energy - a * y - b * y**2 / 2 - c * y**3 / 3 for y in squares)) if told[1] else 0
+        ranges = (max(abs(low), abs(high)), 10**-15), (fastest, 10**-4 if row["regime"] != "rest" else 0)
+    else:
+        known = [truth(row, name) for name in ("u", "velocity")]
+        known = [x if isinstance(x, Fraction) else 0 for x in known]
+        ranges = [(max(abs(x), abs(y)), 10**-15) for x, y in zip(known, start, strict=True)]
+    names = zip(("scale_u", "scale_velocity"), told, ranges, strict=True)
+    return [name for name, x, (y, room) in names if abs(x - y) > Fraction(room) * x]
+
+
+def expected_side(row, u, v):
+    """Sign of u where only u^2 is known: followed in a libration, kept beside 0, told by u' where that keeps its."""
+    low, high = truth(row, "low"), truth(row, "high")
+    u0, v0 = (float.fromhex(row[name]) for name in ("u0", "velocity0"))
+    if row["regime"] == "libration":
+        return side(row)
+    if low >= 0 or high <= 0:
+        return u0 if u0 else (1 if high > 0 else -1)
+    return 1 if (u * v > 0) == (v0 > 0) else -1
 
 
 def log_slope(start, force, t):
@@ -180,13 +211,20 @@ def log_slope(start, force, t):
 
 
 def back(start, force, t):
-    """Distance from the start in x, or in x' where the start turns (first order in t in both)."""
     found = motion(start, force, t)
-    if found is None:
-        return None
+    return None if found is None else distance(found, start, force, by_place(start, force))
+
+
+def by_place(start, force):
+    """Whether x leaves its start to first order in t, rather than x'."""
     (u0, v0), (a, b, c) = start, force
+    return abs(v0) > abs(u0 * (a + b * u0**2 + c * u0**4)) and (u0 != 0 or c == 0)
+
+
+def distance(found, start, force, place):
+    """Distance from the start in x or in x'."""
     _, x0, y0 = quartic(start, force)
-    return found[0] - ball(x0) if abs(v0) > abs(u0 * (a + b * u0**2 + c * u0**4)) else found[1] - ball(y0)
+    return found[0] - ball(x0) if place else found[1] - ball(y0)
 
 
 def bounds(row, start, force, energy):
@@ -220,3 +258,118 @@ def changes_any(functions, end):
         except ArithmeticError:
             continue
     return False
+
+
+
+def slopes_wrong(row):
+    """The condition columns of the row that central differences contradict."""
+    (u0, v0), (a, b, c), t = parts(row)
+    numbers = [u0, v0, a, b, *([] if "p" in row else [c]), t]
+    found = []
+    u = truth(row, "u")
+    plain, place = c == 0, by_place((u0, v0), (a, b, c))
+    whole = lambda values: motion(values[:2], (*values[2:-1], Fraction(0))[:3], values[-1])
+
+    def state(values):
+        moved = whole(values)
+        if moved is None or plain:
+            return moved
+        root = moved[0].sqrt()
+        return root, moved[1] / (2 * root)
+
+    def turned(k, end):
+        """Time of return or escape by one input: -(d/dx) / (d/dt) of a function that vanishes there."""
+
+        def function(values):
+            moved = whole(values)
+            if moved is None:
+                return None
+            if k != "period":
+                return (moved[0] / moved[1],)
+            start, force = tuple(values[:2]), (*values[2:-1], Fraction(0))[:3]
+            return (distance(moved, start, force, place),)
+
+        return total(function, [*numbers[:-1], end], quotient=True)
+
+    if isinstance(u, Fraction) and u != 0 and t != 0:
+        conditions = total(state, numbers)
+        for name, value in zip(("cond_u", "cond_velocity"), conditions, strict=True):
+            if not near(value, row[name]):
+                found.append(name)
+    elif t != 0 and (row["cond_u"], row["cond_velocity"]) != ("0", "0") and u != 0:
+        found.append("cond_u")
+    for name in ("period", "escape", "escape_backward"):
+        end = truth(row, name)
+        if isinstance(end, Fraction) and row["regime"] != "rest":
+            if not near(turned(name, end)[0], row["cond_" + name]):
+                found.append("cond_" + name)
+        elif not isinstance(end, Fraction) and row["cond_" + name] != "0":
+            found.append("cond_" + name)
+    return found
+
+
+def near(value, text):
+    """Six digits agree."""
+    told = Fraction(text)
+    return abs(value - ball(told)) <= ball(abs(told) / 10**5)
+
+
+def total(function, numbers, quotient=False):
+    """Sums of |x dF/dx| over the numbers (quotient: all but the last, divided by dF/dlast), by differences."""
+    bits = 1200
+    while bits < 1 << 15:
+        with ctx.workprec(bits):
+            sums = None
+            slopes = []
+            for k, number in enumerate(numbers):
+                # an input that is 0 adds nothing
+                step = abs(number) / 2**320
+                ends = [function([*numbers[:k], number + side * step, *numbers[k + 1 :]]) for side in (1, -1)]
+                if number == 0:
+                    continue
+                if None in ends:
+                    break
+                slopes.append([(x - y) / ball(2 * step) * ball(number) for x, y in zip(*ends, strict=True)])
+            else:
+                if quotient:
+                    last = slopes.pop()[0] / ball(numbers[-1])
+                    slopes = [[s[0] / last] for s in slopes]
+                sums = [sum((abs(s[k]) for s in slopes), arb(0)) for k in range(len(ends[0]))]
+                if all(s.is_finite() and (s.rad() == 0 or s.rel_accuracy_bits() > 40 or s < 2**-1000) for s in sums):
+                    return sums
+        bits *= 2
+    raise ArithmeticError("differences do not settle")
+
+
+def mid_root(square):
+    """A rational near the root of a rational."""
+    shift = (square.denominator.bit_length() - square.numerator.bit_length()) // 2 + 64
+    return Fraction(math.isqrt(int(square * Fraction(4) ** shift))) / Fraction(2) ** shift
+
+
+def side(row):
+    """Sign of u by following u = +-sqrt(y) through its zeros, for a libration of the quintic equation."""
+    (u0, v0), (a, b, c), t = parts(row)
+    period = truth(row, "period")
+    left = t - period * math.floor(t / period)
+    with ctx.workprec(400):
+        top = truth(row, "high")
+        rate = mid_root(abs(a) + 3 * abs(b) * top**2 + 5 * abs(c) * top**4)
+        most = 1 / (3 * rate)
+        now, u, v, step = Fraction(0), ball(u0), ball(v0), most
+        while now < left:
+            pull = -u * (ball(a) + ball(b) * u**2 + ball(c) * u**4)
+            step = min(step, most, left - now)
+            found = motion((u0, v0), (a, b, c), now + step)
+            size = found[0].sqrt() if found[0] > 0 else abs(found[0]).sqrt()
+            # u and u' together name the branch: the prediction has to be clearly nearer to one of the two
+            expected = u + ball(step) * v + ball(step) ** 2 * pull / 2, v + ball(step) * pull
+            choices = [(s * size, s * found[1] / (2 * size)) for s in (1, -1)]
+            weight = ball(period) / 8
+            far = [abs(x - expected[0]) + weight * abs(y - expected[1]) for x, y in choices]
+            best = 0 if far[0] < far[1] else 1
+            if far[best] * 4 < far[1 - best]:
+                now, (u, v), step = now + step, choices[best], step * 2
+            else:
+                step = step / 2
+        return 1 if u > 0 else -1

@@ -391,7 +391,8 @@ class Scaled:
         self.length = length
         rates = [scaled(abs(a), 1), scaled(7 * abs(b), 2 * length), scaled(26 * abs(c5), 4 * length)]
         if any(rates):
-            self.rate = -(-power_of_two(sum(rates)) // 2)
+            # an eighth of the bound on the fastest rate: steps in taylor.py are 1 at most, and slow stretches want more
+            self.rate = power_of_two(sum(rates)) // 2 - 3
         else:
             self.rate = -power_of_two(max(map(abs, times), default=Fraction(1)) or Fraction(1))
         r = -2 * self.rate
@@ -541,15 +542,16 @@ def outputs(u0, velocity0, force, times):
         unit, second = whole.u_unit, whole.t_unit
         inputs = real(orbit.u0), real(orbit.v0)
         c5 = real(whole.c[2])
-        cond_period = cond_flights = mpf(0)
+        cond_period = mpf(0)
         period = orbit.period(200)
         if orbit.regime == "rest":
             cond_period = rest_period_condition(orbit, period) if mp.isfinite(period) else mpf(0)
         elif fine.by_period:
             cond_period = condition(fine.by_period, inputs, c5, mpf(0), -period)
+        # backward columns belong to the motion with velocity0 turned round
         cond_flights = [
-            condition(by, inputs, c5, mpf(0), -flight) if by else mpf(0)
-            for by, flight in zip(fine.by_flight, fine.flights, strict=True)
+            condition(by, (inputs[0], direction * inputs[1]), c5, mpf(0), -flight) if by else mpf(0)
+            for by, direction, flight in zip(fine.by_flight, (1, -1), fine.flights, strict=True)
         ]
         low, high = orbit.bounds(200)
         forward, backward = fine.flights

@@ -106,7 +106,7 @@ def from_square(state, side):
 
 
 class Sweep:
-    """One pass over an orbit in units where |x| is 1 at the largest feature and no rate exceeds 1.
+    """One pass over an orbit in units where |x| is 1 at the largest feature and no rate exceeds 16.
 
     start: rational (x0, x0'); c: rational (c1, c3, c5); slopes: how many of the columns x0, x0', c5 to follow;
     pace: the most terms of a series are bits / pace (steps shrink), the least half of that (steps grow)."""
@@ -114,7 +114,7 @@ class Sweep:
     def __init__(self, start, c, slopes, unbounded, pace, bits):
         x0, y0 = start
         c1, c3, c5 = c
-        self.bits, self.step, self.c = bits, 3, c
+        self.bits, self.step, self.c = bits, 5, c
         self.most = int(bits / pace)
         self.energy = y0**2 / 2 + c1 * x0**2 / 2 + c3 * x0**4 / 4 + c5 * x0**6 / 6
         by_energy = [c1 * x0 + c3 * x0**3 + c5 * x0**5, y0, x0**6 / 6][:slopes]
