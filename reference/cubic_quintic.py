@@ -87,7 +87,7 @@ def triple_over(draw):
 
 def shallow(draw):
     """Saddles at +-1 between wells of very different depth, or a well so flat that the roots of G come in pairs."""
-    for k in range(4):
+    for _ in range(4):
         saddle, gap, gamma = draw.number(-1, 1), draw.number(-20, -10), draw.number(-1, 1)
         well = saddle + gap
         force = gamma * saddle * well, -gamma * (saddle + well), gamma

@@ -62,7 +62,10 @@ def wp(t, g2, g3):
 def motion(start, force, t):
     """(x, x') as balls at the working precision, all arguments rationals or balls; None if too wide."""
     f, x0, v0 = quartic(start, force)
-    ball_of = lambda x: x if isinstance(x, arb) else ball(x)
+
+    def ball_of(x):
+        return x if isinstance(x, arb) else ball(x)
+
     f, x0, v0 = list(map(ball_of, f)), ball_of(x0), ball_of(v0)
     d = [f]
     for _ in range(4):
@@ -258,7 +261,6 @@ def changes_any(functions, end):
         except ArithmeticError:
             continue
     return False
-
 
 
 def slopes_wrong(row):
