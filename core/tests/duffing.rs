@@ -1,28 +1,15 @@
-//! The cubic oscillator against itself: invariants, passages, doors, the twelve forms and the pendulum.
+//! The cubic oscillator against itself: invariants, passages and doors.
+
+mod oscillator;
 
 use libration::duffing::{Regime, duffing_motion_into};
 use libration::lanes::InstructionSet;
-use libration::{Duffing, Form, Frequency, Glaisher, Orbit};
+use libration::{Duffing, Glaisher};
+use oscillator::{Spread, energy, energy_scale, example, scales};
 use std::sync::Mutex;
 
 /// The instruction set is the whole process's: one test at a time.
 static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
-
-/// Reproducible numbers in [0, 1).
-struct Spread(u64);
-
-impl Spread {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-    fn state(&mut self) -> [f64; 4] {
-        [(); 4].map(|()| self.between(-2.0, 2.0))
-    }
-}
 
 /// A start of every course, and what its regime is.
 const STARTS: [(f64, f64, f64, f64, &str); 30] = [
@@ -44,12 +31,12 @@ const STARTS: [(f64, f64, f64, f64, &str); 30] = [
     (1.0, 0.2, -1.0, 1.0, "well"),
     (-1e-6, 0.0, -1.0, 1.0, "well"),
     (-1.2, 0.1, -1.0, 1.0, "well"),
-    (1.0, 1.0, -2.0, 0.0 + 2.0, "homoclinic"),
+    (1.0, 1.0, -2.0, 2.0, "homoclinic"),
     (-2.0, 0.0, -2.0, 1.0, "homoclinic"),
     (0.0, 1.0, 1.0, -0.5, "heteroclinic"),
     (2.0, 2.0, 0.0, -0.5, "escape"),
     (1.0, -1.0, -0.5, -1.0, "escape"),
-    (2.0, 1.0, -3.0, 1.0 - 2.0, "escape"),
+    (2.0, 1.0, -3.0, -1.0, "escape"),
     (2.0, 0.0, 1.0, -1.0, "escape"),
     (-1.5, 1.1, 1.0, -1.0, "escape"),
     (0.3, 0.1, -1.0, -1.0, "escape"),
@@ -62,26 +49,10 @@ fn of((u0, velocity0, p, q, _): (f64, f64, f64, f64, &str)) -> Duffing {
     Duffing::new(u0, velocity0, p, q).unwrap()
 }
 
-fn energy(u: f64, v: f64, p: f64, q: f64) -> f64 {
-    0.5 * v * v + 0.5 * p * u * u + 0.25 * q * u * u * u * u
-}
-
-/// Sizes of the terms of the energy.
-fn energy_scale(u: f64, v: f64, p: f64, q: f64) -> f64 {
-    0.5 * v * v + 0.5 * p.abs() * u * u + 0.25 * q.abs() * u * u * u * u
-}
-
-/// Largest |u| and |u'| of a bounded orbit; of two values else.
-fn scales(orbit: &Duffing, u: f64, v: f64) -> [f64; 2] {
-    let (low, high) = orbit.range();
-    let (p, q) = (orbit.p(), orbit.q());
-    let reach = low.abs().max(high.abs());
-    if reach.is_infinite() {
-        return [u.abs().max(orbit.u0().abs()), v.abs().max(orbit.velocity0().abs())];
-    }
-    let well = if p * q < 0.0 { -p / q } else { 0.0 };
-    let fastest = [0.0, well].map(|square| 2.0 * orbit.energy() - p * square - 0.5 * q * square * square);
-    [reach, fastest[0].max(fastest[1]).max(orbit.velocity0().powi(2)).sqrt()]
+/// The starts, and as many others.
+fn states(count: usize, spread: &mut Spread) -> Vec<[f64; 4]> {
+    let listed = STARTS.iter().map(|(u0, v0, p, q, _)| [*u0, *v0, *p, *q]);
+    listed.chain((0..count).map(|_| spread.state())).collect()
 }
 
 #[test]
@@ -105,13 +76,7 @@ fn regimes_are_what_they_are() {
 fn invariants() {
     let mut spread = Spread(3);
     let mut moving = 0;
-    for i in 0..4000 {
-        let [u0, v0, p, q] = if i < STARTS.len() {
-            let (u0, v0, p, q, _) = STARTS[i];
-            [u0, v0, p, q]
-        } else {
-            spread.state()
-        };
+    for [u0, v0, p, q] in states(4000, &mut spread) {
         let orbit = Duffing::new(u0, v0, p, q).unwrap();
         assert_eq!(orbit.motion(0.0), (u0, v0));
         let t = spread.between(-3.0, 3.0);
@@ -158,13 +123,7 @@ fn invariants() {
 #[test]
 fn the_equation_holds() {
     let mut spread = Spread(11);
-    for i in 0..3000 {
-        let [u0, v0, p, q] = if i < STARTS.len() {
-            let (u0, v0, p, q, _) = STARTS[i];
-            [u0, v0, p, q]
-        } else {
-            spread.state()
-        };
+    for [u0, v0, p, q] in states(3000, &mut spread) {
         let orbit = Duffing::new(u0, v0, p, q).unwrap();
         let t = spread.between(-2.0, 2.0);
         let h = 1e-3;
@@ -269,10 +228,7 @@ fn escapes() {
     assert_eq!((inverse.escape_time(), inverse.escape_time_backward()), (1.0, f64::NEG_INFINITY));
     assert_eq!(inverse.motion(0.5), (4.0, 8.0));
     let lemniscate = Duffing::new(0.0, 1.0, 0.0, -2.0).unwrap();
-    assert!(
-        (lemniscate.escape_time() - 1.854_074_677_301_372 / 2f64.sqrt() * 2f64.sqrt() / 2f64.sqrt()).abs()
-            < 1.0
-    );
+    assert!((lemniscate.escape_time() - 1.854_074_677_301_372).abs() < 1e-15);
     assert_eq!(lemniscate.escape_time(), -lemniscate.escape_time_backward());
     // The blow-up law: |u| (t* - t) to sqrt(2/|q|), up to the last double before the escape.
     for start in STARTS.iter().filter(|start| start.4 == "escape") {
@@ -374,176 +330,6 @@ fn times_that_are_not_finite() {
     assert_eq!(motion(1.0, 0.0, -1.0, 1.0, 1e300), (1.0, 0.0));
     assert_eq!(motion(1.0, 0.0, -1.0, 0.0, 1e4).0, f64::INFINITY);
     assert!(motion(1.0, 0.0, 1.0, -2.0, f64::NAN).0.is_nan());
-}
-
-/// A real example of a form.
-fn example(which: Glaisher, c2: f64) -> Option<Form> {
-    let grid = [
-        (1.0, -0.7),
-        (1.0, 0.6),
-        (-0.8, 1.2),
-        (-1.5, 0.4),
-        (-0.5, -0.9),
-        (1.0, -1.6),
-        (-1.1, 1.3),
-        (0.3, -1.1),
-        (-0.9, -1.2),
-        (-1.5, -0.5),
-    ];
-    grid.iter().find_map(|(p, q)| Form::new(which, *p, *q, 1.0, c2).ok())
-}
-
-#[test]
-fn each_of_the_twelve_forms_obeys_the_equation() {
-    let mut spread = Spread(21);
-    let mut tried = std::collections::BTreeMap::new();
-    for _ in 0..4000 {
-        let [p, q, c1, c2] = spread.state();
-        for which in Glaisher::ALL {
-            let Ok(form) = Form::new(which, p, q, c1, c2) else { continue };
-            *tried.entry(which.name()).or_insert(0) += 1;
-            let t = spread.between(-2.0, 2.0);
-            let (u, v) = form.motion(t);
-            if u.abs() > 1e3 {
-                continue;
-            }
-            // The energy is that of the form, and the same everywhere: u'^2 = 2E - p u^2 - q u^4/2 has u'' as its slope.
-            let elsewhere = form.motion(spread.between(-2.0, 2.0));
-            let size = energy_scale(u, v, p, q).max(energy_scale(elsewhere.0, elsewhere.1, p, q));
-            let difference = energy(u, v, p, q) - energy(elsewhere.0, elsewhere.1, p, q);
-            assert!(difference.abs() <= 4e-15 * size, "{} {p} {q} {c1} {c2} {t}", which.name());
-            let h = 1e-3;
-            let samples = [-2.0, -1.0, 1.0, 2.0].map(|k| form.motion(t + k * h));
-            if samples.iter().all(|(u, _)| u.abs() < 5.0) {
-                let [a, b, d, e] = samples.map(|sample| sample.1);
-                let second = ((a - e) + 8.0 * (d - b)) / (12.0 * h);
-                assert!(
-                    (second + p * u + q * u * u * u).abs() < 1e-5,
-                    "{} {p} {q} {c1} {c2} {t}",
-                    which.name()
-                );
-            }
-            // And it is the oscillator through the same start, up to the poles.
-            let (u0, v0) = form.motion(0.0);
-            let orbit = Duffing::new(u0, v0, p, q).unwrap();
-            let (other_u, other_v) = orbit.motion(t);
-            let far = t > 0.7 * orbit.escape_time() || t < 0.7 * orbit.escape_time_backward();
-            if !far && u0.abs() < 10.0 && v0.abs() < 100.0 {
-                let [su, sv] = scales(&orbit, u, v);
-                assert!(
-                    (u - other_u).abs() < 1e-10 * su.max(1.0) && (v - other_v).abs() < 1e-10 * sv.max(1.0),
-                    "{} {orbit:?} {t}",
-                    which.name()
-                );
-            }
-            let parameter = form.parameter();
-            assert!(parameter.m() >= 0.0 && parameter.mc() >= 0.0 && form.rate() > 0.0);
-        }
-    }
-    assert!(tried.len() == 12 && tried.values().all(|count| *count > 100), "{tried:?}");
-}
-
-#[test]
-fn a_form_out_of_its_domain_is_refused() {
-    let refused = |which, p, q| Form::new(which, p, q, 1.0, 0.0).unwrap_err().to_string();
-    assert_eq!(
-        refused(Glaisher::Cn, -2.0, 1.0),
-        "form = cn, p = -2.0, q = 1.0, c1 = 1.0: must be of q c1^2 >= 0 and q c1^2 + 2p >= 0, and not both 0"
-    );
-    assert!(Form::new(Glaisher::Sn, 1.0, -1.0, f64::NAN, 0.0).is_err());
-    // The edges of the domains are in them: m = 0 and m = 1.
-    for (which, p, q) in [
-        (Glaisher::Sn, 1.0, 0.0),
-        (Glaisher::Sn, 1.0, -1.0),
-        (Glaisher::Cn, -0.5, 1.0),
-        (Glaisher::Dn, -0.5, 1.0),
-        (Glaisher::Dn, -1.0, 1.0),
-        (Glaisher::Sc, -1.0, -1.0),
-        (Glaisher::Ds, 0.5, -1.0),
-        (Glaisher::Ds, -0.5, -1.0),
-        (Glaisher::Ns, 1.0, -1.0),
-    ] {
-        let form = Form::new(which, p, q, 1.0, 0.4).unwrap();
-        let m = form.parameter().m();
-        assert!(m == 0.0 || m == 1.0, "{} {m}", which.name());
-        let (u, v) = form.motion(0.0);
-        let (then_u, then_v) = form.motion(0.7);
-        let kept = energy(u, v, p, q) - energy(then_u, then_v, p, q);
-        assert!(kept.abs() < 4e-15 * energy_scale(u, v, p, q).max(energy_scale(then_u, then_v, p, q)));
-    }
-}
-
-#[test]
-fn which_form_serves_which_regime() {
-    let lines: Vec<String> = Form::table()
-        .iter()
-        .map(|(which, regimes)| {
-            let names: Vec<&str> = regimes.iter().map(|regime| regime.name()).collect();
-            format!("{} {}", which.name(), names.join(" "))
-        })
-        .collect();
-    println!("{}", lines.join("\n"));
-    let expected = [
-        "sn linear libration heteroclinic",
-        "cn linear libration homoclinic",
-        "dn rest well homoclinic",
-        "ns escape",
-        "nc linear escape",
-        "nd rest linear well",
-        "sc linear escape",
-        "cs escape",
-        "sd linear libration",
-        "ds escape",
-        "cd rest linear libration",
-        "dc rest escape",
-    ];
-    assert_eq!(lines, expected);
-}
-
-#[test]
-fn pendulum_and_oscillator_are_one_motion() {
-    let mut spread = Spread(31);
-    let mut there = [0; 2];
-    for _ in 0..2000 {
-        let (theta0, velocity0, omega2) =
-            (spread.between(-3.0, 3.0), spread.between(-3.0, 3.0), spread.between(-2.0, 2.0));
-        let force = Frequency::from_omega2(omega2).unwrap();
-        let pendulum = Orbit::new(theta0, velocity0, force).unwrap();
-        let orbit = Duffing::of_pendulum(theta0, velocity0, force).unwrap();
-        let t = spread.between(-1.0, 1.0);
-        let (theta, velocity) = pendulum.motion(t);
-        if theta.abs() > 2.8 || orbit.u(t).is_nan() || theta0.abs() > 2.8 {
-            continue;
-        }
-        let (u, v) = orbit.motion(t);
-        assert!((2.0 * u.atan() - theta).abs() < 1e-13, "{theta0} {velocity0} {omega2} {t}");
-        assert!((2.0 * v / (1.0 + u * u) - velocity).abs() < 1e-12);
-        there[0] += 1;
-    }
-    for _ in 0..4000 {
-        let [u0, v0, p, q] = spread.state();
-        let orbit = Duffing::new(u0, v0, p, q).unwrap();
-        let Some(companion) = orbit.companion() else { continue };
-        let force = Frequency::from_omega2(companion.omega2).unwrap();
-        let pendulum = Orbit::new(companion.theta0, companion.velocity0, force).unwrap();
-        let t = spread.between(-1.0, 1.0);
-        let (theta, u) = (pendulum.theta(t), orbit.u(t));
-        if u.is_nan() || theta.abs() > 2.8 || companion.theta0.abs() > 2.8 {
-            continue;
-        }
-        assert!(
-            (companion.scale * (0.5 * theta).tan() - u).abs() < 1e-11 * companion.scale.max(1.0),
-            "{orbit:?} {companion:?} {t}"
-        );
-        there[1] += 1;
-    }
-    assert!(there[0] > 1000 && there[1] > 1000, "{there:?}");
-    // The separatrix of the pendulum is the linear oscillator, and pi is beyond every u.
-    let separatrix = Duffing::of_pendulum(0.0, 2.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
-    assert_eq!((separatrix.regime(), separatrix.p(), separatrix.q()), (Regime::Linear, -1.0, 0.0));
-    assert!(separatrix.companion().is_none());
-    let top = Duffing::of_pendulum(std::f64::consts::PI, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
-    assert!(top.u0() > 1.6e16 && top.u0() < 1.7e16 && top.regime() == Regime::Libration);
 }
 
 #[test]

@@ -160,20 +160,14 @@ fn spoiled_siblings_are_found() {
         let period = orbit.period();
         orbit.motion(if period.is_finite() { t.rem_euclid(period) } else { t })
     }));
-    // The attributes of the next state up.
-    for (row, spoiled) in rows.iter().map(|row| {
-        let next = |value: f64| if value == 0.0 { 1e-3 } else { value * (1.0 + 1e-12) };
-        let orbit =
-            Duffing::new(next(row.hex("u0")), row.hex("velocity0"), row.hex("p"), row.hex("q")).unwrap();
-        (row, orbit)
-    }) {
-        let energy_moves = row.hex("u0") != 0.0 || row.hex("p") != 0.0;
+    // The attributes of a state beside: every start from rest is seen, for nothing but u0 stands in its energy.
+    let mut seen = 0;
+    for row in rows.iter().filter(|row| row.hex("velocity0") == 0.0 && row.text("regime") != "rest") {
+        let beside = row.hex("u0") * (1.0 + 1e-12);
+        let spoiled = Duffing::new(beside, 0.0, row.hex("p"), row.hex("q")).unwrap();
         let errors = attribute_errors(row, &spoiled);
-        let seen = errors.iter().any(|error| *error > 4.0) || spoiled.regime().name() != row.text("regime");
-        assert!(
-            seen || !energy_moves || row.hex("velocity0") != 0.0 || row.text("regime") == "rest",
-            "{} {errors:?}",
-            row.text("id")
-        );
+        assert!(errors.iter().any(|error| *error > 4.0), "{} {errors:?}", row.text("id"));
+        seen += 1;
     }
+    assert!(seen > 50, "{seen}");
 }

@@ -39,33 +39,79 @@ fn counted<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
     Dd::ordered_sum(y, rest + (error + L::splat(phase.start.lo)))
 }
 
-/// Numerators and denominators of u and u', but for their signs.
+/// Theta functions at a reduced phase, t1 with t2 and t3 with t4 exchanged where the argument is counted from K; and
+/// whether it is.
 #[inline(always)]
-fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd<L>; 2]; 2] {
+fn thetas<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> ([Dd<L>; 4], L::Mask) {
     let thetas = e.lattice.thetas_on::<HYPERBOLIC, L>(size);
     let [t1, t2, t3, t4] = thetas.theta;
     let folded = thetas.folded;
     // From a pole, what is near 0 is near K of the functions.
-    let (odd, even) = if e.from_pole { ([t2, t4], [t1, t3]) } else { ([t1, t3], [t2, t4]) };
-    let [t1, t3] = [Dd::select(folded, even[0], odd[0]), Dd::select(folded, even[1], odd[1])];
-    let [t2, t4] = [Dd::select(folded, odd[0], even[0]), Dd::select(folded, odd[1], even[1])];
-    let pick = |pair: &[Dd; 2]| Dd::select(folded, Dd::splat(pair[1]), Dd::splat(pair[0]));
-    let (u_factor, factor) = (pick(&e.u), pick(&e.velocity));
-    let (above, below, left, right) = match e.shape {
-        Shape::Cn => (t1, t3, t2, t4),
-        Shape::Sn => (t1, t4, t2, t3),
-        Shape::Dn => (t3, t4, t1, t2),
-        Shape::Nc => (t4, t2, t1, t3),
-        Shape::Dc => (t3, t2, t1, t4),
-        Shape::Sc => (t1, t2, t3, t4),
-        Shape::SdOverC => {
-            let (above, below) = (t1 * t3, t2 * t4);
-            let fourth = |t: Dd<L>| t.square().square();
-            let rising = (fourth(t3) * factor).plain_sum(fourth(t1) * pick(&e.other));
-            return [[above * u_factor, below], [rising, below.square()]];
-        }
-    };
+    let [t1, t2, t3, t4] = if e.from_pole { [t2, t1, t4, t3] } else { [t1, t2, t3, t4] };
+    let picked = [
+        Dd::select(folded, t2, t1),
+        Dd::select(folded, t1, t2),
+        Dd::select(folded, t4, t3),
+        Dd::select(folded, t3, t4),
+    ];
+    (picked, folded)
+}
+
+#[inline(always)]
+fn pick<L: Lane>(folded: L::Mask, pair: &[Dd; 2]) -> Dd<L> {
+    Dd::select(folded, Dd::splat(pair[1]), Dd::splat(pair[0]))
+}
+
+/// u = above/below and u' = left right/below^2, but for their factors.
+#[inline(always)]
+fn letters<L: Lane>(shape: Shape, [t1, t2, t3, t4]: [Dd<L>; 4]) -> [Dd<L>; 4] {
+    match shape {
+        Shape::Cn => [t1, t3, t2, t4],
+        Shape::Sn => [t1, t4, t2, t3],
+        Shape::Dn => [t3, t4, t1, t2],
+        Shape::Nc => [t4, t2, t1, t3],
+        Shape::Dc => [t3, t2, t1, t4],
+        Shape::Sc | Shape::SdOverC => [t1, t2, t3, t4],
+    }
+}
+
+/// Numerators and denominators of u and u', but for their signs.
+#[inline(always)]
+fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd<L>; 2]; 2] {
+    let (thetas, folded) = thetas::<HYPERBOLIC, L>(e, size);
+    let (u_factor, factor) = (pick::<L>(folded, &e.u), pick::<L>(folded, &e.velocity));
+    if e.shape == Shape::SdOverC {
+        let [t1, t2, t3, t4] = thetas;
+        let (above, below) = (t1 * t3, t2 * t4);
+        let (dn, sn) = (t3.square().square(), t1.square().square());
+        let rising = (dn * factor).plain_sum(sn * pick::<L>(folded, &e.other));
+        return [[above * u_factor, below], [rising, below.square()]];
+    }
+    let [above, below, left, right] = letters(e.shape, thetas);
     [[above * u_factor, below], [left * right * factor, below.square()]]
+}
+
+/// a b but for the product of the low words, as hi + lo not normalised.
+#[inline(always)]
+fn product<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
+    let (hi, error) = a.hi.two_product(b.hi);
+    Dd::new(hi, a.hi.mul_add(b.lo, a.lo.mul_add(b.hi, error)))
+}
+
+/// u and u' of a bounded orbit, but for their signs: one division for both.
+#[inline(always)]
+fn bounded<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [L; 2] {
+    let (thetas, folded) = thetas::<HYPERBOLIC, L>(e, size);
+    let [above, below, left, right] = letters(e.shape, thetas);
+    let inverse = L::splat(1.0) / below.hi;
+    let (back, error) = inverse.two_product(below.hi);
+    // What the inverse lacks of itself.
+    let rest = ((L::splat(1.0) - back) - error) - inverse * below.lo;
+    let inverse = Dd::new(inverse, inverse * rest);
+    let u = product(product(above, pick::<L>(folded, &e.u)), inverse);
+    let left_right = product(product(left, inverse), product(right, inverse));
+    let velocity = product(left_right, pick::<L>(folded, &e.velocity));
+    [u.value(), velocity.value()]
 }
 
 /// A libration or a well on one side of the theta functions.
@@ -96,15 +142,15 @@ impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Bo
         let scaled = t * L::splat(e.scales.time);
         let (n, f) = e.phase.spread::<L>().count(scaled, LAST_HALF_PERIOD);
         let sign = L::splat(1.0).copysign(f.hi);
-        let [[above, below], [rising, square]] = quotients::<HYPERBOLIC, L>(e, f.scale(sign));
+        let [u, velocity] = bounded::<HYPERBOLIC, L>(e, f.scale(sign));
         let (u_sign, velocity_sign) = if e.shape == Shape::Dn {
             (L::splat(1.0), sign)
         } else {
             let parity = alternating(n);
             (sign * parity, parity)
         };
-        let u = quotient(above, below).value() * (u_sign * L::splat(e.scales.u));
-        let velocity = quotient(rising, square).value() * (velocity_sign * L::splat(e.scales.velocity));
+        let u = u * (u_sign * L::splat(e.scales.u));
+        let velocity = velocity * (velocity_sign * L::splat(e.scales.velocity));
         finished::<FIRST, L>(orbit, t, u, velocity)
     }
 }
@@ -251,9 +297,8 @@ impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
                 (both(simple.u, simple.scales.u), both(simple.velocity, simple.scales.velocity))
             }
         };
-        let nan = y.hi.equal(y.hi);
-        let (u, velocity) =
-            (L::select(nan, u, L::splat(f64::NAN)), L::select(nan, velocity, L::splat(f64::NAN)));
+        let number = y.hi.equal(y.hi);
+        let [u, velocity] = [u, velocity].map(|value| L::select(number, value, L::splat(f64::NAN)));
         finished::<FIRST, L>(orbit, t, u, velocity)
     }
 }

@@ -4,10 +4,9 @@
 //! there (cubic_course.rs), so passages keep their digits at zeros, turning points and next to escapes.
 
 use super::cubic::{Constants, Duffing, Place};
-use super::cubic_course::{
-    Course, Elliptic, Plain, Shape, Simple, artanh, escape_phase, half_periods, sign, signed,
-};
+use super::cubic_course::{Course, Elliptic, Plain, Shape, Simple};
 use super::cubic_motion::LAST_HALF_PERIOD;
+use super::cubic_phase::{artanh, escape_phase, half_periods, sign, signed};
 use crate::domain::Domain;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;

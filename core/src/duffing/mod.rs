@@ -3,6 +3,7 @@
 pub mod cubic;
 mod cubic_course;
 pub mod cubic_motion;
+mod cubic_phase;
 pub mod cubic_states;
 pub mod cubic_time;
 pub mod forms;

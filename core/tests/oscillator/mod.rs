@@ -1,0 +1,60 @@
+//! What the tests of the oscillators share.
+
+#![allow(dead_code)]
+
+use libration::{Duffing, Form, Glaisher};
+
+/// Reproducible numbers in [0, 1).
+pub struct Spread(pub u64);
+
+impl Spread {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+    pub fn state(&mut self) -> [f64; 4] {
+        [(); 4].map(|()| self.between(-2.0, 2.0))
+    }
+}
+
+pub fn energy(u: f64, v: f64, p: f64, q: f64) -> f64 {
+    0.5 * v * v + 0.5 * p * u * u + 0.25 * q * u * u * u * u
+}
+
+/// Sizes of the terms of the energy.
+pub fn energy_scale(u: f64, v: f64, p: f64, q: f64) -> f64 {
+    0.5 * v * v + 0.5 * p.abs() * u * u + 0.25 * q.abs() * u * u * u * u
+}
+
+/// Largest |u| and |u'| of a bounded orbit; of two values else.
+pub fn scales(orbit: &Duffing, u: f64, v: f64) -> [f64; 2] {
+    let (low, high) = orbit.range();
+    let (p, q) = (orbit.p(), orbit.q());
+    let reach = low.abs().max(high.abs());
+    if reach.is_infinite() {
+        return [u.abs().max(orbit.u0().abs()), v.abs().max(orbit.velocity0().abs())];
+    }
+    let well = if p * q < 0.0 { -p / q } else { 0.0 };
+    let fastest = [0.0, well].map(|square| 2.0 * orbit.energy() - p * square - 0.5 * q * square * square);
+    [reach, fastest[0].max(fastest[1]).max(orbit.velocity0().powi(2)).sqrt()]
+}
+
+/// A real example of a form.
+pub fn example(which: Glaisher, c2: f64) -> Option<Form> {
+    let grid = [
+        (1.0, -0.7),
+        (1.0, 0.6),
+        (-0.8, 1.2),
+        (-1.5, 0.4),
+        (-0.5, -0.9),
+        (1.0, -1.6),
+        (-1.1, 1.3),
+        (0.3, -1.1),
+        (-0.9, -1.2),
+        (-1.5, -0.5),
+    ];
+    grid.iter().find_map(|(p, q)| Form::new(which, *p, *q, 1.0, c2).ok())
+}
