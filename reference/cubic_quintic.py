@@ -130,7 +130,7 @@ def heteroclinic_zero(draw):
         u0 = draw.sign() * draw.short(2)
         # r = 0 asks for c^2 = -g y0
         c, g = abs(u0) * 2.0**k, -(4.0**k)
-        force, v0, r = double_root(u0 * u0, u0 * u0 + draw.short(), g, c)
+        force, v0, _r = double_root(u0 * u0, u0 * u0 + draw.short(), g, c)
         yield u0, draw.sign() * v0, *force
 
 
@@ -207,7 +207,7 @@ def escapes(draw, kind, count):
         orbit = u0, v0, *force
         if regime(orbit) != "escape":
             continue
-        _, ahead, behind, _ = oscillator.clock(u0, v0, force)
+        _, _ahead, _behind, _ = oscillator.clock(u0, v0, force)
         low, high = oscillator.Orbit((Fraction(u0), Fraction(v0)), tuple(map(Fraction, force))).ends()
         if (kind == "turn") == (low is not None or high is not None):
             found += 1

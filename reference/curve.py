@@ -156,7 +156,10 @@ def wrong(row):
         found += [name for name, x, y in (("u", u, u0), ("velocity", v, v0)) if x != y]
     else:
         x, y = (u, v) if c == 0 else (u**2, 2 * u * v)
-        pick = lambda k: lambda: (motion(start, force, t) or (None, None))[k]
+
+        def pick(k):
+            return lambda: (motion(start, force, t) or (None, None))[k]
+
         # u^2 and 2 u u' double the relative errors
         if not inside(pick(0), x, 0 if c == 0 else 4 * abs(x)):
             found.append("u")
@@ -236,8 +239,13 @@ def bounds(row, start, force, energy):
     a, b, c = force
     if row["regime"] == "rest":
         return [name for name in ("low", "high") if truth(row, name) != start[0]]
-    kinetic = lambda u: ball(2 * energy - a * u**2 - b * u**4 / 2 - c * u**6 / 3)
-    pull = lambda u: ball(a + b * u**2 + c * u**4)
+
+    def kinetic(u):
+        return ball(2 * energy - a * u**2 - b * u**4 / 2 - c * u**6 / 3)
+
+    def pull(u):
+        return ball(a + b * u**2 + c * u**4)
+
     for name, side in (("low", -1), ("high", 1)):
         end = truth(row, name)
         if not isinstance(end, Fraction):
@@ -270,7 +278,9 @@ def slopes_wrong(row):
     found = []
     u = truth(row, "u")
     plain, place = c == 0, by_place((u0, v0), (a, b, c))
-    whole = lambda values: motion(values[:2], (*values[2:-1], Fraction(0))[:3], values[-1])
+
+    def whole(values):
+        return motion(values[:2], (*values[2:-1], Fraction(0))[:3], values[-1])
 
     def state(values):
         moved = whole(values)

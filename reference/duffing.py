@@ -150,7 +150,7 @@ def escape_zero(draw):
     yield -2.0, 2.0, 1.0, -1.0
     yield 1.0, -2.0, 0.0, -8.0
     yield 2.0, 2.0, 0.0, -0.5
-    for k in range(6):
+    for _k in range(6):
         u0, ratio, q = draw.sign() * draw.short(2), draw.sign() * draw.short(), -draw.short()
         yield u0, u0 * ratio, -ratio * ratio - q * u0 * u0 / 2, q
 

@@ -518,7 +518,7 @@ def condition(columns, inputs, c5, total, last):
 
 def rest_period_condition(orbit, T):
     """Sum over the force of the period of small swings; by u0 and velocity0 it is stationary."""
-    a, b, c5 = orbit.c
+    _a, b, c5 = orbit.c
     k = orbit.stiffness()
     y = orbit.y0
     if y == 0 or c5 == 0:
