@@ -117,7 +117,7 @@ def functions() -> list[Function]:
     )
     for i in (1, 2, 3, 4):
         ours_domain = "0 ≤ q < 1" if i < 3 else "−1 < q < 1"
-        rival = Rival("complex, |q| < 1", jtheta(i), ("q",))
+        rival = Rival("complex q in the unit disc", jtheta(i), ("q",))
         found.append(
             Function(
                 f"theta{i}", "theta_functions", ("z",), (f"theta{i}",), ours_domain, ours(f"theta{i}"), None, rival
