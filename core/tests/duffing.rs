@@ -218,6 +218,25 @@ fn passages_at_the_edges() {
     assert!(Duffing::new(1.0, -1.0, -0.5, -1.0).unwrap().times(0.0, -9.0, 9.0).unwrap().is_empty());
 }
 
+/// Next to nothing from a separatrix, where k' and the fourth powers of theta functions leave the range; the numbers
+/// are 2K/W by K = ln(4/k'), in 700 digits.
+#[test]
+fn extremes() {
+    let far = Duffing::new(1e-300, 0.0, -1e300, 1.0).unwrap();
+    assert_eq!(far.regime(), Regime::Well);
+    assert!((far.period() / 2.075_792_319_597_440_8e-147 - 1.0).abs() < 1e-15);
+    assert!((far.u(0.5 * far.period()) / (2f64.sqrt() * 1e150) - 1.0).abs() < 1e-13);
+    // Over both tops, each in ln of 1e160.
+    let slow = Duffing::new(1e-160, 1.0, 2.0, -2.0).unwrap();
+    assert_eq!(slow.regime(), Regime::Escape);
+    assert!((slow.escape_time() / 370.146_482_830_447_17 - 1.0).abs() < 1e-15);
+    for t in [0.5, 1.0, 100.0, 185.0, 369.0, 370.0] {
+        let (u, v) = slow.motion(t);
+        assert!((u - t.tanh()).abs() < 1e-15 || t > 200.0 && u > 1.0, "{t} {u}");
+        assert!((v * v + 2.0 * u * u - u * u * u * u - 1.0).abs() < 1e-14 * (1.0 + u.powi(4)), "{t} {u} {v}");
+    }
+}
+
 #[test]
 fn escapes() {
     // csch, 1/t, coth and the lemniscate.

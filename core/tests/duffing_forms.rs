@@ -20,7 +20,7 @@ fn each_of_the_twelve_forms_obeys_the_equation() {
             if u.abs() > 1e3 {
                 continue;
             }
-            // The energy is that of the form, and the same everywhere: u'^2 = 2E - p u^2 - q u^4/2 has u'' as its slope.
+            // The same energy everywhere: u'^2 = 2E - p u^2 - q u^4/2 has u'' as its slope.
             let elsewhere = form.motion(spread.between(-2.0, 2.0));
             let size = energy_scale(u, v, p, q).max(energy_scale(elsewhere.0, elsewhere.1, p, q));
             let difference = energy(u, v, p, q) - energy(elsewhere.0, elsewhere.1, p, q);

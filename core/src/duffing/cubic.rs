@@ -1,7 +1,7 @@
 //! One orbit of u'' + p u + q u^3 = 0, set up once: regime, period, range, energy and escapes.
 //!
 //! With a = p + q u0^2, Delta = a^2 + 2 q u0'^2 = p^2 + 4 q E and S = sqrt(Delta), every amplitude, rate, parameter and
-//! complement is a quotient of E, S, S + p, S - p, and (S + p)(S - p) = 4 q E gives the one of the two that would cancel.
+//! complement is a quotient of E, S, S + p, S - p, and (S + p)(S - p) = 4 q E gives the one that would cancel.
 //! a, Delta and E come from sums without rounding (float/exact.rs), so their signs, which decide the regime, are exact.
 //! Source: Salas 2019 (6), (7), the nine forms; the real classification is ours.
 
@@ -136,7 +136,9 @@ impl Duffing {
     pub fn energy(&self) -> f64 {
         self.constants.energy.shift(-2).value()
     }
-    /// When u becomes infinite: above 0, or infinite if it never does. **Error** at most 4 ulp (plus 2^-100 of its condition).
+    /// When u becomes infinite: above 0, or infinite if it never does.
+    ///
+    /// **Error** at most 4 ulp (plus 2^-100 of its condition).
     pub fn escape_time(&self) -> f64 {
         self.escapes.1
     }

@@ -1,7 +1,7 @@
 //! Which formula an orbit follows, with its factors and the phase of its start.
 
 use super::cubic::{Constants, Place};
-use super::cubic_phase::{Canonical, artanh, escape_phase, half_periods, sign, signed};
+use super::cubic_phase::{Canonical, artanh, escape_phase, half_periods, minus_ln, sign, signed};
 use super::regime::Regime;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::Lattice;
@@ -64,8 +64,10 @@ pub(super) struct Elliptic {
     /// Factors of u and u' where the argument is counted from 0 and from K (the other way round with `from_pole`).
     pub u: [Dd; 2],
     pub velocity: [Dd; 2],
-    /// For [`Shape::SdOverC`]: what sn^4 takes in the velocity where dn^4 takes `velocity`.
+    /// For [`Shape::SdOverC`]: roots of what sn^4 takes in the velocity where dn^4 takes those in `velocity`; and the
+    /// factor of both.
     pub other: [Dd; 2],
+    pub slope: Dd,
     pub scales: Scales,
 }
 
@@ -117,9 +119,20 @@ fn phase(rate: Wide, start: Wide) -> (Phase, f64) {
     (Phase { rate: rate.shift(-outside).to_dd(), start: start.to_dd() }, ldexp(1.0, outside))
 }
 
+/// Where k' leaves the range of its inverse: K is ln(4/k') long before.
+const LEAST: i32 = -900;
+
 fn lattice(canonical: &Canonical) -> Lattice {
+    let kc = canonical.mc.sqrt();
+    if kc.power() < LEAST {
+        let mut limit = Lattice::new(Dd::ONE, Dd::ZERO, Dd::ONE, Dd::from(ldexp(1.0, LEAST)));
+        let quarter = minus_ln(kc.shift(-2));
+        limit.angle = limit.angle * quarter / limit.quarter;
+        (limit.quarter, limit.kc) = (quarter, kc.to_dd());
+        return limit;
+    }
     let [m, mc] = [canonical.m, canonical.mc].map(Wide::to_dd);
-    Lattice::new(m, mc, canonical.m.sqrt().to_dd(), canonical.mc.sqrt().to_dd())
+    Lattice::new(m, mc, canonical.m.sqrt().to_dd(), kc.to_dd())
 }
 
 /// Factors of u, of the velocity, and of sn^4, counted from 0 and from K; with the signs of u and of the velocity.
@@ -138,9 +151,9 @@ fn quotient_factors(canonical: &Canonical, lattice: &Lattice, sides: [f64; 2]) -
         Shape::Dc => [[a, a / t], [w * mc * t, w / t.square()], none],
         Shape::Sc => [[a * t, a / (kc * t)], [w, w / (kc * t.square())], none],
         Shape::SdOverC => {
-            let square = t.square();
-            let others = [w * m * mc * square.square(), w * m / square];
-            [[a * t, a / t], [w, w * mc / square], others]
+            // Roots of what dn^4 and sn^4 take: the fourth powers themselves may leave the range.
+            let root = m.sqrt();
+            [[a * t, a / t], [Wide::ONE, kc / t], [root * kc * t.square(), root / t]]
         }
     }
 }
@@ -211,8 +224,14 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
     let [u, velocity, other] = quotient_factors(&canonical, &lattice, sides);
     let [u, velocity, other] = [u, velocity, other].map(|pair| reversed(pair, from_pole));
     let (u, u_scale) = factors(u);
-    let [near, far] = velocity;
-    let ([near, far, other_near, other_far], velocity_scale) = factors([near, far, other[0], other[1]]);
+    let slope = signed(a * canonical.rate, sides[1]);
+    let (velocity, slope, velocity_scale) = if shape == Shape::SdOverC {
+        let ([slope], scale) = factors([slope]);
+        (velocity.map(Wide::to_dd), slope, scale)
+    } else {
+        let (velocity, scale) = factors(velocity);
+        (velocity, Dd::ONE, scale)
+    };
     let (phase, time) = phase(signed_rate, from);
     set_up.course = Course::Elliptic(Box::new(Elliptic {
         shape,
@@ -220,8 +239,9 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
         phase,
         from_pole,
         u,
-        velocity: [near, far],
-        other: [other_near, other_far],
+        velocity,
+        other: other.map(Wide::to_dd),
+        slope,
         scales: Scales { u: u_scale, velocity: velocity_scale, time },
     }));
     set_up

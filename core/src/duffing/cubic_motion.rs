@@ -16,11 +16,12 @@
 //! Source: DLMF 20.2, 22.2, 22.13(i).
 
 use super::cubic::Duffing;
-use super::cubic_course::{Course, Elliptic, Plain, Shape, Simple};
+use super::cubic_course::{Course, Elliptic, Shape};
+use super::cubic_plain::{Plainly, Straight};
 use crate::elliptic::phase::{Phase, alternating};
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
-use crate::float::elementary::{exp, quotient, saturated_sinh_cosh, sech};
+use crate::float::elementary::quotient;
 use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
 
 /// 2^53 half periods: beyond, doubles are further apart than the motion repeats.
@@ -32,7 +33,7 @@ const VELOCITY: bool = false;
 
 /// t rate + start, without reduction.
 #[inline(always)]
-fn counted<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
+pub(super) fn counted<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
     let (passed, error) = t.two_product(L::splat(phase.rate.hi));
     let error = t.mul_add(L::splat(phase.rate.lo), error);
     let (y, rest) = two_sum(passed, L::splat(phase.start.hi));
@@ -83,9 +84,10 @@ fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd
     if e.shape == Shape::SdOverC {
         let [t1, t2, t3, t4] = thetas;
         let (above, below) = (t1 * t3, t2 * t4);
-        let (dn, sn) = (t3.square().square(), t1.square().square());
-        let rising = (dn * factor).plain_sum(sn * pick::<L>(folded, &e.other));
-        return [[above * u_factor, below], [rising, below.square()]];
+        let dn = quotient(t3.square() * factor, below);
+        let sn = quotient(t1.square() * pick::<L>(folded, &e.other), below);
+        let rising = dn.square().plain_sum(sn.square()) * Dd::splat(e.slope);
+        return [[above * u_factor, below], [rising, Dd::from_double(L::splat(1.0))]];
     }
     let [above, below, left, right] = letters(e.shape, thetas);
     [[above * u_factor, below], [left * right * factor, below.square()]]
@@ -120,15 +122,9 @@ struct Bounded<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Duffing, &'a E
 /// An escape, likewise.
 struct Escape<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Duffing, &'a Elliptic);
 
-/// A hyperbolic motion.
-struct Plainly<'a, const FIRST: bool>(&'a Duffing, &'a Simple);
-
-/// No motion, or a straight line.
-struct Straight<'a, const FIRST: bool>(&'a Duffing);
-
 /// The start as it was given, at t = 0; what is wanted first.
 #[inline(always)]
-fn finished<const FIRST: bool, L: Lane>(orbit: &Duffing, t: L, u: L, velocity: L) -> [L; 2] {
+pub(super) fn finished<const FIRST: bool, L: Lane>(orbit: &Duffing, t: L, u: L, velocity: L) -> [L; 2] {
     let start = t.equal(L::splat(0.0));
     let u = L::select(start, L::splat(orbit.u0), u);
     let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
@@ -161,7 +157,7 @@ impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Es
         let Escape(orbit, e) = self;
         let f = counted(&e.phase, t * L::splat(e.scales.time));
         let half = L::splat(0.5);
-        // From the middle to both poles, or from one pole to the other: the distance from where the count began or ends.
+        // From the middle to both poles, or from one pole to the other: how far from the nearest end.
         let (sign, size, left) = if e.from_pole {
             let far = half.less(f.hi);
             let rest = Dd::sum(L::splat(1.0), -f.hi).plain_sum(Dd::new(-f.lo, L::splat(0.0)));
@@ -183,143 +179,6 @@ impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Es
         let velocity = quotient(rising, square).value() * (velocity_sign * L::splat(e.scales.velocity));
         let nan = L::splat(f64::NAN);
         finished::<FIRST, L>(orbit, t, L::select(inside, u, nan), L::select(inside, velocity, nan))
-    }
-}
-
-/// Beyond this hyperbolic phase every function has its limit; and where both exponentials no longer matter.
-const FAR: f64 = 1e6;
-const LEVEL: f64 = 40.0;
-/// Exponentials are taken in two halves, each in range.
-const HALF_END: f64 = 690.0;
-
-impl<const FIRST: bool> Plainly<'_, FIRST> {
-    /// y, held where nothing changes any more; infinite times too.
-    #[inline(always)]
-    fn argument<L: Lane>(&self, t: L) -> Dd<L> {
-        let Plainly(_, simple) = self;
-        let scaled = t * L::splat(simple.scales.time);
-        let y = counted(&simple.phase, scaled);
-        if simple.plain == Plain::Inverse {
-            return y;
-        }
-        let passed = scaled * L::splat(simple.phase.rate.hi);
-        let near = passed.abs().less(L::splat(FAR));
-        let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
-        Dd::select(near, y, Dd::from_double(far))
-    }
-}
-
-/// A e^y scale / 2 for y >= 0, to infinity without a stop on the way.
-#[inline(always)]
-fn half_exponential<L: Lane>(y: Dd<L>, amplitude: Dd, scale: f64) -> L {
-    let half = y.scale(L::splat(0.5));
-    let beyond = L::splat(HALF_END).less(half.hi);
-    let e = exp(Dd::select(beyond, Dd::from_double(L::splat(HALF_END)), half));
-    let first = (e * Dd::splat(amplitude)).scale(L::splat(0.5 * scale));
-    let value = (first * e).value();
-    // A product beyond the range is infinity minus infinity in its second word.
-    let plain = first.hi * e.hi;
-    L::select(plain.abs().less(L::splat(f64::MAX)), value, plain)
-}
-
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
-    #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
-        let Plainly(orbit, simple) = self;
-        let y = self.argument(t);
-        let one = L::splat(1.0);
-        let sign = one.copysign(y.hi);
-        let size = y.scale(sign);
-        let (a, b) = (Dd::splat(simple.u), Dd::splat(simple.velocity));
-        let (u_scale, velocity_scale) = (L::splat(simple.scales.u), L::splat(simple.scales.velocity));
-        let (u, velocity) = match simple.plain {
-            Plain::Sech => {
-                let (sinh, cosh) = saturated_sinh_cosh(size);
-                let (falling, power) = sech(size);
-                let velocity = -(falling * quotient(sinh, cosh) * b).value() * sign;
-                ((falling * a).value() * u_scale * power, velocity * velocity_scale * power)
-            }
-            Plain::Tanh => {
-                let (sinh, cosh) = saturated_sinh_cosh(size);
-                let (falling, power) = sech(size);
-                let velocity = (falling.square() * b).value() * velocity_scale * power * power;
-                ((quotient(sinh, cosh) * a).value() * (sign * u_scale), velocity)
-            }
-            Plain::Csch | Plain::Coth => {
-                let (sinh, cosh) = saturated_sinh_cosh(size);
-                let coth = quotient(cosh, sinh);
-                let (falling, power) = sech(size);
-                let inside = L::splat(0.0).less(y.hi);
-                let (u, u_power, velocity, velocity_power) = if simple.plain == Plain::Csch {
-                    (falling * coth, power, falling * coth.square(), power)
-                } else {
-                    (coth, one, (falling * coth).square(), power * power)
-                };
-                let nan = L::splat(f64::NAN);
-                let u = (u * a).value() * u_scale * u_power;
-                let velocity = -(velocity * b).value() * velocity_scale * velocity_power;
-                (L::select(inside, u, nan), L::select(inside, velocity, nan))
-            }
-            Plain::Inverse => {
-                let inside = L::splat(0.0).less(y.hi);
-                let nan = L::splat(f64::NAN);
-                let u = quotient(a, y).value() * u_scale;
-                let velocity = -quotient(b, y.square()).value() * velocity_scale;
-                (L::select(inside, u, nan), L::select(inside, velocity, nan))
-            }
-            Plain::Cosh | Plain::Sinh => {
-                let (sinh, cosh) = saturated_sinh_cosh(size);
-                let near = size.hi.less(L::splat(LEVEL));
-                let grown = |amplitude, scale| half_exponential(size, amplitude, scale);
-                let (far_u, far_v) =
-                    (grown(simple.u, simple.scales.u), grown(simple.velocity, simple.scales.velocity));
-                let (u, velocity) = if simple.plain == Plain::Cosh { (cosh, sinh) } else { (sinh, cosh) };
-                let u = L::select(near, (u * a).value() * u_scale, far_u);
-                let velocity = L::select(near, (velocity * b).value() * velocity_scale, far_v);
-                if simple.plain == Plain::Cosh { (u, velocity * sign) } else { (u * sign, velocity) }
-            }
-            Plain::Exp => {
-                let rises = L::splat(0.0).less(y.hi);
-                let two = L::splat(2.0);
-                let (falling, power) = sech(size);
-                let near = size.hi.less(L::splat(LEVEL));
-                let small = exp(Dd::select(near, y, Dd::from_double(L::splat(0.0))));
-                // Far below, e^-y is half of sech y.
-                let fallen = |amplitude: Dd<L>, scale: L| {
-                    (falling * amplitude).value() * L::splat(0.5) * scale * power
-                };
-                let both = |amplitude: Dd, scale: f64| {
-                    let far = half_exponential(size, amplitude, scale) * two;
-                    let low = fallen(Dd::splat(amplitude), L::splat(scale));
-                    let value = (small * Dd::splat(amplitude)).value() * L::splat(scale);
-                    L::select(near, value, L::select(rises, far, low))
-                };
-                (both(simple.u, simple.scales.u), both(simple.velocity, simple.scales.velocity))
-            }
-        };
-        let number = y.hi.equal(y.hi);
-        let [u, velocity] = [u, velocity].map(|value| L::select(number, value, L::splat(f64::NAN)));
-        finished::<FIRST, L>(orbit, t, u, velocity)
-    }
-}
-
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Straight<'_, FIRST> {
-    #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
-        let orbit = self.0;
-        // Zero, and NaN for t = NaN.
-        let nothing = L::select(t.equal(t), L::splat(0.0), t);
-        let velocity = L::splat(orbit.velocity0) + nothing;
-        let u = if matches!(orbit.course, Course::Still) {
-            L::splat(orbit.u0) + nothing
-        } else {
-            let (passed, error) = t.two_product(L::splat(orbit.velocity0));
-            let sum = Dd::sum(passed, L::splat(orbit.u0));
-            let exact = sum.hi + (sum.lo + error);
-            // Beyond the range the second words are infinity minus infinity.
-            L::select(sum.hi.abs().less(L::splat(f64::MAX)), exact, sum.hi)
-        };
-        finished::<FIRST, L>(orbit, t, u, velocity)
     }
 }
 
@@ -366,8 +225,8 @@ impl Duffing {
 
     /// u at t.
     ///
-    /// NaN at and beyond an escape, for times that are not finite (but for motions with a limit there), and more than 2^53
-    /// half periods away. **Error** at most 4 ulp of the largest |u| of a bounded orbit, of max(|u|, |u0|) else, plus
+    /// NaN at and beyond an escape, for times that are not finite (but for motions with a limit there), and more than
+    /// 2^53 half periods away. **Error** at most 4 ulp of the largest |u| of a bounded orbit, of max(|u|, |u0|) else, plus
     /// 2^-100 of the condition.
     pub fn u(&self, t: f64) -> f64 {
         let mut u = [0.0];

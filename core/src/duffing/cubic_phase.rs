@@ -13,6 +13,12 @@ use crate::elliptic::theta::Lattice;
 use crate::float::wide::{self, Wide};
 use crate::float::{Dd, LN_2};
 
+/// -ln of a value of any size above 0.
+pub(super) fn minus_ln(value: Wide) -> Dd {
+    let part = value.part();
+    LN_2.to_dd() * f64::from(-value.power()) - wide::ln(part.hi) - Dd::from(part.lo / part.hi)
+}
+
 /// R_F(x^2, y^2, z^2) from roots of any size, at most one of them 0.
 pub(super) fn rf(roots: [Wide; 3]) -> Wide {
     let [mut x, mut y, mut z] = roots;
@@ -26,9 +32,7 @@ pub(super) fn rf(roots: [Wide; 3]) -> Wide {
     let sum = x + y;
     let unit = if sum.power() < -CARRIED {
         // ln(8/(x + y)): beyond what a double-double holds.
-        let part = sum.part();
-        let rest = part.lo / part.hi;
-        LN_2.to_dd() * f64::from(3 - sum.power()) - wide::ln(part.hi) - Dd::from(rest)
+        minus_ln(sum) + LN_2.to_dd() * 3.0
     } else {
         rf_of_roots(x.to_dd(), y.to_dd())
     };
@@ -176,7 +180,7 @@ pub(super) fn half_periods(c: &Constants, canonical: &Canonical, lattice: &Latti
     }
 }
 
-/// Half periods of an escape at a place: from its pole or its middle, and which. From the middle with the sign that t has.
+/// Half periods of an escape at a place, from its pole or its middle, and which; from the middle with the sign of t.
 pub(super) fn escape_phase(
     c: &Constants,
     canonical: &Canonical,

@@ -1,7 +1,7 @@
 //! Motion of rows with states of their own: (t, u0, velocity0, p, q) each.
 //!
-//! A [`Duffing`] of the row, kept while the state repeats; NaN where an argument is not finite; panics where the lengths
-//! differ. Errors and digits are those of one orbit.
+//! A [`Duffing`] of the row, kept while the state repeats; NaN where an argument is not finite; panics where the
+//! lengths differ. Errors and digits are those of one orbit.
 
 use super::cubic::Duffing;
 

@@ -1,7 +1,7 @@
 //! When a value is passed: the inverse of the motion.
 //!
-//! With the velocity at the value from 2 u'^2 = 4E - 2 p u^2 - q u^4, a sum without rounding, its phase is that of a start
-//! there (cubic_course.rs), so passages keep their digits at zeros, turning points and next to escapes.
+//! With the velocity at the value from 2 u'^2 = 4E - 2 p u^2 - q u^4, a sum without rounding, its phase is that of a
+//! start there (cubic_phase.rs), so passages keep their digits at zeros, turning points and next to escapes.
 
 use super::cubic::{Constants, Duffing, Place};
 use super::cubic_course::{Course, Elliptic, Plain, Shape, Simple};
@@ -59,7 +59,7 @@ impl Duffing {
     /// | argument | domain |
     /// |---|---|
     /// | `u` | finite; none where the motion does not get, or only in infinite time |
-    /// | `start`, `stop` | `start` <= `stop`; with more than 10^7 passages between them, or beyond 2^53 half periods, an error |
+    /// | `start`, `stop` | `start` <= `stop`; at most 10^7 passages between them; within 2^53 half periods |
     ///
     /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {

@@ -181,8 +181,8 @@ impl Form {
 
     /// u and u' at t.
     ///
-    /// Beyond a pole the form goes on as pq does (the motion of an oscillator ends there). NaN for t that is not finite, as
-    /// 2^100 half periods away. **Error** at most 4 ulp, plus 2^-100 of the condition.
+    /// Beyond a pole the form goes on as pq does (the motion of an oscillator ends there). NaN for t that is not finite,
+    /// as 2^100 half periods away. **Error** at most 4 ulp, plus 2^-100 of the condition.
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let (mut u, mut velocity) = ([0.0], [0.0]);
         single(Fill { form: self, t: &[t], results: [&mut u, &mut velocity] });

@@ -2,8 +2,8 @@
 //!
 //! With m = sin^2(theta0/2) + velocity0^2/4 omega0^2, u = tan(theta/2) obeys u'' + p u + q u^3 = 0 with
 //!   p = omega0^2 (1 - 2m),  q = 2 omega0^2 (1 - m),  u0 = tan(theta0/2),  u'0 = velocity0/2 cos^2(theta0/2).
-//! So libration is a hardening spring, the separatrix the linear one (q = 0, p < 0: sinh), and rotation escapes whenever
-//! the pendulum is at the top: there, at theta = pi mod 2 pi, u is infinite, and one motion of u is one turn.
+//! So libration is a hardening spring, the separatrix the linear one (q = 0, p < 0: sinh), and rotation escapes
+//! whenever the pendulum is at the top: there, at theta = pi mod 2 pi, u is infinite, and one motion of u is one turn.
 //! Backwards, u = scale tan(theta/2) with q scale^2 = p + S or p - S and omega0^2 = S or -S, where that is positive.
 //! Source: Salas 2019 (5), (8), (11); (10) with its dots put right, docs/errata.
 

@@ -1,9 +1,10 @@
-//! u'' + p u + q u^3 = 0 from any start, in every regime; the twelve forms of its solution; and its link to the pendulum.
+//! u'' + p u + q u^3 = 0 from any start, in every regime; the twelve forms of its solution; its link to the pendulum.
 
 pub mod cubic;
 mod cubic_course;
 pub mod cubic_motion;
 mod cubic_phase;
+mod cubic_plain;
 pub mod cubic_states;
 pub mod cubic_time;
 pub mod forms;
