@@ -4,8 +4,10 @@ Run: python cubic_quintic.py
 """
 
 from fractions import Fraction
-from itertools import groupby, product as pairs
+from itertools import groupby
+from itertools import product as pairs
 
+import energy
 import exact
 import oscillator
 from oscillator_inputs import Draw, first, instants, numbered, product, root
@@ -86,7 +88,7 @@ def triple_over(draw):
 
 def shallow(draw):
     """Saddles at +-1 between wells of very different depth, or a well so flat that the roots of G come in pairs."""
-    for k in range(4):
+    for _k in range(4):
         saddle, gap, gamma = draw.number(-1, 1), draw.number(-20, -10), draw.number(-1, 1)
         well = saddle + gap
         force = gamma * saddle * well, -gamma * (saddle + well), gamma
@@ -129,7 +131,7 @@ def heteroclinic_zero(draw):
         u0 = draw.sign() * draw.short(2)
         # r = 0 asks for c^2 = -g y0
         c, g = abs(u0) * 2.0**k, -(4.0**k)
-        force, v0, r = double_root(u0 * u0, u0 * u0 + draw.short(), g, c)
+        force, v0, _r = double_root(u0 * u0, u0 * u0 + draw.short(), g, c)
         yield u0, draw.sign() * v0, *force
 
 
@@ -206,8 +208,7 @@ def escapes(draw, kind, count):
         orbit = u0, v0, *force
         if regime(orbit) != "escape":
             continue
-        _, ahead, behind, _ = oscillator.clock(u0, v0, force)
-        low, high = oscillator.Orbit((Fraction(u0), Fraction(v0)), tuple(map(Fraction, force))).ends()
+        low, high = energy.Orbit((Fraction(u0), Fraction(v0)), tuple(map(Fraction, force))).ends()
         if (kind == "turn") == (low is not None or high is not None):
             found += 1
             yield orbit
@@ -250,7 +251,11 @@ def scales(draw):
     for length, rate in ((1e60, 1.0), (1e-60, 1.0), (1.0, 1e100), (1.0, 1e-100), (1e30, 1e-30)):
         for pattern in ((1, -1, 1), (1, -1, -1), (-1, 1, 1), (-1, 1, -1)):
             u0, v0 = draw.sign() * draw.number(-2, 1) * length, draw.sign() * draw.number(-2, 0) * length * rate
-            units = [rate * rate, (rate / length) * (rate / length), (rate / length / length) * (rate / length / length)]
+            units = [
+                rate * rate,
+                (rate / length) * (rate / length),
+                (rate / length / length) * (rate / length / length),
+            ]
             yield u0, v0, *(sign * draw.number() * unit for sign, unit in zip(pattern, units, strict=True))
 
 

@@ -62,7 +62,10 @@ def wp(t, g2, g3):
 def motion(start, force, t):
     """(x, x') as balls at the working precision, all arguments rationals or balls; None if too wide."""
     f, x0, v0 = quartic(start, force)
-    ball_of = lambda x: x if isinstance(x, arb) else ball(x)
+
+    def ball_of(x):
+        return x if isinstance(x, arb) else ball(x)
+
     f, x0, v0 = list(map(ball_of, f)), ball_of(x0), ball_of(v0)
     d = [f]
     for _ in range(4):
@@ -74,7 +77,13 @@ def motion(start, force, t):
             total = total * x0 + c
         at.append(total)
     g2 = f[0] * f[4] - f[1] * f[3] / 4 + f[2] * f[2] / 12
-    g3 = f[0] * f[2] * f[4] / 6 + f[1] * f[2] * f[3] / 48 - f[2] ** 3 / 216 - f[0] * f[3] ** 2 / 16 - f[1] ** 2 * f[4] / 16
+    g3 = (
+        f[0] * f[2] * f[4] / 6
+        + f[1] * f[2] * f[3] / 48
+        - f[2] ** 3 / 216
+        - f[0] * f[3] ** 2 / 16
+        - f[1] ** 2 * f[4] / 16
+    )
     found = wp(ball_of(t), g2, g3)
     if found is None:
         return None
@@ -147,7 +156,10 @@ def wrong(row):
         found += [name for name, x, y in (("u", u, u0), ("velocity", v, v0)) if x != y]
     else:
         x, y = (u, v) if c == 0 else (u**2, 2 * u * v)
-        pick = lambda k: lambda: (motion(start, force, t) or (None, None))[k]
+
+        def pick(k):
+            return lambda: (motion(start, force, t) or (None, None))[k]
+
         # u^2 and 2 u u' double the relative errors
         if not inside(pick(0), x, 0 if c == 0 else 4 * abs(x)):
             found.append("u")
@@ -227,8 +239,13 @@ def bounds(row, start, force, energy):
     a, b, c = force
     if row["regime"] == "rest":
         return [name for name in ("low", "high") if truth(row, name) != start[0]]
-    kinetic = lambda u: ball(2 * energy - a * u**2 - b * u**4 / 2 - c * u**6 / 3)
-    pull = lambda u: ball(a + b * u**2 + c * u**4)
+
+    def kinetic(u):
+        return ball(2 * energy - a * u**2 - b * u**4 / 2 - c * u**6 / 3)
+
+    def pull(u):
+        return ball(a + b * u**2 + c * u**4)
+
     for name, side in (("low", -1), ("high", 1)):
         end = truth(row, name)
         if not isinstance(end, Fraction):
@@ -254,7 +271,6 @@ def changes_any(functions, end):
     return False
 
 
-
 def slopes_wrong(row):
     """The condition columns of the row that central differences contradict."""
     (u0, v0), (a, b, c), t = parts(row)
@@ -262,7 +278,9 @@ def slopes_wrong(row):
     found = []
     u = truth(row, "u")
     plain, place = c == 0, by_place((u0, v0), (a, b, c))
-    whole = lambda values: motion(values[:2], (*values[2:-1], Fraction(0))[:3], values[-1])
+
+    def whole(values):
+        return motion(values[:2], (*values[2:-1], Fraction(0))[:3], values[-1])
 
     def state(values):
         moved = whole(values)

@@ -23,7 +23,7 @@ def hardening(draw):
 
 def above(draw):
     """Over the barrier of the double well."""
-    for k in range(12):
+    for _k in range(12):
         p, q = -draw.number(), draw.number()
         u0 = draw.sign() * draw.number(-3, 1)
         level = max(Fraction(0), -Fraction(p) * Fraction(u0) ** 2 - Fraction(q) * Fraction(u0) ** 4 / 2)
@@ -58,7 +58,7 @@ def well_bottom(draw):
         p, q = -draw.number(), draw.number()
         u0 = draw.sign() * root(-Fraction(p) / Fraction(q))
         yield u0, draw.sign() * draw.number(-30, -20) if k % 2 else 0.0, p, q
-    for k in range(2):
+    for _ in range(2):
         yield draw.number(-40, -20), draw.sign() * draw.number(-40, -20), draw.number(), draw.sign() * draw.number()
 
 
@@ -66,7 +66,7 @@ def homoclinic(draw):
     """E = 0 exactly: p = -(v0/u0)^2 - q u0^2 / 2 is a double for short numbers."""
     yield 1.0, 0.0, -0.5, 1.0
     yield -2.0, 0.0, -2.0, 1.0
-    for k in range(7):
+    for _k in range(7):
         u0, ratio, q = draw.sign() * draw.short(2), draw.sign() * draw.short(), draw.short()
         yield u0, u0 * ratio, -ratio * ratio - q * u0 * u0 / 2, q
 
@@ -150,7 +150,7 @@ def escape_zero(draw):
     yield -2.0, 2.0, 1.0, -1.0
     yield 1.0, -2.0, 0.0, -8.0
     yield 2.0, 2.0, 0.0, -0.5
-    for k in range(6):
+    for _k in range(6):
         u0, ratio, q = draw.sign() * draw.short(2), draw.sign() * draw.short(), -draw.short()
         yield u0, u0 * ratio, -ratio * ratio - q * u0 * u0 / 2, q
 
@@ -255,7 +255,12 @@ def inputs():
     add("start_zero", start_zero(draw), 3, "libration escape")
     add("scales", scales(draw), 2, "libration well escape")
     add("disparate", disparate(draw), 3, "libration well escape")
-    for orbit in [*first(hardening(draw), 3), *first(above(draw), 2), *first(softening(draw), 3), *first(one_well(draw), 3)]:
+    for orbit in [
+        *first(hardening(draw), 3),
+        *first(above(draw), 2),
+        *first(softening(draw), 3),
+        *first(one_well(draw), 3),
+    ]:
         period = oscillator.clock(*orbit[:2], orbit[2:])[0]
         for turns in (1e3, 1e6, 1e9):
             rows.append(("long", *orbit, product(period, draw.sign() * turns * (1 + draw.part()))))

@@ -121,7 +121,10 @@ class Sweep:
         zero, one = 0, 1 << bits
         first = [(one, 0), (0, one), (0, 0)][:slopes]
         E = self.energy
-        of = lambda value: fixed(value, bits)
+
+        def of(value):
+            return fixed(value, bits)
+
         self.charts = {
             "plain": (odd_series, list(map(of, c)), [(0, 0, 0), (0, 0, 0), (0, 0, one)][:slopes]),
             "reciprocal": (odd_series, [of(c1), of(-4 * E), 0], [(zero, of(-4 * e), 0) for e in by_energy]),
