@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import groupby
 from itertools import product as pairs
 
+import energy
 import exact
 import oscillator
 from oscillator_inputs import Draw, first, instants, numbered, product, root
@@ -87,7 +88,7 @@ def triple_over(draw):
 
 def shallow(draw):
     """Saddles at +-1 between wells of very different depth, or a well so flat that the roots of G come in pairs."""
-    for _ in range(4):
+    for _k in range(4):
         saddle, gap, gamma = draw.number(-1, 1), draw.number(-20, -10), draw.number(-1, 1)
         well = saddle + gap
         force = gamma * saddle * well, -gamma * (saddle + well), gamma
@@ -207,8 +208,7 @@ def escapes(draw, kind, count):
         orbit = u0, v0, *force
         if regime(orbit) != "escape":
             continue
-        _, _ahead, _behind, _ = oscillator.clock(u0, v0, force)
-        low, high = oscillator.Orbit((Fraction(u0), Fraction(v0)), tuple(map(Fraction, force))).ends()
+        low, high = energy.Orbit((Fraction(u0), Fraction(v0)), tuple(map(Fraction, force))).ends()
         if (kind == "turn") == (low is not None or high is not None):
             found += 1
             yield orbit

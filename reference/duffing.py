@@ -23,7 +23,7 @@ def hardening(draw):
 
 def above(draw):
     """Over the barrier of the double well."""
-    for _ in range(12):
+    for _k in range(12):
         p, q = -draw.number(), draw.number()
         u0 = draw.sign() * draw.number(-3, 1)
         level = max(Fraction(0), -Fraction(p) * Fraction(u0) ** 2 - Fraction(q) * Fraction(u0) ** 4 / 2)
@@ -66,7 +66,7 @@ def homoclinic(draw):
     """E = 0 exactly: p = -(v0/u0)^2 - q u0^2 / 2 is a double for short numbers."""
     yield 1.0, 0.0, -0.5, 1.0
     yield -2.0, 0.0, -2.0, 1.0
-    for _ in range(7):
+    for _k in range(7):
         u0, ratio, q = draw.sign() * draw.short(2), draw.sign() * draw.short(), draw.short()
         yield u0, u0 * ratio, -ratio * ratio - q * u0 * u0 / 2, q
 
