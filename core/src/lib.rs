@@ -10,6 +10,7 @@
 //! | its derivatives by start and force | [`Sensitivity`] |
 //! | one state a step later | [`advance`] |
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
+//! | u'' + alpha u + beta u^3 + gamma u^5 = 0 | [`CubicQuintic`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
 //! | sn, cn, dn of complex u | [`JacobiComplex`] |
@@ -30,7 +31,7 @@ pub mod pendulum;
 mod domain;
 
 pub use domain::Domain;
-pub use duffing::{Duffing, Form};
+pub use duffing::{CubicQuintic, Duffing, Form};
 pub use elliptic::{
     Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf,
     carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,

@@ -173,7 +173,7 @@ fn time_of(phase: &Phase, scale: f64, at: Dd) -> f64 {
 }
 
 /// Times from `start` to `stop` of phases that repeat every `spacing` half periods, rising.
-fn repeated(
+pub(super) fn repeated(
     phase: &Phase,
     scale: f64,
     phases: &[Dd],
