@@ -14,6 +14,7 @@ Examples
 from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
+from .cubic_quintic import CubicQuintic
 from .derivatives import sensitivities
 from .duffing import Duffing, duffing_motion
 from .duffing_form import DuffingForm
@@ -46,6 +47,7 @@ from .pendulum import Pendulum, Regime
 from .series import Fourier, harmonic_distortion
 
 __all__ = [
+    "CubicQuintic",
     "Duffing",
     "DuffingForm",
     "Fourier",

@@ -3,6 +3,7 @@ from typing import final
 import numpy as np
 
 __all__ = [
+    "CubicQuintic",
     "Duffing",
     "DuffingForm",
     "Orbit",
@@ -67,6 +68,9 @@ __all__ = [
     "cs_k",
     "cs_m",
     "cs_mc",
+    "cubic_quintic_motion",
+    "cubic_quintic_u",
+    "cubic_quintic_velocity",
     "dc_k",
     "dc_m",
     "dc_mc",
@@ -231,6 +235,9 @@ dn_mc: np.ufunc
 ds_k: np.ufunc
 ds_m: np.ufunc
 ds_mc: np.ufunc
+cubic_quintic_motion: np.ufunc
+cubic_quintic_u: np.ufunc
+cubic_quintic_velocity: np.ufunc
 duffing_motion: np.ufunc
 duffing_u: np.ufunc
 duffing_velocity: np.ufunc
@@ -371,6 +378,32 @@ class Orbit:
     def frequency(self) -> float: ...
     @property
     def distortion(self) -> float: ...
+
+@final
+class CubicQuintic:
+    def __new__(cls, u0: float, velocity0: float, alpha: float, beta: float, gamma: float) -> CubicQuintic: ...
+    @property
+    def operands(self) -> list[float]: ...
+    @property
+    def u0(self) -> float: ...
+    @property
+    def velocity0(self) -> float: ...
+    @property
+    def regime(self) -> str: ...
+    @property
+    def period(self) -> float: ...
+    @property
+    def range(self) -> tuple[float, float]: ...
+    @property
+    def energy(self) -> float: ...
+    @property
+    def escape_time(self) -> float: ...
+    @property
+    def escape_time_backward(self) -> float: ...
+    def u(self, /, t: float) -> np.float64: ...
+    def velocity(self, /, t: float) -> np.float64: ...
+    def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
+    def times(self, /, u: float, start: float, stop: float) -> np.ndarray: ...
 
 @final
 class Duffing:

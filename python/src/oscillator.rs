@@ -1,6 +1,6 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
-use libration::duffing::{Companion, Duffing as Cubic, Form};
+use libration::duffing::{Companion, CubicQuintic as Quintic, Duffing as Cubic, Form};
 use libration::{Frequency, Glaisher};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
@@ -115,6 +115,15 @@ macro_rules! oscillator {
 }
 
 oscillator!(Duffing, Cubic, "u'' + p u + q u^3 = 0: what `libration.Duffing` stands on.", p, q);
+oscillator!(
+    CubicQuintic,
+    Quintic,
+    "u'' + alpha u + beta u^3 + gamma u^5 = 0: what `libration.CubicQuintic` stands on.",
+    alpha,
+    beta,
+    gamma
+);
+
 /// u0, velocity0, p and q of u = tan(theta/2) for a pendulum.
 #[pyfunction]
 #[pyo3(signature = (theta0, velocity0, omega0=None, omega2=None, length=None, gravity=None))]
@@ -231,8 +240,13 @@ macro_rules! kernels {
 /// Adds the classes and the ufuncs.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Duffing>()?;
+    module.add_class::<CubicQuintic>()?;
     module.add_class::<DuffingForm>()?;
     module.add_function(wrap_pyfunction!(duffing_of_pendulum, module)?)?;
     module.add_function(wrap_pyfunction!(pendulum_of_duffing, module)?)?;
-    kernels!(module, "duffing", Cubic, |[u0, velocity0, p, q]: [f64; 4]| Cubic::new(u0, velocity0, p, q).ok())
+    kernels!(module, "duffing", Cubic, |[u0, velocity0, p, q]: [f64; 4]| Cubic::new(u0, velocity0, p, q)
+        .ok())?;
+    kernels!(module, "cubic_quintic", Quintic, |[u0, velocity0, alpha, beta, gamma]: [f64; 5]| {
+        Quintic::new(u0, velocity0, alpha, beta, gamma).ok()
+    })
 }

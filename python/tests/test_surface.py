@@ -30,7 +30,7 @@ def test_close_sees_nan_signs_and_negative_truth():
 
 def test_every_public_name_is_there_and_documented():
     names = [
-        "Duffing DuffingForm Fourier JacobiComplexValues JacobiValues OscillatorRegime Pendulum Regime",
+        "CubicQuintic Duffing DuffingForm Fourier JacobiComplexValues JacobiValues OscillatorRegime Pendulum Regime",
         "__version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
         "complete_pi duffing_motion frequency from_action_phase harmonic_distortion heuman_lambda",
         "incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex jacobi_epsilon jacobi_zeta motion nome",

@@ -15,7 +15,7 @@
 //!
 //! Source: derived from v'^2 = 4 C(v) of quintic_marks.rs; DLMF 22.8, 22.13(i).
 
-use super::cubic_course::sign;
+use super::cubic_phase::sign;
 use super::quintic_exact::Exact;
 use super::quintic_level::{Level, level};
 use super::quintic_marks::{Form, Mark, Marks};

@@ -5,7 +5,7 @@
 //! cancellation; the time to the pole is u R_C(s^2, s^2 + alpha u^2), s = |u'| + u^3 sqrt(-gamma/3).
 //! Source: elementary; DLMF 19.2(iv).
 
-use super::cubic_course::rf;
+use super::cubic_phase::rf;
 use super::quintic_course::{Outline, Spring, Way};
 use super::quintic_exact::Exact;
 use super::quintic_marks::{Form, Mark};

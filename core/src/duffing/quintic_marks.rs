@@ -8,7 +8,7 @@
 //! and with a complex pair the argument is half of that of cn = (V - H)/(V + H), V = |v - v0|, H^2 = |C'(v0)/2E|.
 //! Source: DLMF 19.29.4, 19.25(v); Carlson, Math. Comp. 56 (1991) 267, (2.1).
 
-use super::cubic_course::rf;
+use super::cubic_phase::rf;
 use super::quintic_exact::Exact;
 use super::quintic_roots::{Cubic, Distances, less};
 use crate::float::wide::Wide;

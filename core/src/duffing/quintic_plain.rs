@@ -5,7 +5,7 @@
 //! sech, sinh and 1, or x and 1.
 //! Source: the limits m = 1 and 2K = infinite of quintic_course.rs, DLMF 22.5(ii).
 
-use super::cubic_course::signed;
+use super::cubic_phase::signed;
 use super::quintic_course::Way;
 use super::quintic_marks::{Form, Mark, Marks};
 use super::quintic_roots::Distances;

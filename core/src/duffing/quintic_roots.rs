@@ -7,7 +7,7 @@
 //! the roots themselves.
 //! Source: DLMF 1.11(iii).
 
-use super::cubic_course::rf;
+use super::cubic_phase::rf;
 use super::quintic_exact::Exact;
 use crate::float::Dd;
 use crate::float::elementary::long_sin_cos;
