@@ -36,7 +36,7 @@ use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
 /// ```
 /// use libration::{Form, Glaisher};
 /// let form = Form::new(Glaisher::Cn, 1.0, 1.0, 1.0, 0.0)?;
-/// assert_eq!(format!("{:.9} {:.9}", form.u(1.0), form.rate()), "0.251096262 1.414213562");
+/// assert_eq!(format!("{:.9} {:.9}", form.u(1.0), form.rate()), "0.233691791 1.414213562");
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
