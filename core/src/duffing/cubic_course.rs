@@ -120,8 +120,9 @@ fn phase(rate: Wide, start: Wide) -> (Phase, f64) {
 /// Where k' leaves the range of its inverse: K is ln(4/k') long before.
 const LEAST: i32 = -900;
 
-fn lattice(canonical: &Canonical) -> Lattice {
-    let kc = canonical.mc.sqrt();
+/// Of any m and 1 - m.
+pub(super) fn lattice(m: Wide, mc: Wide) -> Lattice {
+    let kc = mc.sqrt();
     if kc.power() < LEAST {
         let mut limit = Lattice::new(Dd::ONE, Dd::ZERO, Dd::ONE, Dd::from(ldexp(1.0, LEAST)));
         let quarter = minus_ln(kc.shift(-2));
@@ -129,8 +130,7 @@ fn lattice(canonical: &Canonical) -> Lattice {
         (limit.quarter, limit.kc) = (quarter, kc.to_dd());
         return limit;
     }
-    let [m, mc] = [canonical.m, canonical.mc].map(Wide::to_dd);
-    Lattice::new(m, mc, canonical.m.sqrt().to_dd(), kc.to_dd())
+    Lattice::new(m.to_dd(), mc.to_dd(), m.sqrt().to_dd(), kc.to_dd())
 }
 
 /// Factors of u, of the velocity, and of sn^4, counted from 0 and from K; with the signs of u and of the velocity.
@@ -167,7 +167,7 @@ fn on_side(inner: Wide, outer: Wide, side: f64) -> [Wide; 2] {
 
 fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
     let canonical = c.canonical(shape);
-    let lattice = lattice(&canonical);
+    let lattice = lattice(canonical.m, canonical.mc);
     let side = match shape {
         // The canonical motion goes upwards, or is above 0.
         Shape::Cn | Shape::Sn | Shape::Sc | Shape::SdOverC => sign(start.velocity),

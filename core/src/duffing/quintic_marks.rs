@@ -8,7 +8,7 @@
 //! and with a complex pair the argument is half of that of cn = (V - H)/(V + H), V = |v - v0|, H^2 = |C'(v0)/2E|.
 //! Source: DLMF 19.29.4, 19.25(v); Carlson, Math. Comp. 56 (1991) 267, (2.1).
 
-use super::cubic_phase::rf;
+use super::cubic_phase::{artanh, rf};
 use super::quintic_exact::Exact;
 use super::quintic_roots::{Cubic, Distances, less};
 use crate::float::wide::Wide;
@@ -62,8 +62,7 @@ pub(super) struct Marks {
 
 /// artanh of sqrt(t/n) with 1 - t/n = s/n.
 fn artanh_of_squares(t: Wide, s: Wide, n: Wide) -> Wide {
-    let root = (s / n).sqrt();
-    (t / n).sqrt() * rf([Wide::ONE, root, root])
+    artanh((t / n).sqrt(), (s / n).sqrt())
 }
 
 impl Marks {

@@ -14,18 +14,19 @@
 //!
 //! Source: DLMF 20.2, 22.2, 22.13(i).
 
+use super::cubic_course::lattice;
 use super::cubic_motion::LAST_HALF_PERIOD;
 use super::quintic_course::{Outline, Way};
 use super::quintic_marks::{Form, Mark, Marks};
 use super::quintic_roots::Distances;
 use crate::elliptic::phase::{Phase, alternating};
 use crate::elliptic::theta::{Lattice, Thetas};
+use crate::float::Dd;
 use crate::float::double_double::two_sum;
 use crate::float::elementary::quotient;
 use crate::float::loose::Loose;
 use crate::float::scaling::ldexp;
 use crate::float::wide::Wide;
-use crate::float::{Dd, LN_2};
 use crate::lanes::Lane;
 
 /// The poles of an escape: argument to the one ahead at any time, and of both, in half periods.
@@ -75,27 +76,6 @@ pub(super) struct Factors {
     pub pole: Option<Wide>,
 }
 
-/// Below this power of two k' is kept from a lattice's own mean; K = ln(4/k') beyond.
-const LEAST: i32 = -900;
-
-/// The lattice of m and 1 - m of any size, and 2K.
-fn wide_lattice(m: Wide, mc: Wide) -> (Lattice, Wide) {
-    let kc = mc.sqrt();
-    if kc.power() >= LEAST {
-        let lattice = Lattice::new(m.to_dd(), mc.to_dd(), m.sqrt().to_dd(), kc.to_dd());
-        let half = Wide::from(lattice.quarter).shift(1);
-        return (lattice, half);
-    }
-    // Each power of two of 1/k' more makes K larger by ln 2; K' stays pi/2.
-    let kept = kc.shift(LEAST - kc.power());
-    let mut lattice = Lattice::new(Dd::ONE, Dd::ZERO, Dd::ONE, kept.to_dd());
-    lattice.quarter = lattice.quarter + LN_2.to_dd() * f64::from(LEAST - kc.power());
-    lattice.angle = lattice.quarter.scale(2.0);
-    lattice.kc = kc.to_dd();
-    let half = Wide::from(lattice.quarter).shift(1);
-    (lattice, half)
-}
-
 fn power_of(values: &[Wide]) -> i32 {
     values.iter().filter(|value| !value.is_zero()).map(|value| value.power()).max().unwrap_or(0)
 }
@@ -136,7 +116,8 @@ pub(super) fn theta(marks: &Marks, outline: &Outline, start: Mark, way: Way) -> 
 impl Theta {
     pub fn new(factors: &Factors, start: Mark, way: Way) -> (Theta, Wide) {
         let Factors { form, m, mc, omega, squares: [l, q], velocity, pole } = *factors;
-        let (lattice, half) = wide_lattice(m, mc);
+        let lattice = lattice(m, mc);
+        let half = Wide::from(lattice.quarter).shift(1);
         let t = Wide::from(lattice.theta1_factor);
         let square = t.square();
         let one = Wide::ONE;

@@ -9,6 +9,7 @@ use super::quintic_course::Course;
 use super::quintic_exact::Exact;
 use super::quintic_marks::Mark;
 use crate::domain::Domain;
+use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::wide::Wide;
 
@@ -55,12 +56,16 @@ impl CubicQuintic {
             Course::Still => Vec::new(),
             Course::Theta(theta) if theta.repeats() => {
                 let at = theta.in_half_periods(mark).base.to_dd();
-                let at = if mirrored { -at } else { at };
-                // Odd: mirrored about the turning point half a half period on; even: about the base.
-                let (spacing, other) = if crosses { (2.0, Dd::ONE - at) } else { (1.0, -at) };
-                let phases = if turns { vec![at] } else { vec![at, other] };
                 let (phase, scale) = theta.clock();
-                return repeated(phase, scale, &phases, spacing, start, stop);
+                // The count of repetitions rises with time.
+                let falls = phase.rate.hi < 0.0;
+                let phase = if falls { Phase { rate: -phase.rate, start: -phase.start } } else { *phase };
+                let at = if mirrored != falls { -at } else { at };
+                // Odd: mirrored about the turning point half a half period on; even: about the base.
+                let middle = if falls { -Dd::ONE } else { Dd::ONE };
+                let (spacing, other) = if crosses { (2.0, middle - at) } else { (1.0, -at) };
+                let phases = if turns { vec![at] } else { vec![at, other] };
+                return repeated(&phase, scale, &phases, spacing, start, stop);
             }
             Course::Theta(theta) => {
                 passages(theta.in_half_periods(mark), crosses, mirrored, turns, theta.rates())
