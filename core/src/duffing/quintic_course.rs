@@ -49,7 +49,7 @@ pub(super) struct Way {
 #[derive(Clone, Debug)]
 pub(super) enum Marker {
     Energy(Box<Marks>),
-    Level(Level),
+    Level(Box<Level>),
 }
 
 #[derive(Clone, Debug)]
@@ -258,7 +258,7 @@ pub(super) fn course(spring: &Spring, u: f64, velocity: f64, force: [f64; 3]) ->
     let (marker, outline) = if spring.a.sign() == 0 {
         let level = level(spring, &y);
         let outline = level.outline();
-        (Marker::Level(level), outline)
+        (Marker::Level(Box::new(level)), outline)
     } else {
         let marks = marks(spring, &y);
         let outline = marks.outline();
