@@ -86,13 +86,9 @@ impl Orbit {
     }
 
     /// The first `n` amplitudes of angle and velocity.
-    fn fourier<'py>(
-        &self,
-        py: Python<'py>,
-        n: i64,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    fn fourier<'py>(&self, py: Python<'py>, n: i64) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
         let Fourier { theta, velocity } = py.detach(|| self.orbit.fourier(n)).map_err(refused)?;
-        Ok((theta.into_pyarray(py), velocity.into_pyarray(py)))
+        Ok([theta.into_pyarray(py), velocity.into_pyarray(py)])
     }
 
     /// Angle and velocity with an action and a phase.
