@@ -31,8 +31,8 @@ pub(super) fn rf(roots: [Wide; 3]) -> Wide {
     let (x, y) = (x / z, y / z);
     let sum = x + y;
     let unit = if sum.power() < -CARRIED {
-        // ln(8/(x + y)): beyond what a double-double holds.
-        minus_ln(sum) + LN_2.to_dd() * 3.0
+        // ln(4/(x + y)): beyond what a double-double holds.
+        minus_ln(sum) + LN_2.to_dd() * 2.0
     } else {
         rf_of_roots(x.to_dd(), y.to_dd())
     };

@@ -6,7 +6,7 @@
 //! Source: DLMF 19.26.18, 19.26.22, 19.36.1, 19.36.2; Carlson, Numer. Algorithms 10 (1995) 13.
 
 use super::agm::quarter_period;
-use crate::float::{Dd, LN_2};
+use crate::float::Dd;
 
 /// The next term of the series is of eighth order: 2^-112.
 const CLOSE: f64 = 6.1e-5;
@@ -57,11 +57,11 @@ pub fn rf(x: Dd, y: Dd, z: Dd) -> Dd {
 }
 
 /// R_F(x^2, y^2, 1) from the roots, whose squares may be below the range: one duplication by hand, or, where
-/// both are tiny, ln(8/(x + y)) as a complete integral.
+/// both are tiny, ln(4/(x + y)) as a complete integral (DLMF 19.27.1).
 pub fn rf_of_roots(x: Dd, y: Dd) -> Dd {
     let sum = x + y;
     if sum.hi < 1e-100 {
-        return quarter_period(sum) + LN_2.to_dd();
+        return quarter_period(sum);
     }
     let shift = x * (y + Dd::ONE) + y;
     let next = |root: Dd| (root.square() + shift).scale(0.25);
@@ -177,5 +177,20 @@ pub fn rj(x: Dd, y: Dd, z: Dd, p: Dd) -> Dd {
         y = (y + shift).scale(0.25);
         z = (z + shift).scale(0.25);
         p = (p + shift).scale(0.25);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both sides of the seam of [`rf_of_roots`]: halving both roots adds ln 2, up to their squares.
+    #[test]
+    fn tiny_roots_have_no_seam() {
+        for (x, y) in [(0.0, 1.9e-100), (1.3e-100, 0.6e-100), (0.95e-100, 0.95e-100)] {
+            let [above, below] = [1.0, 0.5].map(|k| rf_of_roots(Dd::from(k * x), Dd::from(k * y)));
+            let step = (below - above).value();
+            assert!((step - core::f64::consts::LN_2).abs() < 1e-15, "{x} {y} {step}");
+        }
     }
 }
