@@ -69,7 +69,7 @@ enum Kind {
 /// use libration::{Frequency, Orbit, Sensitivity};
 /// let orbit = Orbit::new(3.0, 0.0, Frequency::from_omega0(1.0)?)?;
 /// let [angle, _] = Sensitivity::new(&orbit).at(5.0);
-/// assert_eq!(angle.map(|slope| format!("{slope:.6}")).join(" "), "9.817411 -8.857867 -6.984785");
+/// assert_eq!(angle.map(|slope| format!("{slope:.6}")).join(" "), "9.258339 9.427493 -6.652040");
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
