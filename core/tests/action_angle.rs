@@ -103,8 +103,7 @@ fn the_slope_of_the_action_is_the_inverse_frequency() {
 fn there_and_back() {
     let mut worst: f64 = 0.0;
     for (i, orbit) in orbits(4000).enumerate() {
-        let direction =
-            if orbit.regime() == Regime::Rotation { orbit.frequency().signum() } else { 0.0 };
+        let direction = if orbit.regime() == Regime::Rotation { orbit.frequency().signum() } else { 0.0 };
         let t = if i % 2 == 0 { 0.0 } else { 0.7 };
         let (theta, velocity) = orbit.motion(t);
         let (back, speed) = state_of(orbit.action(), orbit.phase(t), direction, force(1.3)).unwrap();
@@ -152,7 +151,8 @@ fn corners_of_action_and_phase() {
     assert_eq!(refused(1.0, 0.0, 2.0), "direction = 2.0: must be 0, 1 or -1");
     // Upside down: the same about the other equilibrium.
     let hanging = Frequency::from_omega2(-1.69).unwrap();
-    for (action, phase, direction) in [(1.0, 0.4, 0.0), (1.0, -2.0, 0.0), (3.0, 0.4, 1.0), (5.0, -9.0, -1.0)] {
+    for (action, phase, direction) in [(1.0, 0.4, 0.0), (1.0, -2.0, 0.0), (3.0, 0.4, 1.0), (5.0, -9.0, -1.0)]
+    {
         let orbit = Orbit::from_action_phase(action, phase, direction, hanging).unwrap();
         assert!((orbit.action() / action - 1.0).abs() < 1e-14);
         assert!((orbit.phase(0.0) - phase).abs() < 1e-14, "{} {phase}", orbit.phase(0.0));

@@ -275,7 +275,12 @@ impl Sensitivity {
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: false, parameter, lattice, shift };
                 let start = periodic.solutions([s / k, x / k, c]);
-                Sensitivity { kind: Kind::Periodic(Box::new(periodic)), phase: elliptic.phase, start, ..common }
+                Sensitivity {
+                    kind: Kind::Periodic(Box::new(periodic)),
+                    phase: elliptic.phase,
+                    start,
+                    ..common
+                }
             }
             Course::Rotation(elliptic) => {
                 let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
