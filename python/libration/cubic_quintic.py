@@ -39,6 +39,7 @@ class CubicQuintic(Oscillator):
     >>> import libration
     >>> spring = libration.CubicQuintic(1.0, alpha=1.0, beta=-0.5, gamma=0.1)
     >>> print(spring.regime, f"{spring.period:.6f}")
+    libration 7.603173
     """
 
     __slots__ = ()
