@@ -14,11 +14,11 @@ export MPLBACKEND := Agg
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 unexport PYTHONPATH CONDA_PREFIX
 
-.PHONY: help run test bench bench-full accuracy docs wheel format lint clean setup
+.PHONY: help run test bench bench-full bench-elliptic accuracy docs wheel format lint clean setup
 .NOTPARALLEL:
 
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-10s", $$1; $$1=""; print}'
+	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
 
 # ---------------------------------------------------------------------------------------------- set-up
 
@@ -65,9 +65,13 @@ bench: $(VENV)/.built $(VENV)/.rivals ## time and error of libration and its riv
 bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes and horizons, as long as it takes
 	@$(PY) bench/run.py --full
 
+bench-elliptic: $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's, in five minutes: docs/elliptic.md
+	@$(PY) bench/elliptic.py
+
 docs: $(VENV)/.built ## write every generated page, table and picture
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot docs/motion.png
+	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
 
 wheel: $(VENV)/.built ## a wheel for this machine in dist/
@@ -120,7 +124,7 @@ TYPES := mypy --no-error-summary python/libration
 LAWS := for law in rooms names functions pages links; do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed"
 PAGES := $(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py
 
-BENCH := pytest $(QUIET) bench && $(PY) bench/page.py --check
+BENCH := pytest $(QUIET) bench && $(PY) bench/page.py --check && $(PY) bench/elliptic.py --check
 
 # `pip install .` as a user has it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh

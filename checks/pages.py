@@ -9,6 +9,8 @@ from tree import files, finish
 SOURCES = (".rs", ".py", ".pyi", ".md", ".toml", ".sh", ".yml", ".cff")
 BLOCK = re.compile(r"<!-- generated: (\S+) -->\n(.*?)<!-- end generated -->", re.DOTALL)
 LONGEST = 400
+# A row, a section, a line for every function, however many there are.
+TABLES = {"functions.toml", "docs/functions.md", "python/libration/_core.pyi"}
 WORDS = [
     (r"\b(TO" + r"DO|FIX" + r"ME|XX" + r"X)\b", "unfinished work does not stand in main"),
     (
@@ -27,7 +29,7 @@ def findings(root: Path) -> list[str]:
         name = path.relative_to(root).as_posix()
         text = path.read_text(encoding="utf-8")
         lines = text.splitlines()
-        if len(lines) > LONGEST:
+        if len(lines) > LONGEST and name not in TABLES:
             found.append(f"{name}: {len(lines)} lines; past {LONGEST} a file is probably two")
         for number, line in enumerate(lines, 1):
             found += [f"{name}:{number}: {why}: {line.strip()}" for what, why in WORDS if re.search(what, line)]

@@ -9,7 +9,7 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = ["README.md", "docs/functions.md", "docs/corners.md"]
+PAGES = ["README.md", "docs/functions.md", "docs/corners.md", "docs/duffing.md"]
 
 
 def functions(root: Path) -> str:
@@ -53,9 +53,26 @@ def corners(root: Path) -> str:
     return "\n" + "\n".join(lines).replace("|θ₀|", "\\|θ₀\\|") + "\n\n"
 
 
+def forms(root: Path) -> str:
+    """Which of the twelve forms of the Duffing oscillator serves which regimes: the table that the core makes."""
+    from libration import DuffingForm
+
+    lines = ["| form | regimes it serves |", "|---|---|"]
+    lines += [
+        f"| c₁ {name}(Ωt + c₂) | {', '.join(f'`{each}`' for each in found)} |"
+        for name, found in DuffingForm.table().items()
+    ]
+    return "\n" + "\n".join(lines) + "\n\n"
+
+
 def blocks(root: Path) -> dict[str, str]:
     """Every block by its name."""
-    return {"functions": functions(root), "accuracy": accuracy(root), "corners": corners(root)}
+    return {
+        "functions": functions(root),
+        "accuracy": accuracy(root),
+        "corners": corners(root),
+        "forms": forms(root),
+    }
 
 
 def main() -> None:

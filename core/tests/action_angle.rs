@@ -159,6 +159,22 @@ fn corners_of_action_and_phase() {
     }
 }
 
+/// Amplitudes of the velocity where those of the angle, or the frequency, are at the ends of the range.
+#[test]
+fn amplitudes_at_the_ends_of_the_range() {
+    let velocity = |theta0, velocity0, omega0, j: i64| {
+        Orbit::new(theta0, velocity0, force(omega0)).unwrap().fourier(j).unwrap().velocity[j as usize - 1]
+    };
+    assert_eq!(velocity(1.0, 0.0, 1e308, 2), 0.0);
+    assert!((velocity(1.0, 0.0, 1e308, 3) / velocity(1.0, 0.0, 1.0, 3) / 1e308 - 1.0).abs() < 1e-15);
+    assert_eq!(velocity(0.0, 1.7e308, 1.0, 4), 0.0);
+    assert!((velocity(2.0, 1.0, 1e290, 705) / 9.616e-104 - 1.0).abs() < 1e-3);
+    assert!((velocity(2.0, 1.0, 1e10, 567) / 1.165_731_9e-306 - 1.0).abs() < 1e-7);
+    // An action a rounding error inside of its limit is inside.
+    assert!(Orbit::from_action_phase(1.273_239_544_735_162_8, 0.5, 1.0, force(1.0)).is_ok());
+    assert!(Orbit::from_action_phase(2.801_126_998_417_358, 0.5, 0.0, force(1.1)).is_ok());
+}
+
 /// The series is the motion, and Parseval's sum is action times frequency.
 #[test]
 fn the_series_is_the_motion() {
@@ -191,6 +207,10 @@ fn loss_of_harmonicity() {
     // odd harmonics are 1/j of the first: sqrt(pi^2/8 - 1).
     assert!((harmonic_distortion(1e-3) / (1e-6 / 192.0) - 1.0).abs() < 1e-6);
     assert_eq!(harmonic_distortion(0.0), 0.0);
+    for amplitude in [1e-60, 1e-77, 1e-80, 1e-90, 1e-120] {
+        let expected = amplitude * amplitude / 192.0;
+        assert!((harmonic_distortion(amplitude) / expected - 1.0).abs() < 1e-15, "{amplitude}");
+    }
     let [near, nearer] = [PI - 1e-6, PI].map(harmonic_distortion);
     let limit = (PI * PI / 8.0 - 1.0).sqrt();
     assert!(near < nearer && nearer < limit, "{near} {nearer} {limit}");

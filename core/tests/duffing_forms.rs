@@ -67,6 +67,9 @@ fn a_form_out_of_its_domain_is_refused() {
     // The edges of the domains are in them: m = 0 and m = 1.
     for (which, p, q) in [
         (Glaisher::Sn, 1.0, 0.0),
+        (Glaisher::Sd, 1.0, 0.0),
+        (Glaisher::Sd, -1.0, 0.0),
+        (Glaisher::Nd, -1.0, 0.0),
         (Glaisher::Sn, 1.0, -1.0),
         (Glaisher::Cn, -0.5, 1.0),
         (Glaisher::Dn, -0.5, 1.0),

@@ -214,3 +214,39 @@ fn bad_intervals_say_what_is_wrong() {
     assert!(orbit.times(f64::INFINITY, 0.0, 1.0).is_err());
     assert!(orbit.turning_times(0.0, 1e9).is_err());
 }
+
+/// Turning points next to the start keep their digits: the time to them is not a difference of phases.
+#[test]
+fn turning_points_next_to_the_start() {
+    for theta0 in [0.1, 1.0, 2.9, -2.0] {
+        for velocity0 in [1e-9, 1e-20, 1e-40, -1e-40, 1e-100] {
+            let orbit = Orbit::new(theta0, velocity0, unit()).unwrap();
+            // It turns when the pull has used up the velocity: t = velocity0/sin theta0, and on to the third order.
+            let expected = velocity0 / theta0.sin();
+            let times = orbit.turning_times(-1.0, 1.0).unwrap();
+            assert_eq!(times.len(), 1, "{theta0} {velocity0}");
+            let higher = 1e-15 + velocity0 * velocity0;
+            assert!((times[0] / expected - 1.0).abs() < higher, "{theta0} {velocity0} {times:?} {expected}");
+        }
+    }
+    let orbit = Orbit::new(0.0, 1.0, unit()).unwrap();
+    let [top, bottom] = [1.0, -1.0].map(|side| orbit.times(side * orbit.theta_max(), 0.0, 6.0).unwrap());
+    assert!(top.len() == 1 && bottom.len() == 1 && top[0] < bottom[0], "{top:?} {bottom:?}");
+    // The double of the turning angle is the turning point, even where it is the double of the start.
+    let orbit = Orbit::new(1.0, 1e-9, unit()).unwrap();
+    assert_eq!(orbit.theta_max(), 1.0);
+    assert_eq!(orbit.times(1.0, -1.0, 14.0).unwrap().len(), 3);
+}
+
+#[test]
+fn extremes_next_to_the_top() {
+    for theta0 in [1e-17, 1e-30, 1e-200, -1e-40, 0.1, -3.0] {
+        let orbit = Orbit::new(theta0, 0.0, Frequency::from_omega2(-1.0).unwrap()).unwrap();
+        let (lowest, highest) = orbit.extremes();
+        let near = if theta0 > 0.0 { lowest } else { highest };
+        assert_eq!(near, theta0);
+        assert!((highest - lowest - 2.0 * orbit.theta_max()).abs() < 1e-15);
+    }
+    let far = Orbit::new(1e308, 2.0, Frequency::from_omega0(0.0).unwrap()).unwrap();
+    assert_eq!(far.times(-1e308, f64::NEG_INFINITY, f64::INFINITY).unwrap(), [-1e308]);
+}

@@ -25,6 +25,9 @@ fn answers(orbit: &CubicQuintic, t: f64) -> [f64; 8] {
     [u, velocity, orbit.period(), low, high, orbit.energy(), escapes[0], escapes[1]]
 }
 
+/// What spoils the answers of an orbit at a time.
+type Spoil<'a> = dyn Fn(&CubicQuintic, f64, [f64; 8]) -> [f64; 8] + 'a;
+
 /// Worst errors by stratum and name, in units of what is promised for each; and how many regimes are wrong.
 fn report(
     rows: &[Row],
@@ -97,9 +100,7 @@ fn every_stratum_keeps_its_last_digits() {
 #[test]
 fn spoiled_siblings_are_found() {
     let rows = rows(VECTORS, COUNT);
-    let spoiled = |spoil: &dyn Fn(&CubicQuintic, f64, [f64; 8]) -> [f64; 8]| {
-        worst(&rows, |orbit, t| spoil(orbit, t, answers(orbit, t))).0
-    };
+    let spoiled = |spoil: &Spoil<'_>| worst(&rows, |orbit, t| spoil(orbit, t, answers(orbit, t))).0;
     let change = |index: usize, factor: f64| {
         spoiled(&move |_, _, mut all| {
             all[index] *= factor;

@@ -1,8 +1,8 @@
 """The exact nonlinear pendulum, in every regime, right to the last digits.
 
 ``Pendulum`` is one orbit and answers at any time; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
-states; ``jacobi``, ``complete_k``, ``complete_e``, ``incomplete_f``, ``incomplete_e`` and ``nome`` are the elliptic
-functions behind them. Angles are in radians, everything else in SI units.
+states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
+``libration.elliptic``. Angles are in radians, everything else in SI units.
 
 Examples
 --------
@@ -14,31 +14,78 @@ Examples
 from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
+from .cubic_quintic import CubicQuintic
 from .derivatives import sensitivities
-from .elliptic import JacobiValues, complete_e, complete_k, incomplete_e, incomplete_f, jacobi, nome
+from .duffing import Duffing, duffing_motion
+from .duffing_form import DuffingForm
+from .elliptic import (
+    JacobiComplexValues,
+    JacobiValues,
+    carlson_rc,
+    carlson_rd,
+    carlson_rf,
+    carlson_rj,
+    complete_e,
+    complete_k,
+    complete_pi,
+    heuman_lambda,
+    incomplete_e,
+    incomplete_f,
+    incomplete_pi,
+    jacobi,
+    jacobi_complex,
+    jacobi_epsilon,
+    jacobi_zeta,
+    nome,
+    theta1,
+    theta2,
+    theta3,
+    theta4,
+)
+from .oscillator import OscillatorRegime
 from .pendulum import Pendulum, Regime
 from .series import Fourier, harmonic_distortion
 
 __all__ = [
+    "CubicQuintic",
+    "Duffing",
+    "DuffingForm",
     "Fourier",
+    "JacobiComplexValues",
     "JacobiValues",
+    "OscillatorRegime",
     "Pendulum",
     "Regime",
     "__version__",
     "action",
     "advance",
+    "carlson_rc",
+    "carlson_rd",
+    "carlson_rf",
+    "carlson_rj",
     "complete_e",
     "complete_k",
+    "complete_pi",
+    "duffing_motion",
     "frequency",
     "from_action_phase",
     "harmonic_distortion",
+    "heuman_lambda",
     "incomplete_e",
     "incomplete_f",
+    "incomplete_pi",
     "jacobi",
+    "jacobi_complex",
+    "jacobi_epsilon",
+    "jacobi_zeta",
     "motion",
     "nome",
     "phase",
     "sensitivities",
     "theta",
+    "theta1",
+    "theta2",
+    "theta3",
+    "theta4",
     "velocity",
 ]

@@ -3,43 +3,164 @@ from typing import final
 import numpy as np
 
 __all__ = [
+    "CubicQuintic",
+    "Duffing",
+    "DuffingForm",
     "Orbit",
     "__version__",
     "action",
     "advance",
+    "arccd_k",
+    "arccd_m",
+    "arccd_mc",
+    "arccn_k",
+    "arccn_m",
+    "arccn_mc",
+    "arccs_k",
+    "arccs_m",
+    "arccs_mc",
+    "arcdc_k",
+    "arcdc_m",
+    "arcdc_mc",
+    "arcdn_k",
+    "arcdn_m",
+    "arcdn_mc",
+    "arcds_k",
+    "arcds_m",
+    "arcds_mc",
+    "arcnc_k",
+    "arcnc_m",
+    "arcnc_mc",
+    "arcnd_k",
+    "arcnd_m",
+    "arcnd_mc",
+    "arcns_k",
+    "arcns_m",
+    "arcns_mc",
+    "arcsc_k",
+    "arcsc_m",
+    "arcsc_mc",
+    "arcsd_k",
+    "arcsd_m",
+    "arcsd_mc",
+    "arcsn_k",
+    "arcsn_m",
+    "arcsn_mc",
+    "carlson_rc",
+    "carlson_rd",
+    "carlson_rf",
+    "carlson_rj",
+    "cd_k",
+    "cd_m",
+    "cd_mc",
+    "cn_k",
+    "cn_m",
+    "cn_mc",
     "complete_e_k",
     "complete_e_m",
     "complete_e_mc",
     "complete_k_k",
     "complete_k_m",
     "complete_k_mc",
+    "complete_pi_k",
+    "complete_pi_m",
+    "complete_pi_mc",
+    "cs_k",
+    "cs_m",
+    "cs_mc",
+    "cubic_quintic_motion",
+    "cubic_quintic_u",
+    "cubic_quintic_velocity",
+    "dc_k",
+    "dc_m",
+    "dc_mc",
+    "dn_k",
+    "dn_m",
+    "dn_mc",
+    "ds_k",
+    "ds_m",
+    "ds_mc",
+    "duffing_motion",
+    "duffing_of_pendulum",
+    "duffing_u",
+    "duffing_velocity",
     "factors",
     "frequency",
     "from_action_phase",
     "harmonic_distortion",
+    "heuman_lambda_k",
+    "heuman_lambda_m",
+    "heuman_lambda_mc",
     "incomplete_e_k",
     "incomplete_e_m",
     "incomplete_e_mc",
     "incomplete_f_k",
     "incomplete_f_m",
     "incomplete_f_mc",
+    "incomplete_pi_k",
+    "incomplete_pi_m",
+    "incomplete_pi_mc",
+    "jacobi_complex_k",
+    "jacobi_complex_m",
+    "jacobi_complex_mc",
+    "jacobi_epsilon_k",
+    "jacobi_epsilon_m",
+    "jacobi_epsilon_mc",
     "jacobi_k",
     "jacobi_m",
     "jacobi_mc",
+    "jacobi_zeta_k",
+    "jacobi_zeta_m",
+    "jacobi_zeta_mc",
+    "nc_k",
+    "nc_m",
+    "nc_mc",
+    "nd_k",
+    "nd_m",
+    "nd_mc",
     "nome_k",
     "nome_m",
     "nome_mc",
+    "ns_k",
+    "ns_m",
+    "ns_mc",
     "orbit_motion",
     "orbit_phase",
     "orbit_second_sensitivities",
     "orbit_sensitivities",
     "orbit_theta",
     "orbit_velocity",
+    "pendulum_of_duffing",
     "phase",
+    "sc_k",
+    "sc_m",
+    "sc_mc",
+    "sd_k",
+    "sd_m",
+    "sd_mc",
+    "sn_k",
+    "sn_m",
+    "sn_mc",
     "state_motion",
     "state_sensitivities",
     "state_theta",
     "state_velocity",
+    "theta1_k",
+    "theta1_m",
+    "theta1_mc",
+    "theta1_q",
+    "theta2_k",
+    "theta2_m",
+    "theta2_mc",
+    "theta2_q",
+    "theta3_k",
+    "theta3_m",
+    "theta3_mc",
+    "theta3_q",
+    "theta4_k",
+    "theta4_m",
+    "theta4_mc",
+    "theta4_q",
     "turns",
 ]
 
@@ -47,28 +168,119 @@ __version__: str
 
 action: np.ufunc
 advance: np.ufunc
+arccd_k: np.ufunc
+arccd_m: np.ufunc
+arccd_mc: np.ufunc
+arccn_k: np.ufunc
+arccn_m: np.ufunc
+arccn_mc: np.ufunc
+arccs_k: np.ufunc
+arccs_m: np.ufunc
+arccs_mc: np.ufunc
+arcdc_k: np.ufunc
+arcdc_m: np.ufunc
+arcdc_mc: np.ufunc
+arcdn_k: np.ufunc
+arcdn_m: np.ufunc
+arcdn_mc: np.ufunc
+arcds_k: np.ufunc
+arcds_m: np.ufunc
+arcds_mc: np.ufunc
+arcnc_k: np.ufunc
+arcnc_m: np.ufunc
+arcnc_mc: np.ufunc
+arcnd_k: np.ufunc
+arcnd_m: np.ufunc
+arcnd_mc: np.ufunc
+arcns_k: np.ufunc
+arcns_m: np.ufunc
+arcns_mc: np.ufunc
+arcsc_k: np.ufunc
+arcsc_m: np.ufunc
+arcsc_mc: np.ufunc
+arcsd_k: np.ufunc
+arcsd_m: np.ufunc
+arcsd_mc: np.ufunc
+arcsn_k: np.ufunc
+arcsn_m: np.ufunc
+arcsn_mc: np.ufunc
+carlson_rc: np.ufunc
+carlson_rd: np.ufunc
+carlson_rf: np.ufunc
+carlson_rj: np.ufunc
+cd_k: np.ufunc
+cd_m: np.ufunc
+cd_mc: np.ufunc
+cn_k: np.ufunc
+cn_m: np.ufunc
+cn_mc: np.ufunc
 complete_e_k: np.ufunc
 complete_e_m: np.ufunc
 complete_e_mc: np.ufunc
 complete_k_k: np.ufunc
 complete_k_m: np.ufunc
 complete_k_mc: np.ufunc
+complete_pi_k: np.ufunc
+complete_pi_m: np.ufunc
+complete_pi_mc: np.ufunc
+cs_k: np.ufunc
+cs_m: np.ufunc
+cs_mc: np.ufunc
+dc_k: np.ufunc
+dc_m: np.ufunc
+dc_mc: np.ufunc
+dn_k: np.ufunc
+dn_m: np.ufunc
+dn_mc: np.ufunc
+ds_k: np.ufunc
+ds_m: np.ufunc
+ds_mc: np.ufunc
+cubic_quintic_motion: np.ufunc
+cubic_quintic_u: np.ufunc
+cubic_quintic_velocity: np.ufunc
+duffing_motion: np.ufunc
+duffing_u: np.ufunc
+duffing_velocity: np.ufunc
 factors: np.ufunc
 frequency: np.ufunc
 from_action_phase: np.ufunc
 harmonic_distortion: np.ufunc
+heuman_lambda_k: np.ufunc
+heuman_lambda_m: np.ufunc
+heuman_lambda_mc: np.ufunc
 incomplete_e_k: np.ufunc
 incomplete_e_m: np.ufunc
 incomplete_e_mc: np.ufunc
 incomplete_f_k: np.ufunc
 incomplete_f_m: np.ufunc
 incomplete_f_mc: np.ufunc
+incomplete_pi_k: np.ufunc
+incomplete_pi_m: np.ufunc
+incomplete_pi_mc: np.ufunc
+jacobi_complex_k: np.ufunc
+jacobi_complex_m: np.ufunc
+jacobi_complex_mc: np.ufunc
+jacobi_epsilon_k: np.ufunc
+jacobi_epsilon_m: np.ufunc
+jacobi_epsilon_mc: np.ufunc
 jacobi_k: np.ufunc
 jacobi_m: np.ufunc
 jacobi_mc: np.ufunc
+jacobi_zeta_k: np.ufunc
+jacobi_zeta_m: np.ufunc
+jacobi_zeta_mc: np.ufunc
+nc_k: np.ufunc
+nc_m: np.ufunc
+nc_mc: np.ufunc
+nd_k: np.ufunc
+nd_m: np.ufunc
+nd_mc: np.ufunc
 nome_k: np.ufunc
 nome_m: np.ufunc
 nome_mc: np.ufunc
+ns_k: np.ufunc
+ns_m: np.ufunc
+ns_mc: np.ufunc
 orbit_motion: np.ufunc
 orbit_phase: np.ufunc
 orbit_second_sensitivities: np.ufunc
@@ -76,10 +288,35 @@ orbit_sensitivities: np.ufunc
 orbit_theta: np.ufunc
 orbit_velocity: np.ufunc
 phase: np.ufunc
+sc_k: np.ufunc
+sc_m: np.ufunc
+sc_mc: np.ufunc
+sd_k: np.ufunc
+sd_m: np.ufunc
+sd_mc: np.ufunc
+sn_k: np.ufunc
+sn_m: np.ufunc
+sn_mc: np.ufunc
 state_motion: np.ufunc
 state_sensitivities: np.ufunc
 state_theta: np.ufunc
 state_velocity: np.ufunc
+theta1_k: np.ufunc
+theta1_m: np.ufunc
+theta1_mc: np.ufunc
+theta1_q: np.ufunc
+theta2_k: np.ufunc
+theta2_m: np.ufunc
+theta2_mc: np.ufunc
+theta2_q: np.ufunc
+theta3_k: np.ufunc
+theta3_m: np.ufunc
+theta3_mc: np.ufunc
+theta3_q: np.ufunc
+theta4_k: np.ufunc
+theta4_m: np.ufunc
+theta4_mc: np.ufunc
+theta4_q: np.ufunc
 turns: np.ufunc
 
 @final
@@ -122,7 +359,7 @@ class Orbit:
     def phase(self, /, t: float) -> np.float64: ...
     def times(self, /, theta: float, start: float, stop: float) -> np.ndarray: ...
     def turning_times(self, /, start: float, stop: float) -> np.ndarray: ...
-    def fourier(self, /, n: int) -> tuple[np.ndarray, np.ndarray]: ...
+    def fourier(self, /, n: int) -> list[np.ndarray]: ...
     @staticmethod
     def state_of(
         action: float,
@@ -141,3 +378,76 @@ class Orbit:
     def frequency(self) -> float: ...
     @property
     def distortion(self) -> float: ...
+
+@final
+class CubicQuintic:
+    def __new__(cls, u0: float, velocity0: float, alpha: float, beta: float, gamma: float) -> CubicQuintic: ...
+    @property
+    def operands(self) -> list[float]: ...
+    @property
+    def u0(self) -> float: ...
+    @property
+    def velocity0(self) -> float: ...
+    @property
+    def regime(self) -> str: ...
+    @property
+    def period(self) -> float: ...
+    @property
+    def range(self) -> tuple[float, float]: ...
+    @property
+    def energy(self) -> float: ...
+    @property
+    def escape_time(self) -> float: ...
+    @property
+    def escape_time_backward(self) -> float: ...
+    def u(self, /, t: float) -> np.float64: ...
+    def velocity(self, /, t: float) -> np.float64: ...
+    def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
+    def times(self, /, u: float, start: float, stop: float) -> np.ndarray: ...
+
+@final
+class Duffing:
+    def __new__(cls, u0: float, velocity0: float, p: float, q: float) -> Duffing: ...
+    @property
+    def operands(self) -> list[float]: ...
+    @property
+    def u0(self) -> float: ...
+    @property
+    def velocity0(self) -> float: ...
+    @property
+    def regime(self) -> str: ...
+    @property
+    def period(self) -> float: ...
+    @property
+    def range(self) -> tuple[float, float]: ...
+    @property
+    def energy(self) -> float: ...
+    @property
+    def escape_time(self) -> float: ...
+    @property
+    def escape_time_backward(self) -> float: ...
+    def u(self, /, t: float) -> np.float64: ...
+    def velocity(self, /, t: float) -> np.float64: ...
+    def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
+    def times(self, /, u: float, start: float, stop: float) -> np.ndarray: ...
+
+@final
+class DuffingForm:
+    def __new__(cls, form: str, p: float, q: float, c1: float, c2: float) -> DuffingForm: ...
+    @property
+    def rate(self) -> float: ...
+    @property
+    def parameter(self) -> tuple[float, float]: ...
+    def motion(self, /, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+    @staticmethod
+    def table() -> list[tuple[str, list[str]]]: ...
+
+def duffing_of_pendulum(
+    theta0: float,
+    velocity0: float,
+    omega0: float | None = None,
+    omega2: float | None = None,
+    length: float | None = None,
+    gravity: float | None = None,
+) -> tuple[float, float, float, float]: ...
+def pendulum_of_duffing(duffing: Duffing) -> tuple[float, float, float, float] | None: ...

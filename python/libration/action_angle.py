@@ -10,7 +10,8 @@ from typing import Any, Self
 
 from . import _core
 from .dispatch import apply
-from .orbit import Orbit, real
+from .fixed import real
+from .orbit import Orbit
 
 
 class ActionAngle(Orbit):

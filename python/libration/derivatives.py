@@ -3,7 +3,7 @@
 from typing import Any
 
 from . import _core
-from .dispatch import apply, tensor
+from .dispatch import apply, tensor, unindexed
 from .orbit import Orbit
 
 _BY = ("theta0", "velocity0", "omega0")
@@ -49,7 +49,7 @@ class Derivatives(Orbit):
         array([[-0.079122,  1.080307, -1.818094],
                [-0.899426, -0.358228, -0.30617 ]])
         """
-        return tensor(apply(_core.orbit_sensitivities, t, *self._operands), _FIRST)
+        return tensor(apply(_core.orbit_sensitivities, unindexed(t), *self._operands), _FIRST)
 
     def second_sensitivities(self, t: Any) -> Any:
         """Second derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
@@ -65,13 +65,13 @@ class Derivatives(Orbit):
         -------
         array of shape ``t.shape + (2, 3, 3)``
             In SI units, angles in rad. The closed forms are differences of terms many times larger; they are given where
-            kappa**2 is at least 1e-10 and at least 1e-6 away from 1, and NaN nearer to rest and to the separatrix. Dask and
-            xarray arrays give their like; xarray's new dimensions are `of`, `by` and `and_by`.
+            kappa**2 is from 1e-10 to 1e16 and at least 1e-6 away from 1, and omega0 from 1e-100 to 1e100; NaN elsewhere.
+            Dask and xarray arrays give their like; xarray's new dimensions are `of`, `by` and `and_by`.
 
         Notes
         -----
         Error promised, in each matrix: 1e-12 of the largest change, that is of its elements times the largest angle, the
-        largest velocity and omega0. Source: DLMF 22.13(i), 22.16(ii), 19.4(ii).
+        largest velocity and omega0, for abs(omega0 t) >= 1e-3; all vanish at t = 0, and next to it fewer digits are left. Source: DLMF 22.13(i), 22.16(ii), 19.4(ii).
 
         Examples
         --------
@@ -81,7 +81,7 @@ class Derivatives(Orbit):
                [ 0.375216,  0.331688, -1.796763],
                [-1.798852, -1.796763,  1.205754]])
         """
-        twelve = apply(_core.orbit_second_sensitivities, t, *self._operands)
+        twelve = apply(_core.orbit_second_sensitivities, unindexed(t), *self._operands)
         return tensor(tuple(twelve[6 * of + i] for of in range(2) for i in _SYMMETRIC), _SECOND)
 
 
@@ -123,4 +123,4 @@ def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) 
     >>> np.linalg.det(slopes[..., :2]).round(6)
     array([1., 1., 1.])
     """
-    return tensor(apply(_core.state_sensitivities, t, theta0, velocity0, omega0), _FIRST)
+    return tensor(apply(_core.state_sensitivities, *map(unindexed, (t, theta0, velocity0, omega0))), _FIRST)

@@ -91,19 +91,34 @@ def _xarray(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
 def tensor(results: tuple[Any, ...], axes: dict[str, tuple[str, ...]]) -> Any:
     """The results of a ufunc as one array with further axes, the last running fastest; xarray's have their names."""
     library = array_library(results)
+    taken = set(axes).intersection(getattr(results[0], "dims", ()))
+    if taken:
+        raise ValueError(f"t has the dimension {', '.join(sorted(taken))}: of, by and and_by name the new dimensions")
     stacked = list(results)
     for depth, (name, labels) in enumerate(reversed(axes.items())):
-        width, axis = len(labels), -1 - depth
+        width = len(labels)
         parts = [stacked[first : first + width] for first in range(0, len(stacked), width)]
-        if library == "xarray":
-            import xarray
-
-            stacked = [xarray.concat(part, xarray.Variable(name, list(labels))) for part in parts]
-        elif library == "dask":
-            from dask.array import stack
-
-            stacked = [stack(part, axis=axis) for part in parts]
-        else:
-            stacked = [np.stack(part, axis=axis) for part in parts]
+        stacked = [_stack(library, part, -1 - depth, name, labels) for part in parts]
     [whole] = stacked
     return whole.transpose(..., *axes) if library == "xarray" else whole
+
+
+def _stack(library: str | None, part: list[Any], axis: int, name: str, labels: tuple[str, ...]) -> Any:
+    """Arrays of one shape side by side along a new axis."""
+    if library == "xarray":
+        import xarray
+
+        if isinstance(part[0], xarray.Variable):
+            return xarray.Variable.concat(part, name)
+        return xarray.concat(part, xarray.Variable(name, list(labels)))
+    if library == "dask":
+        from dask.array import stack
+
+        return stack(part, axis=axis, allow_unknown_chunksizes=True)
+    masked = any(isinstance(each, np.ma.MaskedArray) for each in part)
+    return (np.ma.stack if masked else np.stack)(part, axis=axis)
+
+
+def unindexed(argument: Any) -> Any:
+    """A labelled index of pandas as an array: it does not take ufuncs of several outputs."""
+    return np.asarray(argument) if hasattr(argument, "to_frame") and not hasattr(argument, "iloc") else argument

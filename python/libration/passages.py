@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from .orbit import Orbit, real
+from .fixed import real
+from .orbit import Orbit
 
 
 class Passages(Orbit):
@@ -19,7 +20,7 @@ class Passages(Orbit):
         Parameters
         ----------
         theta : scalar
-            Angle in rad, finite. A turning angle, also as `theta_max` and `extremes` round it, is passed once a swing.
+            Angle in rad, finite; in rotation within 2**52 turns of `theta0`. A turning angle, also as `theta_max` and `extremes` round it, is passed once a swing.
         start, stop : scalar
             Ends of the interval in s, start <= stop, in libration within 2**53 half periods.
 

@@ -6,7 +6,8 @@ import numpy as np
 
 from . import _core
 from .dispatch import apply
-from .orbit import Orbit, count
+from .fixed import count
+from .orbit import Orbit
 
 
 class Fourier(NamedTuple):

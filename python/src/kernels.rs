@@ -1,14 +1,15 @@
 //! Every ufunc of the door: which function of the core answers a row, and what is set up once for it.
 //!
 //! Two paths. `orbit_*` takes an orbit by its exact factors and is meant for one orbit and many times; `state_*` and
-//! `advance` take rows with states of their own. An elliptic function has one ufunc per keyword: `_m`, `_mc`, `_k`.
+//! `advance` take rows with states of their own. The elliptic functions are in elliptic.rs.
 
 use libration::pendulum::action::state_of;
 use libration::pendulum::fourier::harmonic_distortion;
 use libration::pendulum::states;
-use libration::{Frequency, Jacobi, Orbit, Parameter, Sensitivity};
+use libration::{Frequency, Orbit, Sensitivity};
 use pyo3::prelude::*;
 
+use crate::elliptic;
 use crate::ufunc::{BLOCK, add, each, whole};
 
 /// Adds all ufuncs to the module.
@@ -25,13 +26,23 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "orbit_motion", orbit, whole::<[f64; 2], _>(motion))?;
     add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
     add(module, "orbit_phase", orbit, each(|orbit: &Orbit, [t]| [orbit.phase(t)]))?;
-    add(module, "orbit_sensitivities", |of| Some(Sensitivity::new(&orbit(of)?)), each(slopes))?;
+    add(
+        module,
+        "orbit_sensitivities",
+        |of| Some(Sensitivity::new(&orbit(of)?)),
+        whole::<[f64; 6], _>(slopes),
+    )?;
     add(module, "orbit_second_sensitivities", orbit, each(second_slopes))?;
 
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
     add(module, "state_motion", nothing, whole::<[f64; 2], _>(state_motion))?;
-    add(module, "state_sensitivities", |of| Some(Sensitivity::new(&state(of)?)), each(slopes))?;
+    add(
+        module,
+        "state_sensitivities",
+        |of| Some(Sensitivity::new(&state(of)?)),
+        whole::<[f64; 6], _>(slopes),
+    )?;
     add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
 
     let kept = |value: &f64, []: [f64; 0]| [*value];
@@ -41,9 +52,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "from_action_phase", frequency, each(from_action_phase))?;
     add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))?;
 
-    add_elliptic(module, "m", Parameter::from_m)?;
-    add_elliptic(module, "mc", Parameter::from_mc)?;
-    add_elliptic(module, "k", Parameter::from_modulus)
+    elliptic::add_all(module)
 }
 
 /// A block of rows, and its column of results.
@@ -65,7 +74,7 @@ fn motion(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta, velocity]: &mut 
 }
 
 /// Rows that bring their own state have no set-up in common.
-fn nothing([]: [f64; 0]) -> Option<()> {
+pub fn nothing([]: [f64; 0]) -> Option<()> {
     Some(())
 }
 
@@ -85,31 +94,6 @@ fn advance((): &(), states: [&[f64]; 4], rows: usize, columns: &mut Columns) {
     libration::advance_into(states, columns.each_mut().map(|column| &mut column[..rows]));
 }
 
-fn jacobi(jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 4]) {
-    jacobi.values_into(u, columns.each_mut().map(|column| &mut column[..rows]));
-}
-
-/// Adds the elliptic ufuncs of one keyword.
-fn add_elliptic(module: &Bound<'_, PyModule>, keyword: &str, from: fn(f64) -> Parameter) -> PyResult<()> {
-    let named = |name: &str| format!("{name}_{keyword}");
-    let parameter = move |[given]: [f64; 1]| Some(from(given));
-    add(
-        module,
-        &named("jacobi"),
-        move |[given]| Some(Jacobi::new(from(given))),
-        whole::<[f64; 4], _>(jacobi),
-    )?;
-    let incomplete_f = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_f(phi, *p)];
-    add(module, &named("incomplete_f"), parameter, each(incomplete_f))?;
-    let incomplete_e = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_e(phi, *p)];
-    add(module, &named("incomplete_e"), parameter, each(incomplete_e))?;
-    // A complete function has nothing but its parameter: the value itself is what is kept.
-    let kept = |value: &f64, []: [f64; 0]| [*value];
-    add(module, &named("complete_k"), move |[given]| Some(libration::complete_k(from(given))), each(kept))?;
-    add(module, &named("complete_e"), move |[given]| Some(libration::complete_e(from(given))), each(kept))?;
-    add(module, &named("nome"), move |[given]| Some(libration::nome(from(given))), each(kept))
-}
-
 /// One orbit, its frequency by the exact factors.
 fn orbit([theta0, velocity0, a, b, c]: [f64; 5]) -> Option<Orbit> {
     Orbit::new(theta0, velocity0, Frequency::from_factors(a, b, c).ok()?).ok()
@@ -121,9 +105,8 @@ fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
 }
 
 /// Row by row of the matrix.
-fn slopes(sensitivity: &Sensitivity, [t]: [f64; 1]) -> [f64; 6] {
-    let [[a, b, c], [d, e, f]] = sensitivity.at(t);
-    [a, b, c, d, e, f]
+fn slopes(of: &Sensitivity, [t]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 6]) {
+    of.at_into(t, columns.each_mut().map(|column| &mut column[..rows]));
 }
 
 /// The upper halves of the symmetric matrices, row by row.

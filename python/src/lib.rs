@@ -2,8 +2,10 @@
 //!
 //! No formula and no arithmetic on doubles: everything is handed to the core.
 
+mod elliptic;
 mod kernels;
 mod orbit;
+mod oscillator;
 mod pool;
 mod ufunc;
 
@@ -16,5 +18,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     pool::wanted().map_err(PyValueError::new_err)?;
     module.add("__version__", libration::VERSION)?;
     module.add_class::<orbit::Orbit>()?;
+    oscillator::add_all(module)?;
     kernels::add_all(module)
 }

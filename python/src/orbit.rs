@@ -86,13 +86,9 @@ impl Orbit {
     }
 
     /// The first `n` amplitudes of angle and velocity.
-    fn fourier<'py>(
-        &self,
-        py: Python<'py>,
-        n: i64,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    fn fourier<'py>(&self, py: Python<'py>, n: i64) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
         let Fourier { theta, velocity } = py.detach(|| self.orbit.fourier(n)).map_err(refused)?;
-        Ok((theta.into_pyarray(py), velocity.into_pyarray(py)))
+        Ok([theta.into_pyarray(py), velocity.into_pyarray(py)])
     }
 
     /// Angle and velocity with an action and a phase.
@@ -204,12 +200,12 @@ impl Orbit {
 }
 
 /// A refused argument as Python's `ValueError`, in the words of the core.
-fn refused(domain: Domain) -> PyErr {
+pub(crate) fn refused(domain: Domain) -> PyErr {
     PyValueError::new_err(domain.to_string())
 }
 
 /// A NumPy float64.
-fn float64(py: Python<'_>, value: f64) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn float64(py: Python<'_>, value: f64) -> PyResult<Bound<'_, PyAny>> {
     static FLOAT64: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     FLOAT64.import(py, "numpy", "float64")?.call1((PyFloat::new(py, value),))
 }

@@ -22,6 +22,8 @@ def same(left, right) -> bool:
     left, right = np.asarray(left), np.asarray(right)
     if left.dtype != right.dtype or left.shape != right.shape:
         return False
+    if left.dtype.kind == "c":
+        return same(left.real, right.real) and same(left.imag, right.imag)
     if left.dtype.kind != "f":
         return bool(np.all(left == right))
     bits = f"u{left.dtype.itemsize}"

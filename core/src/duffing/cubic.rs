@@ -44,7 +44,7 @@ pub(super) struct Place {
 /// use libration::Duffing;
 /// let spring = Duffing::new(1.0, 0.0, 1.0, 1.0)?;
 /// assert_eq!(spring.regime().name(), "libration");
-/// assert_eq!(format!("{:.9} {:.9}", spring.period(), spring.u(1.0)), "4.768022014 0.251096262");
+/// assert_eq!(format!("{:.9} {:.9}", spring.period(), spring.u(1.0)), "4.768022029 0.233691791");
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -104,8 +104,6 @@ pub(super) struct SetUp {
 pub(super) const CARRIED: i32 = 300;
 const OUTSIDE: i32 = 1000;
 
-const INFINITY: f64 = f64::INFINITY;
-
 /// The parts that a factor of two values shares: the values over 2^power, and 2^power as far as a double holds it.
 fn factors<const N: usize>(values: [Wide; N]) -> ([Dd; N], f64) {
     let power = values.iter().filter(|value| !value.is_zero()).map(|value| value.power()).max().unwrap_or(0);
@@ -177,7 +175,7 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
     };
     let per = Wide::from(lattice.quarter).shift(1);
     let rate = canonical.rate / per;
-    let infinite = Wide::from(INFINITY);
+    let infinite = Wide::from(f64::INFINITY);
     let mut set_up = SetUp {
         course: Course::Still,
         regime: Regime::Escape,
@@ -262,7 +260,7 @@ fn simple(plain: Plain, amplitude: Wide, rate: Wide, from: Wide) -> Course {
 }
 
 fn separatrix(c: &Constants, start: &Place, regime: Regime) -> SetUp {
-    let infinite = Wide::from(INFINITY);
+    let infinite = Wide::from(f64::INFINITY);
     let (u, velocity) = (start.u, start.velocity);
     let mut set_up = SetUp {
         course: Course::Still,
@@ -314,7 +312,7 @@ fn separatrix(c: &Constants, start: &Place, regime: Regime) -> SetUp {
 
 /// q = 0 and p < 0, or no force at all.
 fn unbounded_linear(c: &Constants, start: &Place) -> SetUp {
-    let infinite = Wide::from(INFINITY);
+    let infinite = Wide::from(f64::INFINITY);
     let (u, velocity) = (start.u, start.velocity);
     let mut set_up = SetUp {
         course: Course::Straight,
@@ -346,7 +344,7 @@ fn unbounded_linear(c: &Constants, start: &Place) -> SetUp {
 }
 
 fn rest(c: &Constants, start: &Place) -> SetUp {
-    let infinite = Wide::from(INFINITY);
+    let infinite = Wide::from(f64::INFINITY);
     // The stiffness of small oscillations: p at 0, -2p at the equilibria of p + q u^2 = 0.
     let square = if start.u.is_zero() || c.q.is_zero() { c.p } else { -c.p.shift(1) };
     let period = if square.is_positive() { Wide::from(TWO_PI) / square.sqrt() } else { infinite };

@@ -11,7 +11,7 @@ use super::cubic::Duffing;
 /// let (mut u, mut velocity) = ([0.0; 2], [0.0; 2]);
 /// let rows = [&[1.0, 1.0], &[1.0, 0.0], &[0.0, 1.0], &[1.0, -1.0], &[1.0, 2.0]].map(|column| column.as_slice());
 /// libration::duffing::duffing_motion_into(rows, [&mut u, &mut velocity]);
-/// assert_eq!(format!("{:.9} {:.9}", u[0], velocity[1]), "0.251096262 0.534522484");
+/// assert_eq!(format!("{:.9} {:.9}", u[0], velocity[1]), "0.233691791 0.932682266");
 /// ```
 pub fn duffing_motion_into([t, u0, velocity0, p, q]: [&[f64]; 5], [u, velocity]: [&mut [f64]; 2]) {
     let rows = t.len();

@@ -10,12 +10,13 @@
 //! | nc | -Q - p | (Q + 2p)/2(Q + p) | Q <= 0, Q + 2p <= 0 |
 //! | nd | -(Q + 2p)/2 | 2(Q + p)/(Q + 2p) | Q >= 0, Q + p <= 0 |
 //! | sc | (Q - 2p)/2 | 2(Q - p)/(Q - 2p) | Q <= 0, p <= Q |
-//! | sd | Q + R, R = sqrt(Q^2 + p^2) | (1 - p/(Q + R))/2 | Q > 0 |
+//! | sd | Q + R, R = sqrt(Q^2 + p^2) | (1 - p/(Q + R))/2 | Q >= 0 |
 //! | dc, ns | -Q/2 | -(Q + 2p)/Q | Q < 0, -Q/2 <= p <= -Q |
 //! | cs | -Q/2 | 2(Q - p)/Q | Q < 0, Q <= p <= Q/2 |
 //! | ds | -Q/2 | (Q + 2p)/2Q | Q < 0, abs(p) <= -Q/2 |
 //!
-//! always with Omega > 0. Sums are formed without rounding, m and 1 - m each by its own quotient.
+//! always with Omega > 0 (so not Q and p both 0); at Q = 0 the form is cos, sin, cosh or sinh.
+//! Sums are formed without rounding, m and 1 - m each by its own quotient.
 //! Source: Salas 2019 gives the first nine (his sd cancels for small p, and is 0/0 at p = 0); ns, cs and ds are ours.
 
 use super::regime::Regime;
@@ -36,7 +37,7 @@ use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
 /// ```
 /// use libration::{Form, Glaisher};
 /// let form = Form::new(Glaisher::Cn, 1.0, 1.0, 1.0, 0.0)?;
-/// assert_eq!(format!("{:.9} {:.9}", form.u(1.0), form.rate()), "0.251096262 1.414213562");
+/// assert_eq!(format!("{:.9} {:.9}", form.u(1.0), form.rate()), "0.233691791 1.414213562");
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -119,7 +120,7 @@ fn real_where(which: Glaisher) -> &'static str {
         Glaisher::Nc => "of q c1^2 <= 0 and q c1^2 + 2p <= 0, and not both 0",
         Glaisher::Nd => "of q c1^2 >= 0 and q c1^2 + p <= 0, and not both 0",
         Glaisher::Sc => "of q c1^2 <= 0 and p <= q c1^2, and not both 0",
-        Glaisher::Sd => "of q > 0",
+        Glaisher::Sd => "of q c1^2 >= 0, and not q c1^2 and p both 0",
         Glaisher::Dc | Glaisher::Ns => "of q < 0 and -q c1^2/2 <= p <= -q c1^2",
         Glaisher::Cs => "of q < 0 and q c1^2 <= p <= q c1^2/2",
         Glaisher::Ds => "of q < 0 and |p| <= -q c1^2/2",

@@ -68,7 +68,7 @@ fn artanh_of_squares(t: Wide, s: Wide, n: Wide) -> Wide {
 impl Marks {
     /// From y = u^2 and 6 u'^2 there.
     pub fn at(&self, y: &Exact, square_speed: &Exact) -> Mark {
-        let distances = self.cubic.at_square(y, square_speed);
+        let distances = self.cubic.of_square(y, square_speed);
         let y = y.to_wide();
         match (distances, self.roots) {
             (Distances::Three(g), Distances::Three(v)) => {

@@ -149,22 +149,22 @@ impl Cubic {
     }
 
     /// y/v - root for the three roots (times y^2 for the pair), at v = 1/y, from 27 a^2 y^3 f: see the top.
-    fn at_point(&self, above: &Exact, y: &Exact, product: &Exact) -> Distances {
+    fn of_point(&self, above: &Exact, y: &Exact, product: &Exact) -> Distances {
         let pairs = &(&above.square() + &(&self.p * &y.square())) * THREE;
         self.distances(above.to_wide(), y.to_wide(), pairs.to_wide(), product.to_wide())
     }
 
     /// 1 - y root of each root, at y, where f(1/y) y^3 = `value`.
-    pub fn at_square(&self, y: &Exact, value: &Exact) -> Distances {
+    pub fn of_square(&self, y: &Exact, value: &Exact) -> Distances {
         let above = &(&self.a * THREE) + &(&self.b * y);
         let product = &(&self.a.square() * value) * 27.0;
-        self.at_point(&above, y, &product)
+        self.of_point(&above, y, &product)
     }
 
     /// The roots; of a pair the square of its modulus.
     pub fn roots(&self) -> Distances {
         let product = &(&self.a.square() * &self.d) * 27.0;
-        let negative = self.at_point(&self.b, &Exact::from(1.0), &product);
+        let negative = self.of_point(&self.b, &Exact::from(1.0), &product);
         match negative {
             Distances::Three(roots) => Distances::Three(roots.map(|root| -root)),
             Distances::One([root, pair, real]) => Distances::One([-root, pair, -real]),

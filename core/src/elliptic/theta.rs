@@ -50,6 +50,12 @@ impl Correction {
         let tail = L::splat(self.third).mul_add(x, L::splat(self.second));
         x * (L::splat(self.first.hi) + tail.mul_add(x, L::splat(self.first.lo)))
     }
+    /// Derivative of the logarithm of 1 + the correction, by x.
+    #[inline(always)]
+    fn logarithmic_slope<L: Lane>(&self, x: L) -> L {
+        let tail = L::splat(3.0 * self.third).mul_add(x, L::splat(2.0 * self.second));
+        tail.mul_add(x, L::splat(self.first.hi)) / (L::splat(1.0) + self.at(x))
+    }
 }
 
 /// The period lattice of one parameter and its theta functions, set up once.
@@ -141,6 +147,40 @@ impl Lattice {
             [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
         };
         Thetas { theta, folded }
+    }
+
+    /// sn, cn, dn in double at 2K f, 0 <= f <= 1/2; whether that is nearer to K; and the slope of ln theta4 there (of ln theta3,
+    /// counted from K) by its circular or hyperbolic angle, which is Jacobi's zeta but for factors.
+    #[inline(always)]
+    pub(crate) fn short_values<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> ([L; 3], L::Mask, L) {
+        let (folded, v) = fold(f);
+        let angle = v * Dd::splat(self.angle);
+        let [t1, t2, t3, t4] = &self.theta;
+        let (factor, kc) = (L::splat(self.theta1_factor.hi), L::splat(self.kc.hi));
+        let one = L::splat(1.0);
+        let (theta, near, far) = if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let (sine, cosine) = (sine.hi, cosine.hi);
+            let x = -(sine * sine);
+            let twice = sine * cosine * L::splat(-2.0);
+            let tail = t2.logarithmic_slope(x) * twice;
+            let theta = [sine * (one + t1.at(x)), one + t4.at(x), one + t3.at(x), cosine * (one + t2.at(x))];
+            (theta, sine / cosine + tail, t3.logarithmic_slope(x) * twice)
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let (sine, cosine) = (sine.hi, cosine.hi);
+            let x = sine * sine;
+            let twice = sine * cosine * L::splat(2.0);
+            let theta = [sine * (one + t1.at(x)), cosine * (one + t2.at(x)), one + t3.at(x), one + t4.at(x)];
+            (theta, t4.logarithmic_slope(x) * twice, t3.logarithmic_slope(x) * twice)
+        };
+        let [t1, t2, t3, t4] = theta;
+        let below = one / L::select(folded, t3, t4);
+        let (t1, upper) = (t1 * factor, kc * below);
+        let sn = L::select(folded, t2, t1) * below;
+        let cn = L::select(folded, t1 * upper, t2 * below);
+        let dn = L::select(folded, t4 * upper, t3 * below);
+        ([sn, cn, dn], folded, L::select(folded, far, near))
     }
 
     /// [`Lattice::thetas_on`] good to 2^-64: for steps that are repeated, whose errors would add up.

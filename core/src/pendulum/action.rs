@@ -17,7 +17,7 @@ use crate::elliptic::phase::Reduced;
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::arctangent;
 use crate::float::scaling::{exponent, ldexp, mantissa};
-use crate::float::{Dd, HALF_PI, PI, TWO_PI, circle};
+use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide, circle};
 
 /// pi/8.
 const EIGHTH_PI: Dd = PI.half().half().half();
@@ -49,14 +49,19 @@ impl Orbit {
     ///
     /// **Error** at most 4 ulp, plus 2^-100 of its condition.
     pub fn frequency(&self) -> f64 {
+        self.mean_frequency().value()
+    }
+
+    /// [`Orbit::frequency`] in more digits and beyond the range.
+    pub(super) fn mean_frequency(&self) -> Wide {
         match &self.course {
-            Course::Libration(elliptic) => (elliptic.phase.rate * PI).value() * self.time_scale,
+            Course::Libration(elliptic) => Wide::from(elliptic.phase.rate * PI) * self.time_scale,
             Course::Rotation(elliptic) => {
-                (elliptic.phase.rate * TWO_PI * self.frame.side).value() * self.time_scale
+                Wide::from(elliptic.phase.rate * TWO_PI) * (self.time_scale * self.frame.side)
             }
-            Course::Free => self.velocity0,
-            Course::Still if self.period().is_finite() => self.omega0(),
-            Course::Still | Course::Separatrix(..) => 0.0,
+            Course::Free => Wide::from(self.velocity0),
+            Course::Still if self.period().is_finite() => Wide::from(self.omega0()),
+            Course::Still | Course::Separatrix(..) => Wide::ZERO,
         }
     }
 
@@ -82,7 +87,7 @@ impl Orbit {
                 (frame.base + PI * frame.half_turn + turned * frame.side).value()
             }
             Course::Free => (Dd::product(self.velocity0, t) + Dd::from(self.theta0)).value(),
-            Course::Still if self.period().is_finite() => self.omega0() * t,
+            Course::Still if t.is_finite() && self.period().is_finite() => self.omega0() * t,
             Course::Still => 0.0 * t,
             Course::Separatrix(..) => f64::NAN,
         }
@@ -128,13 +133,13 @@ pub fn state_of(action: f64, phase: f64, direction: f64, frequency: Frequency) -
     let power = exponent(action) - omega_power;
     let share = (ratio * EIGHTH_PI).ldexp(power);
     if !rotation {
-        Domain::check("action", action, share.hi < 1.0, "below 8 omega0/pi in libration")?;
+        Domain::check("action", action, (share - Dd::ONE).hi < 0.0, "below 8 omega0/pi in libration")?;
         let (local, k_cn, more) = libration_state(share, ratio, power, half_periods(phase));
         let theta = if upside_down { (PI + local).value() } else { local.value() };
         return Ok((theta, ldexp((omega * k_cn).scale(2.0).value(), omega_power + more)));
     }
     let share = share.scale(2.0);
-    Domain::check("action", action, share.hi > 1.0, "above 4 omega0/pi in rotation")?;
+    Domain::check("action", action, (share - Dd::ONE).hi > 0.0, "above 4 omega0/pi in rotation")?;
     if share.hi > FREE {
         return Ok(straight);
     }

@@ -12,7 +12,7 @@ use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
 use crate::float::elementary::sech;
-use crate::float::{Dd, HALF_PI};
+use crate::float::{Dd, HALF_PI, Wide};
 
 /// Amplitudes of the harmonics j = 1, 2, ... of angle and velocity.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,13 +70,14 @@ impl Orbit {
         if !(1..=MOST_HARMONICS).contains(&n) {
             return Err(Domain { argument: "n", given: n.to_string(), allowed: "from 1 to 10000000" });
         }
-        let theta = self.amplitudes(n as u64);
-        let frequency = self.frequency();
-        let velocity = theta.iter().zip(1u64..).map(|(a, j)| j as f64 * frequency * a).collect();
-        Ok(Fourier { theta, velocity })
+        let amplitudes = self.amplitudes(n as u64);
+        let frequency = self.mean_frequency();
+        let rate = |(a, j): (&Wide, u64)| if a.is_zero() { 0.0 } else { (*a * frequency * j as f64).value() };
+        let velocity = amplitudes.iter().zip(1u64..).map(rate).collect();
+        Ok(Fourier { theta: amplitudes.into_iter().map(Wide::value).collect(), velocity })
     }
 
-    fn amplitudes(&self, n: u64) -> Vec<f64> {
+    fn amplitudes(&self, n: u64) -> Vec<Wide> {
         if let Some(series) = self.series() {
             // A rotation about the other equilibrium has its phase from this one, half a turn away.
             let turned = series.step == 1 && self.frame.half_turn != 0.0;
@@ -84,20 +85,20 @@ impl Orbit {
             return (1..=n)
                 .map(|j| {
                     let (value, power) = series.harmonic(j);
-                    side(j) * (value.value() * power)
+                    Wide::from(value) * Wide::from(power) * side(j)
                 })
                 .collect();
         }
-        let mut amplitudes = vec![0.0; n as usize];
+        let mut amplitudes = vec![Wide::ZERO; n as usize];
         match self.course {
             Course::Libration(_) => {
                 // Of a swing of next to nothing a_3 = theta_max^3/192 is the last that a double may hold.
-                amplitudes[0] = self.theta_max();
+                amplitudes[0] = Wide::from(self.theta_max());
                 if n > 2 {
-                    amplitudes[2] = self.theta_max() * self.tiny_distortion();
+                    amplitudes[2] = amplitudes[0] * self.tiny_distortion();
                 }
             }
-            Course::Separatrix(..) => amplitudes.fill(f64::NAN),
+            Course::Separatrix(..) => amplitudes.fill(Wide::from(f64::NAN)),
             _ => {}
         }
         amplitudes
@@ -120,19 +121,20 @@ impl Orbit {
                 _ => 0.0,
             };
         };
-        let (first, first_power) = series.harmonic(1);
+        // Beside the largest of the harmonics, whose square may be below the range where it is beside the first.
+        let (first, leading) = (series.harmonic(1), series.harmonic(1 + series.step));
         let mut sum = Dd::ZERO;
         let mut j = 1 + series.step;
         loop {
             let (value, power) = series.harmonic(j);
-            let ratio = (value / first).scale(power / first_power);
+            let ratio = (value / leading.0).scale(power / leading.1);
             let square = ratio.square();
             sum = sum + square;
             // sech falls by e^(-decay step) a term or faster once it falls, and 1/j always: what is left is less than
             // this term over 1 - e^(-2 decay step).
             let left = square.hi / least(2.0 * series.decay.hi * series.step as f64);
             if left <= 1e-18 * sum.hi || square.hi == 0.0 {
-                return sum.sqrt().value();
+                return (leading.0 / first.0 * sum.sqrt()).value() * (leading.1 / first.1);
             }
             j += series.step;
         }

@@ -13,6 +13,7 @@ pub mod regime;
 mod rows;
 pub mod second;
 pub mod sensitivity;
+mod slopes;
 pub mod state;
 pub mod states;
 pub mod time;

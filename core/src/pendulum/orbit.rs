@@ -80,7 +80,7 @@ pub(crate) fn carried(power: i32) -> (i32, i32) {
 }
 
 /// k' as a divisor whose inverse stays in range: an angle of 1e-290 from the top is as good as none.
-pub(crate) fn divisor(kc: Dd) -> Dd {
+fn divisor(kc: Dd) -> Dd {
     if kc.hi < 1e-290 { Dd::from(1e-290) } else { kc }
 }
 

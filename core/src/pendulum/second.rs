@@ -22,8 +22,9 @@ pub type Hessians = [[[f64; 3]; 3]; 2];
 
 const UNDEFINED: Hessians = [[[f64::NAN; 3]; 3]; 2];
 
-/// Least kappa^2 and least |1 - kappa^2| with digits left.
+/// Least and most kappa^2, and least |1 - kappa^2|, with digits left.
 const LEAST_RATIO: f64 = 1e-10;
+const MOST_RATIO: f64 = 1e16;
 const LEAST_COMPLEMENT: f64 = 1e-6;
 
 /// Theta and its derivatives at a phase; `t` is tau.
@@ -132,14 +133,15 @@ fn form([tt, tm, mm]: [Dd; 3], [ta, ma]: [Dd; 2], [tb, mb]: [Dd; 2]) -> Dd {
 impl Orbit {
     /// Second derivatives of angle and velocity at t (in s) by the initial angle, the initial velocity and omega0.
     ///
-    /// NaN where kappa^2 is below 1e-10 or within 1e-6 of 1, where omega0 is out of 1e-100..1e100, and as for
+    /// NaN where kappa^2 is below 1e-10, above 1e16 or within 1e-6 of 1, where omega0 is out of 1e-100..1e100, and as for
     /// [`Sensitivity::at`](super::Sensitivity::at). **Error** at most 1e-12 of the largest change of a matrix: its
-    /// elements times the largest angle, the largest velocity and omega0.
+    /// elements times the largest angle, the largest velocity and omega0. Next to t = 0, where all of them vanish, that
+    /// holds for |omega0 t| >= 1e-3 only.
     pub fn second_sensitivities(&self, t: f64) -> Hessians {
         let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else { return UNDEFINED };
         let State { s, c, x, k, m, mc, omega, omega_power, frame, power, .. } = state;
-        let near = m.hi < LEAST_RATIO || mc.hi.abs() < LEAST_COMPLEMENT;
-        if near || power != 0 || omega_power.abs() > 332 || !t.is_finite() {
+        let lost = !(LEAST_RATIO..MOST_RATIO).contains(&m.hi) || mc.hi.abs() < LEAST_COMPLEMENT;
+        if lost || power != 0 || omega_power.abs() > 332 || !t.is_finite() {
             return UNDEFINED;
         }
         let omega = omega.ldexp(omega_power);
@@ -157,8 +159,11 @@ impl Orbit {
         let phase = &set.elliptic.phase;
         let at = phase.reduce(t);
         let half_periods = if set.rotation { 2.0 * at.n.hi } else { at.n.hi };
-        if !(half_periods.abs() < LAST_HALF_PERIOD) {
+        if half_periods.is_nan() || half_periods.abs() >= LAST_HALF_PERIOD {
             return UNDEFINED;
+        }
+        if t == 0.0 {
+            return [[[0.0; 3]; 3]; 2];
         }
         let began = phase.start * set.elliptic.lattice.quarter.scale(2.0);
         let from = set.jet(&set.place(start, Dd::ZERO, began));

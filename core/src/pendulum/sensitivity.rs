@@ -13,8 +13,9 @@
 //! Source: DLMF 22.13(i), 22.16(ii), 19.25(i); the derivative by kappa^2 of Salas 2019 (23).
 
 use super::canonical::LAST_HALF_PERIOD;
-use super::orbit::{Course, Orbit, carried, divisor};
+use super::orbit::{Course, Orbit, carried};
 use super::regime::Regime;
+use super::slopes::{Fill, Motion, Slopes};
 use super::state::State;
 use crate::elliptic::carlson::{THIRD, rd, rf};
 use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
@@ -23,21 +24,22 @@ use crate::elliptic::phase::{Phase, Reduced};
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::long_sinh_cosh;
 use crate::float::scaling::ldexp;
-use crate::float::{Dd, LN_2, PI};
+use crate::float::wide::exp;
+use crate::float::{Dd, PI, Wide};
+use crate::lanes::{single, wide};
 
 /// Rows: angle, velocity. Columns: their derivatives by the initial angle, the initial velocity and omega0.
 pub type Jacobian = [[f64; 3]; 2];
 
 const UNDEFINED: Jacobian = [[f64::NAN; 3]; 2];
 
-/// The two solutions at a phase: `a`, `b` over 2^-power and `p`, `q` over 2^power.
+/// The two solutions at a phase; next to the top they leave the range of the doubles.
 #[derive(Clone, Copy, Debug)]
-struct Solutions {
-    a: Dd,
-    b: Dd,
-    p: Dd,
-    q: Dd,
-    power: i32,
+pub(super) struct Solutions {
+    pub a: Wide,
+    pub b: Wide,
+    pub p: Wide,
+    pub q: Wide,
 }
 
 /// A motion that theta functions describe.
@@ -46,8 +48,8 @@ struct Periodic {
     rotation: bool,
     parameter: Parameter,
     lattice: Lattice,
-    /// What a half period adds to p/a, times mc.
-    shift: Dd,
+    /// What a half period adds to p/a.
+    shift: Wide,
 }
 
 /// The formula that the regime asks for.
@@ -67,12 +69,14 @@ enum Kind {
 /// use libration::{Frequency, Orbit, Sensitivity};
 /// let orbit = Orbit::new(3.0, 0.0, Frequency::from_omega0(1.0)?)?;
 /// let [angle, _] = Sensitivity::new(&orbit).at(5.0);
-/// assert_eq!(angle.map(|slope| format!("{slope:.6}")).join(" "), "9.817411 -8.857867 -6.984785");
+/// assert_eq!(angle.map(|slope| format!("{slope:.6}")).join(" "), "9.258339 9.427493 -6.652040");
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     kind: Kind,
+    /// The same in double over lanes, where that keeps enough digits.
+    slopes: Option<Box<Slopes>>,
     phase: Phase,
     time_scale: f64,
     start: Solutions,
@@ -87,17 +91,21 @@ pub struct Sensitivity {
     side: f64,
 }
 
+/// Most powers of two in omega0, and largest kappa, of the set-up in double.
+const ORDINARY: i32 = 300;
+const ORDINARY_RATIO: f64 = 1e15;
+
 /// Where dn is smaller, 1 is lost beside its inverse square.
 const TOP: f64 = 1e-60;
 
 /// p and q next to the top, where a and b are as on the separatrix, but for the size of cn beside dn.
-fn top([sn, cn, dn]: [Dd; 3]) -> (Dd, Dd) {
-    let q = Dd::ONE / (dn + cn);
-    (sn * q, q)
+fn top([sn, cn, dn]: [Dd; 3]) -> [Wide; 2] {
+    let q = Wide::ONE / Wide::from(dn + cn);
+    [q * Wide::from(sn), q]
 }
 
 /// p and q of a libration between the quarter periods.
-fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> (Dd, Dd) {
+fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> [Wide; 2] {
     let [sn, cn, dn] = values;
     if dn.hi < TOP {
         return top(values);
@@ -105,107 +113,82 @@ fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> (Dd, Dd) {
     let (s2, c2, d2) = (sn.square(), cn.square(), dn.square());
     if m.hi > 0.5 && c2.hi > mc.hi {
         let integral = sn * (rf(c2, d2, Dd::ONE) + s2 * THIRD * rd(Dd::ONE, d2, c2));
-        return (cn * integral, Dd::ONE / cn - sn * dn * integral);
+        return [cn * integral, Dd::ONE / cn - sn * dn * integral].map(Wide::from);
     }
     // The integral of nc^2 has a pole at the quarter period; that of cn^2 has none, and mc is not small beside cn^2.
     let integral = m * sn * (rf(c2, d2, Dd::ONE) - s2 * THIRD * rd(c2, d2, Dd::ONE));
-    ((sn * dn - cn * integral) / mc, (sn * dn * integral + cn * (mc - m * s2)) / mc)
+    [(sn * dn - cn * integral) / mc, (sn * dn * integral + cn * (mc - m * s2)) / mc].map(Wide::from)
 }
 
 /// p and q of a rotation between the quarter periods.
-fn spin(Parameter { m, .. }: Parameter, values: [Dd; 3]) -> (Dd, Dd) {
+fn spin(Parameter { m, .. }: Parameter, values: [Dd; 3]) -> [Wide; 2] {
     let [sn, cn, dn] = values;
     if dn.hi < TOP {
         return top(values);
     }
     let (s2, c2, d2) = (sn.square(), cn.square(), dn.square());
     let integral = sn * (rf(c2, d2, Dd::ONE) + m * s2 * THIRD * rd(c2, Dd::ONE, d2));
-    (dn * integral, Dd::ONE / dn - m * sn * cn * integral)
+    [dn * integral, Dd::ONE / dn - m * sn * cn * integral].map(Wide::from)
 }
 
-/// Beyond this hyperbolic angle only the growing exponential is left.
-const FAR: f64 = 300.0;
+/// Hyperbolic angles up to here have their sine without cancellation, and beyond it only one exponential counts.
+const NEAR: f64 = 300.0;
+/// Beyond, everything is out of the doubles.
+const FAR: f64 = 1e7;
 
-/// e^|y| as a factor and a power of two.
-fn grown(y: Dd) -> (Dd, i32) {
-    let power = (y.hi.abs() / LN_2.hi).round();
-    let rest = y.abs() - LN_2.to_dd() * power;
-    let (sine, cosine) = long_sinh_cosh(rest.abs());
-    (cosine + sine * 1f64.copysign(rest.hi), power as i32)
+/// rate t, held where it is far out.
+fn bounded(rate: Dd, t: f64) -> Dd {
+    if (rate.hi * t).abs() < FAR { rate * t } else { Dd::from(FAR.copysign(t)) }
+}
+
+/// sinh y and cosh y.
+fn hyperbolic(y: Dd) -> [Wide; 2] {
+    let sign = 1f64.copysign(y.hi);
+    if y.hi.abs() < NEAR {
+        let (sinh, cosh) = long_sinh_cosh(y.abs());
+        return [sinh * sign, cosh].map(Wide::from);
+    }
+    let half = exp(y.abs()).shift(-1);
+    [half * sign, half]
 }
 
 /// The solutions on the separatrix.
 fn ridge(y: Dd) -> Solutions {
-    let sign = 1f64.copysign(y.hi);
-    if y.hi.abs() > FAR {
-        let (grown, power) = grown(y);
-        let (a, q) = (Dd::from(2.0) / grown, grown.scale(0.25));
-        return Solutions { a, b: a * sign, p: q * sign, q, power };
-    }
-    let (sinh, cosh) = long_sinh_cosh(y.abs());
-    let a = Dd::ONE / cosh;
-    let b = a * a * sinh * sign;
-    Solutions { a, b, p: (sinh * sign + y * a).scale(0.5), q: (cosh + a - y * b).scale(0.5), power: 0 }
+    let [sinh, cosh] = hyperbolic(y);
+    let a = Wide::ONE / cosh;
+    let (b, y) = (a.square() * sinh, Wide::from(y));
+    Solutions { a, b, p: (sinh + y * a).shift(-1), q: (cosh + a - y * b).shift(-1) }
 }
 
 impl Periodic {
     /// At sn, cn, dn between the quarter periods.
     fn solutions(&self, values: [Dd; 3]) -> Solutions {
         let [sn, cn, dn] = values;
-        let (a, b, (p, q)) = if self.rotation {
+        let (a, b, [p, q]) = if self.rotation {
             (dn, self.parameter.m * sn * cn, spin(self.parameter, values))
         } else {
             (cn, sn * dn, swing(self.parameter, values))
         };
-        Solutions { a, b, p, q, power: 0 }
+        Solutions { a: a.into(), b: b.into(), p, q }
     }
 
     /// At a reduced phase.
     fn at(&self, at: Reduced<f64>) -> Solutions {
-        let Solutions { a, b, p, q, power } =
-            self.solutions(self.lattice.long_values(&Reduced { parity: 1.0, ..at }));
+        let values = self.lattice.long_values(&Reduced { parity: 1.0, ..at });
+        let Solutions { a, b, p, q } = self.solutions(values);
+        let periods = self.shift * Wide::from(at.n);
         let sign = if self.rotation { 1.0 } else { at.parity };
-        if at.n.hi == 0.0 {
-            return Solutions { a, b, p, q, power };
-        }
-        // Over mc in two steps: alone it may be below the range.
-        let kc = divisor(self.lattice.kc);
-        let periods = at.n * self.shift / kc;
-        let (p, q) = (p + periods * (a / kc), q - periods * (b / kc));
-        Solutions { a: a * sign, b: b * sign, p: p * sign, q: q * sign, power }
-    }
-}
-
-/// steady + growing 2^power: what has been left out of the doubles stays apart until the end.
-#[derive(Clone, Copy)]
-struct Weighed {
-    steady: Dd,
-    growing: Dd,
-    power: i32,
-}
-
-impl Weighed {
-    fn times(self, factor: Dd) -> Weighed {
-        Weighed { steady: self.steady * factor, growing: self.growing * factor, power: self.power }
-    }
-    fn plus(self, steady: Dd) -> Weighed {
-        Weighed { steady: self.steady + steady, ..self }
-    }
-    /// Times 2^power, rounded; infinite where it is beyond the doubles.
-    fn value(self, power: i32) -> f64 {
-        if self.power == 0 {
-            return ldexp((self.steady + self.growing).value(), power);
-        }
-        ldexp(self.growing.value(), self.power.saturating_add(power)) + ldexp(self.steady.value(), power)
+        Solutions { a: a * sign, b: b * sign, p: (p + periods * a) * sign, q: (q - periods * b) * sign }
     }
 }
 
 impl Sensitivity {
     /// Of an orbit, by its own initial angle, initial velocity and omega0 = sqrt|omega0^2|.
     pub fn new(orbit: &Orbit) -> Sensitivity {
-        let origin = Solutions { a: Dd::ONE, b: Dd::ZERO, p: Dd::ZERO, q: Dd::ONE, power: 0 };
+        let origin = Solutions { a: Wide::ONE, b: Wide::ZERO, p: Wide::ZERO, q: Wide::ONE };
         let still = Sensitivity {
             kind: Kind::Straight,
+            slopes: None,
             phase: Phase { rate: Dd::ZERO, start: Dd::ZERO },
             time_scale: orbit.time_scale,
             start: origin,
@@ -217,9 +200,44 @@ impl Sensitivity {
             omega_power: 0,
             side: 1.0,
         };
-        match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
+        let made = match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
             Ok(state) => still.along(orbit, &state),
             Err(_) => still.plain(orbit),
+        };
+        Sensitivity { slopes: made.short(), ..made }
+    }
+
+    /// The set-up in double, of orbits that are neither next to the separatrix nor of an extreme size.
+    fn short(&self) -> Option<Box<Slopes>> {
+        let Kind::Periodic(periodic) = &self.kind else { return None };
+        let Periodic { rotation, parameter, lattice, .. } = &**periodic;
+        if self.power != 0 || self.omega_power.abs() > ORDINARY || self.k.hi > ORDINARY_RATIO {
+            return None;
+        }
+        let motion = Motion {
+            rotation: *rotation,
+            phase: self.phase,
+            time_scale: self.time_scale,
+            last: if *rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
+            start: self.start,
+            k: self.k,
+            x: self.x,
+            stretch: self.stretch,
+            omega: self.omega.ldexp(self.omega_power),
+            side: self.side,
+        };
+        Slopes::new(*parameter, lattice, &motion).map(Box::new)
+    }
+
+    /// Every time, over the lanes that `run` takes or one by one.
+    fn sample(&self, t: &[f64], mut results: [&mut [f64]; 6], run: fn(Fill<'_, '_>)) {
+        if let Some(slopes) = &self.slopes {
+            return run(Fill { slopes, t, results });
+        }
+        for (row, t) in t.iter().enumerate() {
+            for (column, slope) in results.iter_mut().zip(self.careful(*t).as_flattened()) {
+                column[row] = *slope;
+            }
         }
     }
 
@@ -234,7 +252,7 @@ impl Sensitivity {
             rotation: false,
             parameter: Parameter { m: Dd::ZERO, mc: Dd::ONE },
             lattice: Lattice::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE),
-            shift: Dd::ZERO,
+            shift: Wide::ZERO,
         };
         Sensitivity {
             kind: Kind::Periodic(Box::new(periodic)),
@@ -247,12 +265,13 @@ impl Sensitivity {
     }
 
     fn along(self, orbit: &Orbit, state: &State) -> Sensitivity {
-        let State { s, c, x, k, m, mc, power, omega, omega_power, frame, .. } = *state;
+        let State { s, c, x, k, kc, m, mc, power, omega, omega_power, frame, .. } = *state;
         let common = Sensitivity { k, x, power, omega, omega_power, side: frame.side, ..self };
         match &orbit.course {
             Course::Libration(elliptic) => {
                 let parameter = Parameter { m: m.ldexp(2 * power), mc };
-                let shift = complete_difference_dd(parameter).scale(-2.0);
+                let shift =
+                    Wide::from(complete_difference_dd(parameter).scale(-2.0)) / Wide::from(kc).square();
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: false, parameter, lattice, shift };
                 let start = periodic.solutions([s / k, x / k, c]);
@@ -265,7 +284,7 @@ impl Sensitivity {
             }
             Course::Rotation(elliptic) => {
                 let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
-                let shift = complete_e_dd(parameter).scale(2.0);
+                let shift = Wide::from(complete_e_dd(parameter).scale(2.0)) / Wide::from(kc / k).square();
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: true, parameter, lattice, shift };
                 let start = periodic.solutions([s, c, x / k]);
@@ -273,22 +292,16 @@ impl Sensitivity {
                 Sensitivity { kind, phase: elliptic.phase, start, stretch: k, ..common }
             }
             Course::Separatrix(phase, _) => {
-                let (inverse, b) = (Dd::ONE / divisor(c), s * c);
-                let (p, q) = (s * inverse + phase.start * c, inverse + c - phase.start * b);
-                let start = Solutions { a: c, b, p: p.scale(0.5), q: q.scale(0.5), power: 0 };
+                let (inverse, b, y) = (Wide::ONE / Wide::from(c), s * c, phase.start);
+                let p = (inverse * Wide::from(s) + Wide::from(y * c)).shift(-1);
+                let q = (inverse + Wide::from(c - y * b)).shift(-1);
+                let start = Solutions { a: c.into(), b: b.into(), p, q };
                 Sensitivity { kind: Kind::Separatrix, phase: *phase, start, ..common }
             }
             Course::Still | Course::Free => {
                 let (inside, outside) = carried(omega_power);
                 let phase = Phase { rate: omega.ldexp(inside), start: Dd::ZERO };
-                Sensitivity {
-                    kind: Kind::Balance,
-                    phase,
-                    time_scale: ldexp(1.0, outside),
-                    omega,
-                    omega_power,
-                    ..self
-                }
+                Sensitivity { kind: Kind::Balance, phase, time_scale: ldexp(1.0, outside), ..common }
             }
         }
     }
@@ -299,6 +312,24 @@ impl Sensitivity {
     /// the doubles. **Error** in each row at most 1e-12 of the largest change: the three derivatives times the largest
     /// angle, the largest velocity and omega0.
     pub fn at(&self, t: f64) -> Jacobian {
+        let mut slopes = [[0.0]; 6];
+        self.sample(&[t], slopes.each_mut().map(|column| column.as_mut_slice()), |fill| single(fill));
+        let [[a], [b], [c], [d], [e], [f]] = slopes;
+        [[a, b, c], [d, e, f]]
+    }
+
+    /// [`Sensitivity::at`] of every time, bit for bit, on the widest lanes, row by row of the matrix; panics where the
+    /// lengths differ.
+    pub fn at_into(&self, t: &[f64], slopes: [&mut [f64]; 6]) {
+        assert!(
+            slopes.iter().all(|column| column.len() == t.len()),
+            "results of another length than the times"
+        );
+        self.sample(t, slopes, |fill| wide(fill));
+    }
+
+    /// By Carlson's integrals in double-double.
+    fn careful(&self, t: f64) -> Jacobian {
         if !t.is_finite() {
             return UNDEFINED;
         }
@@ -308,8 +339,11 @@ impl Sensitivity {
         let passed = t * self.time_scale;
         match &self.kind {
             Kind::Straight => [[1.0, t, 0.0], [0.0, 1.0, 0.0]],
-            Kind::Balance => self.balance(self.phase.rate * passed),
-            Kind::Separatrix => self.assembled(passed, &ridge(self.phase.rate * passed + self.phase.start)),
+            Kind::Balance => self.balance(bounded(self.phase.rate, passed)),
+            Kind::Separatrix => {
+                let y = bounded(self.phase.rate, passed) + self.phase.start;
+                self.assembled(passed, &ridge(y))
+            }
             Kind::Periodic(periodic) => {
                 let at = self.phase.reduce(passed);
                 let half_periods = if periodic.rotation { 2.0 * at.n.hi } else { at.n.hi };
@@ -323,48 +357,25 @@ impl Sensitivity {
     }
 
     fn assembled(&self, passed: f64, now: &Solutions) -> Jacobian {
-        let Sensitivity { start, stretch, k, x, power, omega, omega_power, side, .. } = *self;
-        let fallen = |value: Dd| value.ldexp(-now.power);
-        let pair = |falling: Dd, growing: Dd| Weighed { steady: fallen(falling), growing, power: now.power };
-        let by_angle = pair(now.a * start.q, now.p * start.b);
-        let by_velocity = pair(-(start.p * now.a), start.a * now.p).times(Dd::ONE / stretch);
-        let rate_by_angle = pair(-(now.b * start.q), now.q * start.b).times(stretch * omega);
-        let rate_by_velocity = pair(start.p * now.b, start.a * now.q);
-        let turned = omega.ldexp(carried(omega_power).0) * passed;
-        let by_force = by_velocity.times(-x).plus(fallen(k * now.a) * turned);
-        let rate_by_force = rate_by_velocity
-            .times(-x)
-            .plus(fallen(k * now.a))
-            .plus(-(fallen(k * now.b) * (turned * stretch)));
-        let (inverse, twice) = (Dd::ONE / omega, Dd::from(2.0 * side));
+        let [k, x, stretch, omega] = [self.k, self.x, self.stretch, self.omega].map(Wide::from);
+        let (k, x, omega) = (k.shift(self.power), x.shift(self.power), omega.shift(self.omega_power));
+        let start = &self.start;
+        let by_velocity = (start.a * now.p - start.p * now.a) / stretch;
+        let rate_by_velocity = start.a * now.q + start.p * now.b;
+        let turned = Wide::from(self.omega.ldexp(carried(self.omega_power).0)) * passed;
+        let by_force = k * now.a * turned - x * by_velocity;
+        let rate_by_force = k * now.a - stretch * k * now.b * turned - x * rate_by_velocity;
+        let twice = 2.0 * self.side;
         [
-            [
-                by_angle.value(0),
-                by_velocity.times(inverse).value(-omega_power),
-                by_force.times(inverse * twice).value(power - omega_power),
-            ],
-            [
-                rate_by_angle.value(omega_power),
-                rate_by_velocity.value(0),
-                rate_by_force.times(twice).value(power),
-            ],
+            [now.a * start.q + now.p * start.b, by_velocity / omega, by_force * twice / omega],
+            [(now.q * start.b - now.b * start.q) * stretch * omega, rate_by_velocity, rate_by_force * twice],
         ]
+        .map(|row| row.map(Wide::value))
     }
 
     /// On the upper equilibrium: cosh y, and sinh y over and times omega0.
     fn balance(&self, y: Dd) -> Jacobian {
-        let (sinh, cosh, power) = if y.hi.abs() > FAR {
-            let (grown, power) = grown(y);
-            (grown.scale(0.5), grown.scale(0.5), power)
-        } else {
-            let (sinh, cosh) = long_sinh_cosh(y.abs());
-            (sinh, cosh, 0)
-        };
-        let sinh = sinh * 1f64.copysign(y.hi);
-        let value = |of: Dd, more: i32| ldexp(of.value(), power.saturating_add(more));
-        [
-            [value(cosh, 0), value(sinh / self.omega, -self.omega_power), 0.0],
-            [value(sinh * self.omega, self.omega_power), value(cosh, 0), 0.0],
-        ]
+        let ([sinh, cosh], omega) = (hyperbolic(y), Wide::from(self.omega).shift(self.omega_power));
+        [[cosh, sinh / omega, Wide::ZERO], [sinh * omega, cosh, Wide::ZERO]].map(|row| row.map(Wide::value))
     }
 }

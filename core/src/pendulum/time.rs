@@ -9,12 +9,12 @@ use super::canonical::LAST_HALF_PERIOD;
 use super::orbit::{Course, Elliptic, Orbit};
 use super::state::{State, half_angle};
 use crate::domain::Domain;
-use crate::elliptic::carlson::rf_of_roots;
+use crate::elliptic::carlson::{rf, rf_of_roots};
 use crate::elliptic::phase::Phase;
 use crate::float::circle::{self, Reduced};
 use crate::float::elementary::arctangent;
 use crate::float::scaling::ldexp;
-use crate::float::{Dd, PI, Td};
+use crate::float::{Dd, PI, TWO_PI, Td};
 
 /// Most passages in one answer.
 pub const MOST_TIMES: f64 = 1e7;
@@ -62,10 +62,10 @@ impl Orbit {
         let turns = frame.side * (reduced.turns - frame.turns + half_turns);
         let libration = mc.hi > 0.0;
         let half_cosine = cosine.to_dd();
-        let (sine, cosine) = if theta == self.theta0 {
-            (state.s / k, state.x / k)
-        } else if libration && self.turns_at(theta, &reduced) {
+        let (sine, cosine) = if libration && self.turns_at(theta, &reduced) {
             (Dd::from(side), Dd::ZERO)
+        } else if theta == self.theta0 {
+            (state.s / k, state.x / k)
         } else {
             let square = half_cosine.square();
             let speed = if libration && square.hi < 2.0 * mc.hi || power != 0 {
@@ -90,21 +90,51 @@ impl Orbit {
 
     /// Lowest and highest angle in rad: the turning angles, the limits on the separatrix, infinite in rotation.
     pub fn extremes(&self) -> (f64, f64) {
-        let (frame, centre) = (&self.frame, self.frame.base + PI * self.frame.half_turn);
-        let around = |reach: Dd| ((centre - reach).value(), (centre + reach).value());
+        let frame = &self.frame;
+        let around = |reach: Dd| ((frame.base - reach).value(), (frame.base + reach).value());
         match &self.course {
             Course::Still => (self.theta0, self.theta0),
             Course::Free | Course::Rotation(_) => (f64::NEG_INFINITY, f64::INFINITY),
-            Course::Separatrix(..) => around(PI),
-            Course::Libration(elliptic) if frame.shifted() => {
-                let State { k, power, .. } = match State::new(self.theta0, self.velocity0, self.force) {
-                    Ok(state) => state,
-                    Err(_) => return (self.theta0, self.theta0),
-                };
-                around(arctangent(k.ldexp(power), elliptic.lattice.kc).scale(2.0))
+            Course::Separatrix(..) if frame.half_turn == 0.0 => around(PI),
+            Course::Libration(_) if !frame.shifted() => (-self.theta_max(), self.theta_max()),
+            Course::Libration(elliptic) if frame.half_turn == 0.0 => {
+                around(arctangent(self.kappa(), elliptic.lattice.kc).scale(2.0))
             }
-            Course::Libration(_) => (-self.theta_max(), self.theta_max()),
+            course => {
+                // From the other equilibrium the near end is the distance from the top, and the far end a turn on.
+                let gap = match course {
+                    Course::Libration(elliptic) => {
+                        arctangent(elliptic.lattice.kc, self.kappa()).scale(2.0 * frame.half_turn)
+                    }
+                    _ => Dd::ZERO,
+                };
+                let near = (frame.base + gap).value();
+                let far = (frame.base + (TWO_PI * frame.half_turn - gap)).value();
+                if near < far { (near, far) } else { (far, near) }
+            }
         }
+    }
+
+    /// kappa of a libration.
+    fn kappa(&self) -> Dd {
+        let state = State::new(self.theta0, self.velocity0, self.force);
+        state.map_or(Dd::ZERO, |state| state.k.ldexp(state.power))
+    }
+
+    /// Half periods from the start to the nearest turning point, signed: its quarter period less the time since the
+    /// bottom, as cn R_F(mc, mc sn^2, dn^2) at the start, without that difference.
+    fn to_turning(&self, elliptic: &Elliptic) -> Dd {
+        let Ok(State { s, c, x, k, kc, .. }) = State::new(self.theta0, self.velocity0, self.force) else {
+            return Dd::ZERO;
+        };
+        if elliptic.phase.start.hi.abs() < 0.25 {
+            return Dd::from(0.5f64.copysign(s.hi)) - elliptic.phase.start;
+        }
+        let (cn, ratio) = (x / k, kc / c);
+        // Over dn^2, which is as small as mc next to the top.
+        let square = ratio.square();
+        let time = cn / c * rf(square, square * (s / k).square(), Dd::ONE);
+        time / elliptic.lattice.quarter.scale(2.0) * 1f64.copysign(s.hi)
     }
 
     /// All times from `start` to `stop` (in s, both included) at which the motion passes `theta` (in rad): modulo 2 pi
@@ -127,17 +157,15 @@ impl Orbit {
         let since_bottom = || place.sine * rf_of_roots(place.cosine, place.half_cosine);
         match &self.course {
             Course::Libration(elliptic) => {
+                let began = elliptic.phase.start;
                 if place.cosine.hi == 0.0 {
-                    return self.instants(
-                        elliptic,
-                        &[Dd::from(0.5 * place.sine.hi.signum())],
-                        2.0,
-                        start,
-                        stop,
-                    );
+                    let nearest = self.to_turning(elliptic);
+                    let other = place.sine.hi.signum() != 1f64.copysign(state.s.hi);
+                    let at = if other { nearest + Dd::ONE } else { nearest };
+                    return self.instants(elliptic, &[at], 2.0, start, stop);
                 }
                 let up = since_bottom() / elliptic.lattice.quarter.scale(2.0);
-                self.instants(elliptic, &[up, Dd::ONE - up], 2.0, start, stop)
+                self.instants(elliptic, &[up - began, Dd::ONE - up - began], 2.0, start, stop)
             }
             Course::Rotation(elliptic) => {
                 let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
@@ -158,7 +186,9 @@ impl Orbit {
     pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         check_interval(start, stop)?;
         match &self.course {
-            Course::Libration(elliptic) => self.instants(elliptic, &[Dd::from(0.5)], 1.0, start, stop),
+            Course::Libration(elliptic) => {
+                self.instants(elliptic, &[self.to_turning(elliptic)], 1.0, start, stop)
+            }
             _ => Ok(Vec::new()),
         }
     }
@@ -170,10 +200,10 @@ impl Orbit {
 
     /// Time of an angle without force.
     fn straight_time(&self, theta: f64) -> f64 {
-        (Dd::sum(theta, -self.theta0) / Dd::from(self.velocity0)).value()
+        (Dd::sum(0.5 * theta, -0.5 * self.theta0) / Dd::from(0.5 * self.velocity0)).value()
     }
 
-    /// Times of phases (rising, in half periods) that repeat every `spacing` half periods.
+    /// Times of phases (in half periods since the start, rising) that repeat every `spacing` half periods.
     fn instants(
         &self,
         elliptic: &Elliptic,
@@ -185,7 +215,7 @@ impl Orbit {
         let phase = &elliptic.phase;
         let passed = |t: f64| {
             let near = t.is_finite();
-            if near { (phase.rate * (t * self.time_scale) + phase.start).hi } else { t }
+            if near { (phase.rate * (t * self.time_scale)).hi } else { t }
         };
         let (first, last) = (passed(start), passed(stop));
         let repeats = |at: Dd| ((first - at.hi) / spacing, (last - at.hi) / spacing);
@@ -211,7 +241,7 @@ impl Orbit {
         let mut repeat = low - 1.0;
         while repeat <= high + 1.0 {
             for at in phases {
-                let t = self.time_of(phase, *at + Dd::from(repeat * spacing));
+                let t = ((*at + Dd::from(repeat * spacing)) / phase.rate).value() / self.time_scale;
                 if (start..=stop).contains(&t) {
                     times.push(t);
                 }

@@ -1,17 +1,18 @@
 # argparse: in the standard library, maintained, and fast to start; its errors are re-worded in parser.py.
-"""The command `libration`: the exact motion and period of a pendulum, from the shell.
+"""The command `libration`: the exact motion and period of a pendulum, and of a Duffing oscillator, from the shell.
 
 One function, `main`. Every refusal is one line on the standard error and exit code 2; nothing is left half
 written. NumPy and matplotlib are loaded by the commands that need them, so that `--help` is quick.
 """
 
 import contextlib
+import importlib
 import sys
 
 from libration.cli.parser import Refusal, top_parser
 from libration.cli.streams import Ended, drop, ending, printable, refused
 
-COMMANDS = ("solve", "period")
+COMMANDS = ("solve", "period", "duffing")
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -71,8 +72,4 @@ def answered(words):
 
 def command(name):
     """The function that runs one command, loaded only now."""
-    if name == "solve":
-        from libration.cli.solve import run
-    else:
-        from libration.cli.period import run
-    return run
+    return importlib.import_module(f"libration.cli.{name}").run

@@ -120,12 +120,13 @@ TOP_EPILOG = """\
 commands:
   solve       angle and velocity at many instants, as a table and as a plot
   period      the period, and how much longer it is than that of small swings
+  duffing     the nonlinear spring u'' + p u + q u^3 = 0, as solve
 
 examples:
   libration period --theta0 150deg
   libration solve --theta0 170deg --length 1m --out motion.csv --plot motion.png
 
-`libration solve --help` and `libration period --help` tell the rest."""
+`libration COMMAND --help` tells the rest."""
 
 
 class TopParser(Parser):

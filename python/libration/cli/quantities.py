@@ -93,6 +93,17 @@ def quantity(option, text, dimension, *, above=None, least=None):
     return value
 
 
+NUMBERS = Dimension("plain numbers", {"": ONE}, {})
+
+
+def plain(option, text):
+    """The double nearest to a plain number, or a Refusal."""
+    found = NUMBER.fullmatch(text.replace("\N{MINUS SIGN}", "-"))
+    if found and found[2]:
+        raise refusal(option, text, "must be a plain number, without a unit")
+    return quantity(option, text, NUMBERS)
+
+
 def split(option, text, dimension):
     """The number and the unit of a quantity, as typed, or a Refusal."""
     plain = text.replace("\N{MINUS SIGN}", "-")

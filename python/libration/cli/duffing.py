@@ -1,0 +1,140 @@
+"""`libration duffing`: the motion of u'' + p u + q u^3 = 0 at many instants, its summary, a table and a plot.
+
+Everything that can be refused is refused before the motion is evaluated; files appear whole or not at all.
+"""
+
+import math
+
+from libration.cli.files import strict, write_table
+from libration.cli.parameters import keyed
+from libration.cli.parser import Parser, Refusal
+from libration.cli.quantities import plain
+from libration.cli.sampling import (
+    FILES,
+    check_instants,
+    check_targets,
+    draw,
+    instant_options,
+    instants,
+    plotter,
+    result_options,
+    sampled,
+    targets,
+    written,
+)
+
+DESCRIPTION = """\
+The exact motion of the Duffing oscillator u'' + p u + q u^3 = 0 from any start: hardening or
+softening, with one well or two, on a separatrix, or escaping to infinity in finite time."""
+
+EPILOG = f"""\
+u0, velocity0, p and q are plain numbers, of any sign; u has the unit that you give it, time is
+in s (ms, min, h in --until). Beyond an escape u does not exist: nan in a table, null
+in JSON.
+
+{FILES}
+
+With --json: one object on the standard output. null stands for a value that is infinite or
+does not exist: a motion that does not repeat has no period, one that does not escape no
+escape time.
+
+examples:
+  libration duffing --p 1 --q 0.5 --u0 2
+  libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png
+  libration duffing --p 1 --q -1 --u0 1.1 --out escape.csv"""
+
+REQUIRED = ("p", "q", "u0")
+
+
+def parser():
+    """The options of `libration duffing`."""
+    made = Parser("libration duffing", DESCRIPTION, EPILOG)
+    made.usage = "libration duffing --p P --q Q --u0 U0 [options]"
+    group = made.add_argument_group("the oscillator")
+    made.value(group, "--p", "P", "coefficient of the linear force (required)")
+    made.value(group, "--q", "Q", "coefficient of the cubic force (required)")
+    made.value(group, "--u0", "U0", "initial displacement (required)")
+    made.value(group, "--velocity0", "VELOCITY0", "initial velocity (default 0)")
+    instant_options(made)
+    result_options(made, "t, u and velocity", "u(t)")
+    return made
+
+
+def run(words):
+    """Solve what the words ask for, write the files, print the summary."""
+    from libration import Duffing
+
+    options = parser().options(words)
+    missing = [f"--{name}" for name in REQUIRED if getattr(options, name) is None]
+    if missing:
+        raise Refusal(f"missing {', '.join(missing)}; such as --p 1 --q 0.5 --u0 2")
+    given = {name: plain(f"--{name}", getattr(options, name)) for name in REQUIRED}
+    given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
+    check_instants(options)
+    check_targets(options)
+    motion = Duffing(**given)
+    with targets(options) as (table, picture):
+        plot = plotter("libration.portrait", "plot_oscillator", options.plot)
+        times, source = instants(options)
+        u, velocity = motion.motion(times)
+        if table:
+            columns = [("t", "s", times), ("u", "", u), ("velocity", "1/s", velocity)]
+            write_table(table, options.out, parameters(given, motion), columns)
+        if picture:
+            draw(plot, motion, times, picture, options.plot)
+    files = written(options)
+    if options.json:
+        answer = keyed(parameters(given, motion)[1:])
+        answer |= {"samples": len(times), "first_t_s": float(times[0]), "last_t_s": float(times[-1]), "files": files}
+        print(strict(answer))
+    else:
+        print_text(motion, times, source, files)
+
+
+def parameters(given, motion):
+    """What was given and what the motion is, as (name, value, unit)."""
+    from libration import __version__
+
+    low, high = motion.range
+    found = [
+        ("period", motion.period, "s"),
+        ("lowest_u", low, ""),
+        ("highest_u", high, ""),
+        ("energy", motion.energy, ""),
+    ]
+    found += [("escape", motion.escape_time, "s"), ("escape_backward", motion.escape_time_backward, "s")]
+    names = ("p", "q", "u0", "velocity0")
+    return [
+        ("libration", __version__, ""),
+        *((name, given[name], "") for name in names),
+        ("regime", str(motion.regime), ""),
+        *((name, float(value), unit) for name, value, unit in found),
+    ]
+
+
+def print_text(motion, times, source, files):
+    """The summary for people."""
+    import numpy as np
+
+    from libration.cli.summary import digits, print_lines
+
+    def time(value, never):
+        return f"{digits(value)} s" if math.isfinite(value) else never
+
+    def bound(value):
+        return digits(value) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
+
+    low, high = motion.range
+    lines = [
+        ("regime", str(motion.regime)),
+        ("period", time(motion.period, "none, it does not repeat")),
+        ("range of u", f"{bound(low)} to {bound(high)}"),
+        ("energy", f"{digits(motion.energy)} per unit mass, 0 at rest at u = 0"),
+        ("escapes at", time(motion.escape_time, "never")),
+        ("came from infinity at", time(motion.escape_time_backward, "never")),
+        ("sampled", sampled(times, source)),
+    ]
+    beyond = int(np.count_nonzero((times > motion.escape_time) | (times < motion.escape_time_backward)))
+    if beyond:
+        lines.append(("of them beyond an escape", f"{beyond}, nan in a table"))
+    print_lines(lines + [("written", path) for path in files])

@@ -1,0 +1,95 @@
+//! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, for the
+//! theta functions `_q` too. The parameter is set up once for the rows that share it; Carlson's integrals have none.
+
+use libration::{Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta};
+use libration::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
+use pyo3::prelude::*;
+
+use crate::kernels::nothing;
+use crate::ufunc::{BLOCK, add, each, whole};
+
+/// A constructor of parameters, one per keyword.
+type From = fn(f64) -> Parameter;
+
+/// Adds the elliptic ufuncs to the module.
+pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let keywords: [(&str, From); 3] =
+        [("m", Parameter::from_m), ("mc", Parameter::from_mc), ("k", Parameter::from_modulus)];
+    for (keyword, from) in keywords {
+        let named = |name: &str| format!("{name}_{keyword}");
+        jacobian(module, &named, from)?;
+        second_kind(module, &named, from)?;
+        integrals(module, &named, from)?;
+        theta(module, &named, move |given| Theta::from_parameter(from(given)))?;
+    }
+    theta(module, &|name| format!("{name}_q"), Theta::from_nome)?;
+    add(module, "carlson_rf", nothing, each(|(): &(), [x, y, z]| [carlson_rf(x, y, z)]))?;
+    add(module, "carlson_rc", nothing, each(|(): &(), [x, y]| [carlson_rc(x, y)]))?;
+    add(module, "carlson_rd", nothing, each(|(): &(), [x, y, z]| [carlson_rd(x, y, z)]))?;
+    add(module, "carlson_rj", nothing, each(|(): &(), [x, y, z, p]| [carlson_rj(x, y, z, p)]))
+}
+
+fn values(jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 4]) {
+    jacobi.values_into(u, columns.each_mut().map(|column| &mut column[..rows]));
+}
+
+/// Jacobi's functions: four together, each of the twelve and its inverse, and three of a complex argument.
+fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from: From) -> PyResult<()> {
+    let set_up = move |[given]: [f64; 1]| Some(Jacobi::new(from(given)));
+    add(module, &named("jacobi"), set_up, whole::<[f64; 4], _>(values))?;
+    for which in Glaisher::ALL {
+        let name = which.name();
+        let function =
+            move |jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, [out]: &mut [[f64; BLOCK]; 1]| {
+                jacobi.glaisher_into(which, u, &mut out[..rows]);
+            };
+        add(module, &named(name), set_up, whole::<[f64; 1], _>(function))?;
+        let inverse = move |p: &Parameter, [x]: [f64; 1]| [libration::inverse_jacobi(which, x, *p)];
+        add(module, &named(&format!("arc{name}")), move |[given]| Some(from(given)), each(inverse))?;
+    }
+    let complex = |jacobi: &JacobiComplex, [re, im]: [f64; 2]| {
+        let [[sn_re, sn_im], [cn_re, cn_im], [dn_re, dn_im]] = jacobi.values(re, im);
+        [sn_re, sn_im, cn_re, cn_im, dn_re, dn_im]
+    };
+    add(module, &named("jacobi_complex"), move |[given]| Some(JacobiComplex::new(from(given))), each(complex))
+}
+
+/// Jacobi's epsilon and zeta.
+fn second_kind(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from: From) -> PyResult<()> {
+    let set_up = move |[given]: [f64; 1]| Some(SecondKind::new(from(given)));
+    add(module, &named("jacobi_epsilon"), set_up, each(|second: &SecondKind, [u]| [second.epsilon(u)]))?;
+    add(module, &named("jacobi_zeta"), set_up, each(|second: &SecondKind, [u]| [second.zeta(u)]))
+}
+
+/// Legendre's integrals, the nome and Heuman's lambda.
+fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from: From) -> PyResult<()> {
+    let parameter = move |[given]: [f64; 1]| Some(from(given));
+    let incomplete_f = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_f(phi, *p)];
+    add(module, &named("incomplete_f"), parameter, each(incomplete_f))?;
+    let incomplete_e = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_e(phi, *p)];
+    add(module, &named("incomplete_e"), parameter, each(incomplete_e))?;
+    let incomplete_pi = |p: &Parameter, [n, phi]: [f64; 2]| [libration::incomplete_pi(n, phi, *p)];
+    add(module, &named("incomplete_pi"), parameter, each(incomplete_pi))?;
+    let complete_pi = |p: &Parameter, [n]: [f64; 1]| [libration::complete_pi(n, *p)];
+    add(module, &named("complete_pi"), parameter, each(complete_pi))?;
+    let heuman_lambda = |p: &Parameter, [phi]: [f64; 1]| [libration::heuman_lambda(phi, *p)];
+    add(module, &named("heuman_lambda"), parameter, each(heuman_lambda))?;
+    // A complete function has nothing but its parameter: the value itself is what is kept.
+    let kept = |value: &f64, []: [f64; 0]| [*value];
+    add(module, &named("complete_k"), move |[given]| Some(libration::complete_k(from(given))), each(kept))?;
+    add(module, &named("complete_e"), move |[given]| Some(libration::complete_e(from(given))), each(kept))?;
+    add(module, &named("nome"), move |[given]| Some(libration::nome(from(given))), each(kept))
+}
+
+/// The four theta functions.
+fn theta(
+    module: &Bound<'_, PyModule>,
+    named: &impl Fn(&str) -> String,
+    from: impl Fn(f64) -> Theta + Copy + Send + Sync + 'static,
+) -> PyResult<()> {
+    for index in 1..=4 {
+        let value = move |theta: &Theta, [z]: [f64; 1]| [theta.value(index, z)];
+        add(module, &named(&format!("theta{index}")), move |[given]| Some(from(given)), each(value))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,75 @@
+"""The cubic-quintic oscillator through the Python door."""
+
+import csv
+import math
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from bits import same
+from test_duffing import error, truth
+
+from libration import CubicQuintic, Duffing
+
+ROOT = Path(__file__).resolve().parents[2]
+with (ROOT / "reference/vectors/cubic_quintic.csv").open(newline="") as file:
+    ROWS = list(csv.DictReader(file))
+NAMES = ("u0", "velocity0", "alpha", "beta", "gamma", "t")
+
+
+def worst(spoil=1.0):
+    """Largest errors of u and velocity, in 4 ulp of the scale plus 2**-100 of the condition, and how many regimes are wrong."""
+    largest, wrong = 0.0, 0
+    for row in ROWS:
+        u0, velocity0, alpha, beta, gamma, t = (float.fromhex(row[name]) for name in NAMES)
+        oscillator = CubicQuintic(u0, velocity0, alpha=alpha, beta=beta, gamma=gamma)
+        wrong += oscillator.regime != row["regime"]
+        u, velocity = oscillator.motion(t)
+        for got, name in ((u * spoil, "u"), (velocity, "velocity")):
+            scale = float(row[f"scale_{name}"])
+            unit = 4 * math.ulp(scale) + 2.0**-100 * float(row[f"cond_{name}"]) if scale < math.inf else math.inf
+            largest = max(largest, error(float(got), truth(row, name), unit))
+    return largest, wrong
+
+
+def test_truth():
+    assert len(ROWS) >= 400
+    largest, wrong = worst()
+    assert wrong == 0
+    assert largest <= 1.0
+
+
+def test_a_spoiled_motion_is_found():
+    assert worst(spoil=1 + 2e-15)[0] > 1.0
+
+
+def test_without_a_fifth_power_it_is_the_cubic_one():
+    t = np.linspace(-0.9, 0.9, 7)
+    for u0, velocity0, p, q in [
+        (1.0, 0.2, 1.0, 1.0),
+        (1.4, 0.0, -1.0, 1.0),
+        (0.3, 0.5, 1.0, -1.0),
+        (2.0, 0.0, 1.0, -1.0),
+    ]:
+        cubic = Duffing(u0, velocity0, p=p, q=q)
+        quintic = CubicQuintic(u0, velocity0, alpha=p, beta=q, gamma=0.0)
+        assert quintic.regime == cubic.regime
+        assert np.allclose(quintic.u(t), cubic.u(t), rtol=1e-14, atol=1e-15)
+        assert quintic.range == pytest.approx(cubic.range, rel=1e-15)
+        assert quintic.escape_time == pytest.approx(cubic.escape_time, rel=1e-14)
+
+
+def test_arrays_times_and_identity():
+    spring = CubicQuintic(1.2, alpha=1.0, beta=-2.5, gamma=1.0)
+    t = np.linspace(0.0, 9.0, 11)
+    u, velocity = spring.motion(t)
+    assert same(u, spring.u(t)) and same(velocity, spring.velocity(t))
+    assert same(u[3], np.asarray(spring.u(float(t[3])))[()])
+    times = spring.times(1.25, 0.0, 20.0)
+    assert len(times) > 2 and np.allclose(spring.u(times), 1.25, rtol=1e-13)
+    assert pickle.loads(pickle.dumps(spring)) == spring
+    assert repr(spring) == "CubicQuintic(u0=1.2, velocity0=0.0, alpha=1.0, beta=-2.5, gamma=1.0)"
+    with pytest.raises(ValueError) as caught:
+        CubicQuintic(1.0, alpha=1.0, beta=1.0, gamma=math.inf)
+    assert str(caught.value) == "gamma = inf: must be finite"
