@@ -36,7 +36,7 @@ def root(tmp_path):
         "NOTATION.md": "| angle | `theta` |\n",
         "README.md": "<!-- generated: accuracy -->\n0.5\n<!-- end generated -->\n[notation](NOTATION.md)\n",
         "docs/accuracy.md": "<!-- summary -->\n0.5\n<!-- end summary -->\n",
-        "docs/functions.md": "<!-- generated: functions -->\n<!-- end generated -->\n",
+        "docs/corners.toml": '[[corner]]\ntitle = "rest"\ncall = "theta(0)"\ngives = "0"\nwhy = "it rests"\n',
         "core/src/pendulum/motion.rs": "impl Orbit {\n    pub fn theta(&self) -> f64 { self.a }\n}\n",
         "core/tests/vectors.rs": "#[test]\nfn pendulum() {}\n",
         "python/libration/__init__.py": '__all__ = ["theta"]\n\n\ndef theta():\n    pass\n',
@@ -47,9 +47,10 @@ def root(tmp_path):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
     shutil.copy(HERE.parent / "docs/generate.py", tmp_path / "docs/generate.py")
-    written = pages.runpy.run_path(str(tmp_path / "docs/generate.py"))["blocks"](tmp_path)["functions"]
-    text = f"<!-- generated: functions -->\n{written}<!-- end generated -->\n"
-    (tmp_path / "docs/functions.md").write_text(text)
+    for block, text in pages.runpy.run_path(str(tmp_path / "docs/generate.py"))["blocks"](tmp_path).items():
+        if block != "accuracy":
+            page = f"<!-- generated: {block} -->\n{text}<!-- end generated -->\n"
+            (tmp_path / f"docs/{block}.md").write_text(page)
     return tmp_path
 
 
