@@ -9,7 +9,7 @@ from .orbit import Orbit
 _BY = ("theta0", "velocity0", "omega0")
 _FIRST = {"of": ("theta", "velocity"), "by": _BY}
 _SECOND = {**_FIRST, "and_by": _BY}
-# The twelve different second derivatives, in the places of the two symmetric matrices.
+# Where each of a symmetric matrix's nine elements stands among its six different ones.
 _SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 
 

@@ -93,7 +93,8 @@ def tensor(results: tuple[Any, ...], axes: dict[str, tuple[str, ...]]) -> Any:
     library = array_library(results)
     taken = set(axes).intersection(getattr(results[0], "dims", ()))
     if taken:
-        raise ValueError(f"t has the dimension {', '.join(sorted(taken))}: of, by and and_by name the new dimensions")
+        names = ", ".join(sorted(taken))
+        raise ValueError(f"an argument has the dimension {names}: must not be one of {', '.join(axes)}, the new ones")
     stacked = list(results)
     for depth, (name, labels) in enumerate(reversed(axes.items())):
         width = len(labels)

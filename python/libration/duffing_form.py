@@ -80,17 +80,17 @@ class DuffingForm(Fixed):
 
     @property
     def rate(self) -> float:
-        """Omega, in 1/s. Error promised: 2 ulp. Source: the table of docs/duffing.md."""
+        """Omega, in 1/s. Error promised: 2 ulp. Source: the table of core/src/duffing/forms.rs."""
         return self._form.rate
 
     @property
     def m(self) -> float:
-        """Parameter of the elliptic function. Error promised: 2 ulp. Source: the table of docs/duffing.md."""
+        """Parameter of the elliptic function. Error promised: 2 ulp. Source: the table of core/src/duffing/forms.rs."""
         return self._form.parameter[0]
 
     @property
     def mc(self) -> float:
-        """Complement 1 - m, computed directly. Error promised: 2 ulp. Source: the table of docs/duffing.md."""
+        """Complement 1 - m, computed directly. Error promised: 2 ulp. Source: the table of core/src/duffing/forms.rs."""
         return self._form.parameter[1]
 
     @staticmethod

@@ -13,8 +13,8 @@ class OscillatorRegime(StrEnum):
     """The seven kinds of motion of a nonlinear spring; a member compares equal to its string.
 
     ``rest``: at an equilibrium. ``linear``: no force but the linear one. ``libration``: swings about u = 0. ``well``: swings on
-    one side of it. ``homoclinic``: leaves u = 0 and comes back to it, both in infinite time. ``heteroclinic``: from one unstable
-    equilibrium to the other. ``escape``: reaches infinity in finite time, forward, backward or both.
+    one side of it. ``homoclinic``: leaves an unstable equilibrium and comes back to it, both in infinite time. ``heteroclinic``: from one unstable
+    equilibrium to another. ``escape``: reaches infinity in finite time, forward, backward or both.
 
     Examples
     --------
@@ -93,7 +93,7 @@ class Oscillator(Fixed):
         Returns
         -------
         float64 or array of the shape of `t`
-            Velocity per s. Dask and xarray arrays give their like, and stay lazy.
+            Velocity, in units of u per s. Dask and xarray arrays give their like, and stay lazy.
 
         Notes
         -----
@@ -214,7 +214,7 @@ class Oscillator(Fixed):
     def escape_time(self) -> float:
         """Time in s, above 0, at which the displacement is infinite; inf if it never is.
 
-        Error promised: 1e-14, plus 2**-100 of its condition. Source: a pole of the motion, DLMF 22.4(i).
+        Error promised: 1e-14 relative, plus 2**-100 of its condition. Source: a pole of the motion, DLMF 22.4(i).
         """
         return self._oscillator.escape_time
 
@@ -222,7 +222,7 @@ class Oscillator(Fixed):
     def escape_time_backward(self) -> float:
         """Time in s, below 0, at which the displacement was infinite; -inf if it never was.
 
-        Error promised: 1e-14, plus 2**-100 of its condition. Source: a pole of the motion, DLMF 22.4(i).
+        Error promised: 1e-14 relative, plus 2**-100 of its condition. Source: a pole of the motion, DLMF 22.4(i).
         """
         return self._oscillator.escape_time_backward
 

@@ -23,7 +23,7 @@ def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | No
 
     Parameters
     ----------
-    oscillator : Duffing
+    oscillator : Duffing or CubicQuintic
         The motion.
     t : array_like
         Instants, s, in any order; at least one.

@@ -91,7 +91,7 @@ def harmonic_distortion(theta_max: Any, *, out: Any = None, where: Any = True) -
 
     Notes
     -----
-    Error promised: 4 ulp, plus 2**-100 of its condition. Source: DLMF 22.11.1, integrated; Lima 2018 describes the loss.
+    Error promised: 4 ulp, plus 2**-100 of its condition. Source: DLMF 22.11.1, integrated; Lima 2019 describes the loss.
 
     Examples
     --------

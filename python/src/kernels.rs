@@ -1,7 +1,7 @@
-//! Every ufunc of the door: which function of the core answers a row, and what is set up once for it.
+//! The ufuncs of the pendulum: which function of the core answers a row, and what is set up once for it.
 //!
 //! Two paths. `orbit_*` takes an orbit by its exact factors and is meant for one orbit and many times; `state_*` and
-//! `advance` take rows with states of their own. The elliptic functions are in elliptic.rs.
+//! `advance` take rows with states of their own. The elliptic functions are in elliptic.rs, the springs in oscillator.rs.
 
 use libration::pendulum::action::state_of;
 use libration::pendulum::fourier::harmonic_distortion;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use crate::elliptic;
 use crate::ufunc::{BLOCK, add, each, whole};
 
-/// Adds all ufuncs to the module.
+/// Adds the ufuncs of the pendulum, and the elliptic ones.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(
         module,
@@ -55,7 +55,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     elliptic::add_all(module)
 }
 
-/// A block of rows, and its column of results.
+/// The one column of results of a block of rows.
 type Column = [[f64; BLOCK]; 1];
 
 /// Likewise, with two columns.

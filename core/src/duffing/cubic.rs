@@ -138,11 +138,11 @@ impl Duffing {
     }
     /// When u becomes infinite: above 0, or infinite if it never does.
     ///
-    /// **Error** at most 4 ulp (plus 2^-100 of its condition).
+    /// **Error** at most 1e-14 of it, plus 2^-100 of its condition.
     pub fn escape_time(&self) -> f64 {
         self.escapes.1
     }
-    /// When u came from infinity: below 0, or minus infinity if it never did.
+    /// When u came from infinity: below 0, or minus infinity if it never did. Error as for [`Self::escape_time`].
     pub fn escape_time_backward(&self) -> f64 {
         self.escapes.0
     }

@@ -43,7 +43,7 @@ pub(super) enum Plain {
     Exp,
 }
 
-/// A double-double factor, and the power of two that it cannot carry.
+/// The powers of two that the double-double factors of u and u' and the rate of the phase leave outside.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales {
     /// Of u and of u'.

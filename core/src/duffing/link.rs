@@ -65,13 +65,13 @@ impl Duffing {
     /// `None` where there is none: at E = 0, in wells, in librations of a softening spring, outside of its barrier with
     /// E >= 0, for Delta <= 0, and without a cubic force.
     pub fn companion(&self) -> Option<Companion> {
-        let Constants { p, q, delta, s, energy, .. } = self.constants;
+        let Constants { q, delta, s, energy, .. } = self.constants;
         if q.is_zero() || !delta.is_positive() || energy.is_zero() {
             return None;
         }
         let Constants { plus, minus, .. } = self.constants;
         let (square, omega2) = if (plus / q).is_positive() { (plus / q, s) } else { (-minus / q, -s) };
-        if !square.is_positive() || (p.is_zero() && s.is_zero()) {
+        if !square.is_positive() {
             return None;
         }
         let scale = square.sqrt();

@@ -1,4 +1,5 @@
-//! u'' + p u + q u^3 = 0 from any start, in every regime; the twelve forms of its solution; its link to the pendulum.
+//! The springs u'' + p u + q u^3 = 0 and u'' + alpha u + beta u^3 + gamma u^5 = 0 from any start, in every regime; the
+//! twelve forms of the first one's solution, and its link to the pendulum.
 
 pub mod cubic;
 mod cubic_course;

@@ -85,7 +85,7 @@ pub(super) struct Outline {
     pub omega: Wide,
     /// Whether it repeats.
     pub periodic: bool,
-    /// Without a pole and not periodic: whether it has an end at an equilibrium on both sides.
+    /// Without a pole and not periodic: how many equilibria it tends to, 1 or 2.
     pub limits: usize,
 }
 
@@ -197,8 +197,7 @@ impl Marks {
     fn end(&self) -> Wide {
         match (self.form, self.roots) {
             (Form::Crossing, Distances::Three(v)) => v[0],
-            (Form::Inside, Distances::Three(v)) => v[2],
-            (Form::Falling, Distances::Three(v)) => v[2],
+            (Form::Inside | Form::Falling, Distances::Three(v)) => v[2],
             (Form::Between, Distances::Three(v)) => v[1],
             (Form::PairCrossing, Distances::One([v, ..])) => v,
             _ => -Wide::ONE,

@@ -31,7 +31,7 @@ pub struct JacobiComplex {
     imaginary: Jacobi,
     m: Wide,
     mc: Wide,
-    /// k of the given parameter over that of the one in [0, 1], and its kind.
+    /// What u is multiplied by where the parameter is the one in [0, 1], and the kind of the given one.
     stretch: Wide,
     range: Range,
 }

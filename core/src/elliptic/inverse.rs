@@ -49,7 +49,7 @@ fn outside() -> Wide {
     Wide::from(f64::NAN)
 }
 
-/// The u >= 0 of ps or sp, x >= 0, whose other letter is `letter`: x^2 is ps^2 or 1/ps^2.
+/// For sp(u) = x (`zero`): u/x. For ps(u) = x (else): u >= 0. p is `letter`, and `square` is x^2, x >= 0.
 fn odd(letter: Letter, zero: bool, square: Wide, parameter: Parameter) -> Wide {
     let (base, factor) = if zero { (Wide::ONE, square) } else { (square, Wide::ONE) };
     let [mut p, mut q] = others(letter);
@@ -86,17 +86,13 @@ fn even(p: Letter, q: Letter, x: f64, parameter: Parameter) -> Wide {
     // else the one of smaller terms.
     let (ratio, offset) = (delta(r, q, parameter), delta(r, p, parameter));
     let sums = ratio.is_negative() != offset.is_negative();
-    let smaller = size(distance) - size(offset);
+    let smaller = distance.abs() - offset.abs();
     let last = if !ratio.is_negative() || (!sums && smaller.is_negative()) {
         Wide::ONE + ratio * w
     } else {
         (offset - ratio * square) / distance
     };
     if last.is_negative() { outside() } else { w.sqrt() * rf(square, Wide::ONE, last) }
-}
-
-fn size(x: Wide) -> Wide {
-    if x.is_negative() { -x } else { x }
 }
 
 /// arcpq(x | m): the u with pq(u | m) = x on the principal branch.

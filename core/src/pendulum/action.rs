@@ -32,7 +32,7 @@ impl Orbit {
         };
         let State { k, m, mc, power, omega, omega_power, .. } = state;
         let (ratio, more) = match self.course {
-            // Next to nothing, the mean of half of both integrals' series: pi m/4.
+            // E - (1 - m) K = pi m/4 (1 + m/8 + ...), and m is too small here for the second term to count.
             Course::Libration(_) if power != 0 => (m * PI.scale(0.25), 2 * power),
             Course::Libration(_) => (complete_difference_dd(Parameter { m, mc }), 0),
             Course::Rotation(_) => {

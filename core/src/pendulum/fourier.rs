@@ -12,7 +12,7 @@ use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
 use crate::float::elementary::sech;
-use crate::float::{Dd, HALF_PI, Wide};
+use crate::float::{Dd, HALF_PI, PI, Wide};
 
 /// Amplitudes of the harmonics j = 1, 2, ... of angle and velocity.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ impl Orbit {
                 Some(Series { factor: 4.0, decay, step: 2 })
             }
             Course::Rotation(_) => {
-                let decay = HALF_PI.scale(2.0) * agm(kc / k) / agm(Dd::ONE / k);
+                let decay = PI * agm(kc / k) / agm(Dd::ONE / k);
                 Some(Series { factor: 2.0, decay, step: 1 })
             }
             _ => None,

@@ -1,8 +1,8 @@
 //! Second derivatives of angle and velocity by the start and the force, where closed forms keep their digits.
 //!
 //! The canonical motion Theta(tau; m), m = kappa^2, once more by m. With S, C, D = sn, cn, dn and the integral
-//! G = -mu int cn^2 of the lattice's parameter mu,
-//!   libration  Theta_m = W/(k mc),  W = S D + C G;      rotation  Theta_m = N/(m - 1),  N = (mc u - G) D - S C/m,
+//! G = -mu int cn^2 of the lattice's parameter mu = m in libration, 1/m in rotation,
+//!   libration  Theta_m = W/(k mc),  W = S D + C G;      rotation  Theta_m = N/(m - 1),  N = ((1 - mu) u - G) D - mu S C,
 //! then from (tau, m) to the start by the inverse of the first derivatives, whose determinant is 2 everywhere, and to
 //! omega0 because theta(t; theta0, velocity0, omega0) = theta(omega0 t; theta0, velocity0/omega0, 1). The terms are
 //! 1/(m mc^2) times larger than their sum, so there is no closed form to be had next to rest or the separatrix.

@@ -11,7 +11,7 @@ use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{Phase, alternating};
 use crate::elliptic::theta::Lattice;
-use crate::float::{Dd, HALF_PI, Wide};
+use crate::float::{Dd, HALF_PI, PI, Wide};
 use crate::lanes::{Kernel, Lane, Sampler, sweep};
 
 /// Least 1 - m: below, too many of a double's digits cancel.
@@ -71,7 +71,7 @@ impl Slopes {
         let e = whole + mc * quarter;
         let (near, far, zeta) = if lattice.hyperbolic() {
             // The angle of a half period is pi K/K': E/K - mc less pi/2KK' is -(E' - m K')/K', by Legendre's relation.
-            let other_quarter = HALF_PI.scale(2.0) * quarter / lattice.angle;
+            let other_quarter = PI * quarter / lattice.angle;
             let slow = complete_difference_dd(other) / other_quarter;
             (-slow, slow, HALF_PI / other_quarter)
         } else {

@@ -213,10 +213,7 @@ impl Orbit {
         stop: f64,
     ) -> Result<Vec<f64>, Domain> {
         let phase = &elliptic.phase;
-        let passed = |t: f64| {
-            let near = t.is_finite();
-            if near { (phase.rate * (t * self.time_scale)).hi } else { t }
-        };
+        let passed = |t: f64| if t.is_finite() { (phase.rate * (t * self.time_scale)).hi } else { t };
         let (first, last) = (passed(start), passed(stop));
         let repeats = |at: Dd| ((first - at.hi) / spacing, (last - at.hi) / spacing);
         let count: f64 = phases
