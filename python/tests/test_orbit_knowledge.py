@@ -5,6 +5,7 @@ import pickle
 
 import dask.array
 import numpy as np
+import pandas
 import pytest
 import xarray
 from bits import same
@@ -167,6 +168,19 @@ def test_sensitivities_of_other_arrays():
     assert float(labelled.sel(of="velocity", by="omega0")[3]) == expected[3, 1, 2]
 
 
+def test_sensitivities_keep_what_their_times_carry():
+    pendulum = Pendulum(1.0)
+    masked = pendulum.sensitivities(np.ma.array([1.0, 2.0, 3.0], mask=[False, True, False]))
+    assert masked.mask[:, 0, 0].tolist() == [False, True, False]
+    times = dask.array.from_array(np.arange(5.0), chunks=2)
+    assert same(pendulum.sensitivities(times[times > 1]).compute(), pendulum.sensitivities([2.0, 3.0, 4.0]))
+    assert pendulum.sensitivities(xarray.Variable("a", [1.0, 2.0])).dims == ("a", "of", "by")
+    assert same(pendulum.sensitivities(pandas.Index([1.0, 2.0])), pendulum.sensitivities([1.0, 2.0]))
+    with pytest.raises(ValueError) as caught:
+        pendulum.sensitivities(xarray.DataArray([1.0], dims="by"))
+    assert str(caught.value) == "an argument has the dimension by: must not be one of of, by, the new ones"
+
+
 def test_second_derivatives():
     t, state = 2.3, np.array([1.2, -0.4, 1.5])
     exact = Pendulum(state[0], state[1], omega0=state[2]).second_sensitivities([t, 5.0])
@@ -202,6 +216,8 @@ def test_series():
         (-5, "n = -5: must be from 1 to 10000000"),
         (1.5, "n = 1.5: must be a whole number"),
         (True, "n = True: must be a whole number"),
+        (10**30, "n = an integer beyond 64 bits: must be in range"),
+        (np.zeros((3, 3)), "n = an array of shape (3, 3): must be a whole number"),
     ]:
         with pytest.raises(ValueError) as caught:
             pendulum.fourier(n)
