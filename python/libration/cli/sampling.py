@@ -124,6 +124,6 @@ def draw(plot, motion, times, picture, path):
     try:
         plot(motion, times, picture, form=path.rpartition(".")[2].lower())
     except (ArithmeticError, RuntimeError, ValueError) as error:
-        large = isinstance(error, OverflowError) or "NaN or Inf" in str(error)
+        large = isinstance(error, OverflowError) or any(words in str(error) for words in ("NaN or Inf", "zero-size"))
         reason = "the motion is too large for an axis" if large else str(error)
         raise refusal("--plot", path, f"cannot be drawn: {reason}") from error
