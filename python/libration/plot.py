@@ -116,23 +116,35 @@ def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = Non
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    from matplotlib import rc_context, rcParamsDefault
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    t = finite(t)
+    panels = (lambda axes: draw_angle(axes, pendulum, t)), (lambda axes: draw_portrait(axes, pendulum, t))
+    save(path, form, lambda: headline(pendulum), *panels)
 
+
+def finite(t: Any) -> np.ndarray:
+    """The finite instants among those given, at least one."""
     t = np.asarray(t, dtype=float).ravel()
     t = t[np.isfinite(t)]
     if not t.size:
         raise ValueError("t = []: at least one finite instant is needed for a picture")
+    return t
+
+
+def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None:
+    """Draw a panel over time beside a phase portrait, under one line, and save the picture."""
+    from matplotlib import rc_context, rcParamsDefault
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
     # The settings of the house, not of a matplotlibrc that may ask for LaTeX or hide a line.
     with rc_context({name: value for name, value in rcParamsDefault.items() if name != "backend"}):
         figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
         FigureCanvasAgg(figure)
-        left, right = figure.subplots(1, 2, width_ratios=(1.35, 1))
+        panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-            draw_angle(left, pendulum, t)
-            draw_portrait(right, pendulum, t)
-            figure.suptitle(headline(pendulum), x=0.012, ha="left", fontsize=13)
+            left(panels[0])
+            right(panels[1])
+            figure.suptitle(title(), x=0.012, ha="left", fontsize=13)
             figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
 
 

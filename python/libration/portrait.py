@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .oscillator import Oscillator
-from .plot import EXACT, FAINT, FEW, SEPARATRIX, is_svg, legend, number, quiet
+from .plot import EXACT, FAINT, FEW, SEPARATRIX, finite, legend, number, quiet, save
 
 # Displacements of an escape are drawn up to this multiple of where it starts or turns.
 FAR = 4.0
@@ -49,24 +49,9 @@ def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | No
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    from matplotlib import rc_context, rcParamsDefault
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    t = np.asarray(t, dtype=float).ravel()
-    t = t[np.isfinite(t)]
-    if not t.size:
-        raise ValueError("t = []: at least one finite instant is needed for a picture")
-    # The settings of the house, not of a matplotlibrc that may ask for LaTeX or hide a line.
-    with rc_context({name: value for name, value in rcParamsDefault.items() if name != "backend"}):
-        figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
-        FigureCanvasAgg(figure)
-        left, right = figure.subplots(1, 2, width_ratios=(1.35, 1))
-        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-            draw_displacement(left, oscillator, t)
-            draw_portrait(right, oscillator)
-            figure.suptitle(headline(oscillator), x=0.012, ha="left", fontsize=13)
-            figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
+    t = finite(t)
+    panels = (lambda axes: draw_displacement(axes, oscillator, t)), (lambda axes: draw_portrait(axes, oscillator))
+    save(path, form, lambda: headline(oscillator), *panels)
 
 
 def headline(oscillator):
