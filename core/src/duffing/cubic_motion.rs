@@ -18,14 +18,11 @@
 use super::cubic::Duffing;
 use super::cubic_course::{Course, Elliptic, Shape};
 use super::cubic_plain::{Plainly, Straight};
-use crate::elliptic::phase::{Phase, alternating};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
 use crate::float::elementary::quotient;
 use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
-
-/// 2^53 half periods: beyond, doubles are further apart than the motion repeats.
-pub(super) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
 /// What an evaluation returns first; where it returns no more, the rest is not computed.
 const U: bool = true;

@@ -5,16 +5,13 @@
 
 use super::cubic::{Constants, Duffing, Place};
 use super::cubic_course::{Course, Elliptic, Plain, Shape, Simple};
-use super::cubic_motion::LAST_HALF_PERIOD;
 use super::cubic_phase::{artanh, escape_phase, half_periods, sign, signed};
 use crate::domain::Domain;
+use crate::elliptic::instants::Interval;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::exact::sum_of_products;
 use crate::float::wide::Wide;
-
-/// Most passages in one answer.
-pub const MOST_TIMES: f64 = 1e7;
 
 impl Duffing {
     /// The place of a value, with a velocity that is not negative; `None` where the motion does not get.
@@ -64,24 +61,23 @@ impl Duffing {
     /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         Domain::check("u", u, u.is_finite(), "finite")?;
-        Domain::check("start", start, !start.is_nan(), "a number")?;
-        Domain::check("stop", stop, stop >= start, "a number, and not before start")?;
+        let interval = Interval::new(start, stop)?;
         let Some(place) = self.place(u) else { return Ok(Vec::new()) };
         let mut times = match &self.course {
             Course::Still => Vec::new(),
             Course::Straight => vec![(Dd::sum(u, -self.u0) / Dd::from(self.velocity0)).value()],
             Course::Simple(simple) => self.simple_times(simple, &place),
             Course::Elliptic(e) => match e.shape {
-                Shape::Cn | Shape::Sn | Shape::Dn => return self.periodic_times(e, &place, start, stop),
+                Shape::Cn | Shape::Sn | Shape::Dn => return self.periodic_times(e, &place, interval),
                 _ => self.escape_times(e, &place),
             },
         };
-        times.retain(|t| t.is_finite() && (start..=stop).contains(t));
+        times.retain(|t| t.is_finite() && interval.holds(*t));
         times.sort_by(f64::total_cmp);
         Ok(times)
     }
 
-    fn periodic_times(&self, e: &Elliptic, place: &Place, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+    fn periodic_times(&self, e: &Elliptic, place: &Place, interval: Interval) -> Result<Vec<f64>, Domain> {
         let canonical = self.constants.canonical(e.shape);
         let well = e.shape == Shape::Dn;
         // Upwards in the canonical motion; inwards, after the outer turning point, in a well.
@@ -90,8 +86,9 @@ impl Duffing {
         let there = Place { u: signed(place.u, side), velocity, ..*place };
         let at = half_periods(&self.constants, &canonical, &e.lattice, &there).to_dd();
         let (spacing, other) = if well { (1.0, -at) } else { (2.0, Dd::ONE - at) };
-        let phases = if place.velocity.is_zero() { vec![at] } else { vec![at, other] };
-        repeated(&e.phase, e.scales.time, &phases, spacing, start, stop)
+        let phases = [at, other].map(|at| at - e.phase.start);
+        let different = if place.velocity.is_zero() { 1 } else { 2 };
+        interval.repeated(e.phase.rate, e.scales.time, &phases[..different], spacing)
     }
 
     fn escape_times(&self, e: &Elliptic, place: &Place) -> Vec<f64> {
@@ -170,38 +167,4 @@ impl Duffing {
 /// Time of a phase.
 fn time_of(phase: &Phase, scale: f64, at: Dd) -> f64 {
     ((at - phase.start) / phase.rate).value() / scale
-}
-
-/// Times from `start` to `stop` of phases that repeat every `spacing` half periods, rising.
-pub(super) fn repeated(
-    phase: &Phase,
-    scale: f64,
-    phases: &[Dd],
-    spacing: f64,
-    start: f64,
-    stop: f64,
-) -> Result<Vec<f64>, Domain> {
-    let passed = |t: f64| if t.is_finite() { (phase.rate * (t * scale) + phase.start).hi } else { t };
-    let (first, last) = (passed(start), passed(stop));
-    let count = phases.len() as f64 * ((last - first) / spacing + 1.0);
-    if count > MOST_TIMES {
-        let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
-        let (argument, allowed) = ("passages from start to stop", "at most 10000000");
-        return Err(Domain { argument, given, allowed });
-    }
-    let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
-    Domain::check("stop", stop, near, "within 2^53 half periods, like start")?;
-    let mut times = Vec::new();
-    let mut turn = (first / spacing).floor() - 2.0;
-    while turn * spacing <= last + 2.0 * spacing {
-        for at in phases {
-            let t = time_of(phase, scale, *at + Dd::from(turn * spacing));
-            if (start..=stop).contains(&t) {
-                times.push(t);
-            }
-        }
-        turn += 1.0;
-    }
-    times.sort_by(f64::total_cmp);
-    Ok(times)
 }

@@ -15,11 +15,10 @@
 //! Source: DLMF 20.2, 22.2, 22.13(i).
 
 use super::cubic_course::lattice;
-use super::cubic_motion::LAST_HALF_PERIOD;
 use super::quintic_course::{Outline, Way};
 use super::quintic_marks::{Form, Mark, Marks};
 use super::quintic_roots::Distances;
-use crate::elliptic::phase::{Phase, alternating};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::{Lattice, Thetas};
 use crate::float::Dd;
 use crate::float::double_double::two_sum;

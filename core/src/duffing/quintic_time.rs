@@ -4,11 +4,11 @@
 //! passages keep their digits at zeros, turning points and next to escapes.
 
 use super::cubic_quintic::CubicQuintic;
-use super::cubic_time::repeated;
 use super::quintic_course::Course;
 use super::quintic_exact::Exact;
 use super::quintic_marks::Mark;
 use crate::domain::Domain;
+use crate::elliptic::instants::Interval;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::wide::Wide;
@@ -47,8 +47,7 @@ impl CubicQuintic {
     /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         Domain::check("u", u, u.is_finite(), "finite")?;
-        Domain::check("start", start, !start.is_nan(), "a number")?;
-        Domain::check("stop", stop, stop >= start, "a number, and not before start")?;
+        let interval = Interval::new(start, stop)?;
         let Some((mark, turns)) = self.mark(u) else { return Ok(Vec::new()) };
         let crosses = self.range().0 < 0.0 && self.range().1 > 0.0;
         let mirrored = u != 0.0 && (u < 0.0) != (self.way.side < 0.0);
@@ -64,8 +63,9 @@ impl CubicQuintic {
                 // Odd: mirrored about the turning point half a half period on; even: about the base.
                 let middle = if falls { -Dd::ONE } else { Dd::ONE };
                 let (spacing, other) = if crosses { (2.0, middle - at) } else { (1.0, -at) };
-                let phases = if turns { vec![at] } else { vec![at, other] };
-                return repeated(&phase, scale, &phases, spacing, start, stop);
+                let phases = [at, other].map(|at| at - phase.start);
+                let different = if turns { 1 } else { 2 };
+                return interval.repeated(phase.rate, scale, &phases[..different], spacing);
             }
             Course::Theta(theta) => {
                 passages(theta.in_half_periods(mark), crosses, mirrored, turns, theta.rates())
@@ -75,7 +75,7 @@ impl CubicQuintic {
                 passages(mark, crosses, mirrored, once, [plain.base, plain.rest])
             }
         };
-        times.retain(|t| t.is_finite() && (start..=stop).contains(t));
+        times.retain(|t| t.is_finite() && interval.holds(*t));
         times.sort_by(f64::total_cmp);
         times.dedup();
         Ok(times)

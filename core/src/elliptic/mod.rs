@@ -7,6 +7,7 @@ pub mod complex;
 pub mod glaisher;
 pub mod heuman;
 pub mod incomplete;
+pub(crate) mod instants;
 pub mod inverse;
 pub mod jacobi;
 pub(crate) mod lattices;

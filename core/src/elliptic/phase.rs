@@ -29,6 +29,9 @@ pub struct Reduced<L: Lane> {
     pub parity: L,
 }
 
+/// 2^53 half periods: beyond, doubles are further apart than a motion repeats.
+pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
+
 /// 2^100.
 const END: f64 = 1.267_650_600_228_229_4e30;
 

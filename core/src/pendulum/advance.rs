@@ -5,13 +5,12 @@
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
-use super::canonical::LAST_HALF_PERIOD;
 use super::frequency::Frequency;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
 use super::rows::{Rows, fill};
 use super::state::State;
-use crate::elliptic::phase::Phase;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
 use crate::float::scaling::ldexp;

@@ -9,7 +9,7 @@
 
 use super::arc::Arc;
 use super::orbit::Elliptic;
-use crate::elliptic::phase::{Phase, alternating};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::Thetas;
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
@@ -50,9 +50,6 @@ impl Wanted for Both {
     const ANGLE: bool = true;
     const VELOCITY: bool = true;
 }
-
-/// 2^53 half periods: beyond, doubles are further apart than the motion repeats.
-pub(super) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
 /// A formula for the canonical motion.
 pub(super) trait Path {

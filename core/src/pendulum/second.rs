@@ -8,13 +8,12 @@
 //! 1/(m mc^2) times larger than their sum, so there is no closed form to be had next to rest or the separatrix.
 //! Source: DLMF 22.13(i), 22.16(ii), 19.4(ii) for the derivatives of am and of the integral by the parameter.
 
-use super::canonical::LAST_HALF_PERIOD;
 use super::orbit::{Course, Elliptic, Orbit};
+use super::sensitivity::cosine_integral;
 use super::state::State;
-use crate::elliptic::carlson::{THIRD, rd, rf};
 use crate::elliptic::complete::complete_difference_dd;
 use crate::elliptic::parameter::Parameter;
-use crate::elliptic::phase::Reduced;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Reduced};
 use crate::float::Dd;
 
 /// First index: angle, velocity. The other two: initial angle, initial velocity, omega0.
@@ -60,11 +59,10 @@ struct Set<'a> {
 
 impl Set<'_> {
     /// The place of sn, cn, dn between the quarter periods, n half periods on.
-    fn place(&self, [s, c, d]: [Dd; 3], n: Dd, rest: Dd) -> Place {
-        let Parameter { m, .. } = self.parameter;
+    fn place(&self, values: [Dd; 3], n: Dd, rest: Dd) -> Place {
+        let [s, c, d] = values;
         let half = self.elliptic.lattice.quarter.scale(2.0);
-        let (s2, c2, d2) = (s.square(), c.square(), d.square());
-        let integral = m * s * (rf(c2, d2, Dd::ONE) - s2 * THIRD * rd(c2, d2, Dd::ONE));
+        let integral = cosine_integral(self.parameter.m, values);
         let whole = n * complete_difference_dd(self.parameter).scale(2.0);
         Place { s, c, d, u: n * half + rest, g: -(whole + integral) }
     }

@@ -12,15 +12,14 @@
 //! and by omega0, because theta(t; theta0, velocity0, omega0) = theta(omega0 t; theta0, velocity0/omega0, 1).
 //! Source: DLMF 22.13(i), 22.16(ii), 19.25(i); the derivative by kappa^2 of Salas 2019 (23).
 
-use super::canonical::LAST_HALF_PERIOD;
 use super::orbit::{Course, Orbit, carried};
 use super::regime::Regime;
-use super::slopes::{Fill, Motion, Slopes};
+use super::slopes::{Fill, Slopes};
 use super::state::State;
 use crate::elliptic::carlson::{THIRD, rd, rf};
 use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
-use crate::elliptic::phase::{Phase, Reduced};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, Reduced};
 use crate::elliptic::theta::Lattice;
 use crate::float::elementary::long_sinh_cosh;
 use crate::float::scaling::ldexp;
@@ -44,10 +43,10 @@ pub(super) struct Solutions {
 
 /// A motion that theta functions describe.
 #[derive(Clone, Debug)]
-struct Periodic {
-    rotation: bool,
-    parameter: Parameter,
-    lattice: Lattice,
+pub(super) struct Periodic {
+    pub rotation: bool,
+    pub parameter: Parameter,
+    pub lattice: Lattice,
     /// What a half period adds to p/a.
     shift: Wide,
 }
@@ -77,23 +76,19 @@ pub struct Sensitivity {
     kind: Kind,
     /// The same in double over lanes, where that keeps enough digits.
     slopes: Option<Box<Slopes>>,
-    phase: Phase,
-    time_scale: f64,
-    start: Solutions,
+    pub(super) phase: Phase,
+    pub(super) time_scale: f64,
+    pub(super) start: Solutions,
     /// Time runs so much faster than omega0 t: 1, or kappa in rotation.
-    stretch: Dd,
+    pub(super) stretch: Dd,
     /// kappa and velocity0/2 omega0, over 2^power.
-    k: Dd,
-    x: Dd,
-    power: i32,
-    omega: Dd,
-    omega_power: i32,
-    side: f64,
+    pub(super) k: Dd,
+    pub(super) x: Dd,
+    pub(super) power: i32,
+    pub(super) omega: Dd,
+    pub(super) omega_power: i32,
+    pub(super) side: f64,
 }
-
-/// Most powers of two in omega0, and largest kappa, of the set-up in double.
-const ORDINARY: i32 = 300;
-const ORDINARY_RATIO: f64 = 1e15;
 
 /// Where dn is smaller, 1 is lost beside its inverse square.
 const TOP: f64 = 1e-60;
@@ -102,6 +97,12 @@ const TOP: f64 = 1e-60;
 fn top([sn, cn, dn]: [Dd; 3]) -> [Wide; 2] {
     let q = Wide::ONE / Wide::from(dn + cn);
     [q * Wide::from(sn), q]
+}
+
+/// m int cn^2 from 0 to the u of sn, cn, dn.
+pub(super) fn cosine_integral(m: Dd, [sn, cn, dn]: [Dd; 3]) -> Dd {
+    let (s2, c2, d2) = (sn.square(), cn.square(), dn.square());
+    m * sn * (rf(c2, d2, Dd::ONE) - s2 * THIRD * rd(c2, d2, Dd::ONE))
 }
 
 /// p and q of a libration between the quarter periods.
@@ -116,7 +117,7 @@ fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> [Wide; 2] {
         return [cn * integral, Dd::ONE / cn - sn * dn * integral].map(Wide::from);
     }
     // The integral of nc^2 has a pole at the quarter period; that of cn^2 has none, and mc is not small beside cn^2.
-    let integral = m * sn * (rf(c2, d2, Dd::ONE) - s2 * THIRD * rd(c2, d2, Dd::ONE));
+    let integral = cosine_integral(m, values);
     [(sn * dn - cn * integral) / mc, (sn * dn * integral + cn * (mc - m * s2)) / mc].map(Wide::from)
 }
 
@@ -204,29 +205,11 @@ impl Sensitivity {
             Ok(state) => still.along(orbit, &state),
             Err(_) => still.plain(orbit),
         };
-        Sensitivity { slopes: made.short(), ..made }
-    }
-
-    /// The set-up in double, of orbits that are neither next to the separatrix nor of an extreme size.
-    fn short(&self) -> Option<Box<Slopes>> {
-        let Kind::Periodic(periodic) = &self.kind else { return None };
-        let Periodic { rotation, parameter, lattice, .. } = &**periodic;
-        if self.power != 0 || self.omega_power.abs() > ORDINARY || self.k.hi > ORDINARY_RATIO {
-            return None;
-        }
-        let motion = Motion {
-            rotation: *rotation,
-            phase: self.phase,
-            time_scale: self.time_scale,
-            last: if *rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
-            start: self.start,
-            k: self.k,
-            x: self.x,
-            stretch: self.stretch,
-            omega: self.omega.ldexp(self.omega_power),
-            side: self.side,
+        let slopes = match &made.kind {
+            Kind::Periodic(periodic) => Slopes::new(&made, periodic).map(Box::new),
+            _ => None,
         };
-        Slopes::new(*parameter, lattice, &motion).map(Box::new)
+        Sensitivity { slopes, ..made }
     }
 
     /// Every time, over the lanes that `run` takes or one by one.

@@ -6,16 +6,19 @@
 //!   rotation   p = (dn (mc u + g) - m sn cn)/mc,   q = (1 - b p)/a.
 //! What cancels is 1/mc times larger than the result, so mc is bounded below. Source: DLMF 22.16(ii), 22.16.32, 20.2.
 
-use super::sensitivity::Solutions;
+use super::sensitivity::{Periodic, Sensitivity, Solutions};
 use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
-use crate::elliptic::phase::{Phase, alternating};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::Lattice;
-use crate::float::{Dd, HALF_PI, PI, Wide};
+use crate::float::{HALF_PI, PI, Wide};
 use crate::lanes::{Kernel, Lane, Sampler, sweep};
 
 /// Least 1 - m: below, too many of a double's digits cancel.
 const LEAST_COMPLEMENT: f64 = 1e-3;
+/// Most powers of two in omega0, and largest kappa.
+const ORDINARY: i32 = 300;
+const ORDINARY_RATIO: f64 = 1e15;
 
 /// What the samples of one orbit share, in double.
 #[derive(Clone, Debug)]
@@ -45,25 +48,14 @@ pub(super) struct Slopes {
     side: f64,
 }
 
-/// What the set-up of a [`Slopes`] takes beside the lattice.
-pub(super) struct Motion {
-    pub rotation: bool,
-    pub phase: Phase,
-    pub time_scale: f64,
-    pub last: f64,
-    pub start: Solutions,
-    pub k: Dd,
-    pub x: Dd,
-    pub stretch: Dd,
-    pub omega: Dd,
-    pub side: f64,
-}
-
 impl Slopes {
-    /// `None` next to the separatrix.
-    pub fn new(parameter: Parameter, lattice: &Lattice, motion: &Motion) -> Option<Slopes> {
+    /// `None` next to the separatrix, and for orbits of extreme size.
+    pub fn new(sensitivity: &Sensitivity, periodic: &Periodic) -> Option<Slopes> {
+        let &Periodic { rotation, parameter, ref lattice, .. } = periodic;
+        let &Sensitivity { k, x, power, stretch, omega, omega_power, .. } = sensitivity;
         let Parameter { m, mc } = parameter;
-        if mc.hi < LEAST_COMPLEMENT {
+        let ordinary = power == 0 && omega_power.abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
+        if mc.hi < LEAST_COMPLEMENT || !ordinary {
             return None;
         }
         let other = Parameter { m: mc, mc: m };
@@ -78,14 +70,14 @@ impl Slopes {
             let mean = e / quarter - mc;
             (mean, -mean, HALF_PI / quarter)
         };
-        let shift = if motion.rotation { complete_e_dd(parameter) } else { -whole }.scale(2.0) / mc;
-        let Solutions { a, b, p, q } = motion.start;
+        let shift = if rotation { complete_e_dd(parameter) } else { -whole }.scale(2.0) / mc;
+        let Solutions { a, b, p, q } = sensitivity.start;
         Some(Slopes {
-            rotation: motion.rotation,
+            rotation,
             lattice: lattice.clone(),
-            phase: motion.phase,
-            time_scale: motion.time_scale,
-            last: motion.last,
+            phase: sensitivity.phase,
+            time_scale: sensitivity.time_scale,
+            last: if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
             m: m.hi,
             mc: mc.hi,
             half_period: quarter.scale(2.0).hi,
@@ -95,11 +87,11 @@ impl Slopes {
             zeta: zeta.hi,
             shift: shift.hi,
             start: [a, b, p, q].map(Wide::value),
-            k: motion.k.hi,
-            x: motion.x.hi,
-            stretch: motion.stretch.hi,
-            omega: motion.omega.hi,
-            side: motion.side,
+            k: k.hi,
+            x: x.hi,
+            stretch: stretch.hi,
+            omega: omega.ldexp(omega_power).hi,
+            side: sensitivity.side,
         })
     }
 

@@ -5,19 +5,18 @@
 //! bottom. x1^2 is c1^2 - (1 - kappa^2) away from the turning points and x0^2 + s0^2 - s1^2 next to them, in
 //! triple-double, so nothing cancels. Source: DLMF 19.25.5, 22.15(ii).
 
-use super::canonical::LAST_HALF_PERIOD;
 use super::orbit::{Course, Elliptic, Orbit};
 use super::state::{State, half_angle};
 use crate::domain::Domain;
 use crate::elliptic::carlson::{rf, rf_of_roots};
-use crate::elliptic::phase::Phase;
+use crate::elliptic::instants::Interval;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::float::circle::{self, Reduced};
 use crate::float::elementary::arctangent;
 use crate::float::scaling::ldexp;
 use crate::float::{Dd, PI, TWO_PI, Td};
 
-/// Most passages in one answer.
-pub const MOST_TIMES: f64 = 1e7;
+pub use crate::elliptic::instants::MOST_TIMES;
 
 /// An angle in the canonical motion: whole turns, and sine and cosine of its amplitude with the cosine of half of it.
 struct Place {
@@ -123,10 +122,7 @@ impl Orbit {
 
     /// Half periods from the start to the nearest turning point, signed: its quarter period less the time since the
     /// bottom, as cn R_F(mc, mc sn^2, dn^2) at the start, without that difference.
-    fn to_turning(&self, elliptic: &Elliptic) -> Dd {
-        let Ok(State { s, c, x, k, kc, .. }) = State::new(self.theta0, self.velocity0, self.force) else {
-            return Dd::ZERO;
-        };
+    fn to_turning(&self, elliptic: &Elliptic, &State { s, c, x, k, kc, .. }: &State) -> Dd {
         if elliptic.phase.start.hi.abs() < 0.25 {
             return Dd::from(0.5f64.copysign(s.hi)) - elliptic.phase.start;
         }
@@ -146,10 +142,10 @@ impl Orbit {
     /// angle plus what an ulp of the time makes of it.
     pub fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         Domain::check("theta", theta, theta.is_finite(), "finite")?;
-        check_interval(start, stop)?;
+        let interval = Interval::new(start, stop)?;
         let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else {
             return Ok(match self.course {
-                Course::Free => within(start, stop, self.straight_time(theta)),
+                Course::Free => within(interval, self.straight_time(theta)),
                 _ => Vec::new(),
             });
         };
@@ -159,22 +155,27 @@ impl Orbit {
             Course::Libration(elliptic) => {
                 let began = elliptic.phase.start;
                 if place.cosine.hi == 0.0 {
-                    let nearest = self.to_turning(elliptic);
+                    let nearest = self.to_turning(elliptic, &state);
                     let other = place.sine.hi.signum() != 1f64.copysign(state.s.hi);
                     let at = if other { nearest + Dd::ONE } else { nearest };
-                    return self.instants(elliptic, &[at], 2.0, start, stop);
+                    return interval.repeated(elliptic.phase.rate, self.time_scale, &[at], 2.0);
                 }
                 let up = since_bottom() / elliptic.lattice.quarter.scale(2.0);
-                self.instants(elliptic, &[up - began, Dd::ONE - up - began], 2.0, start, stop)
+                interval.repeated(
+                    elliptic.phase.rate,
+                    self.time_scale,
+                    &[up - began, Dd::ONE - up - began],
+                    2.0,
+                )
             }
             Course::Rotation(elliptic) => {
                 let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
                 let far = place.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
                 Domain::check("theta", theta, !far, "within 2^52 turns of theta0")?;
-                Ok(within(start, stop, self.time_of(&elliptic.phase, rest + Dd::from(place.turns))))
+                Ok(within(interval, self.time_of(&elliptic.phase, rest + Dd::from(place.turns))))
             }
             Course::Separatrix(phase, _) if place.turns == 0.0 && place.half_cosine.hi > 0.0 => {
-                Ok(within(start, stop, self.time_of(phase, since_bottom())))
+                Ok(within(interval, self.time_of(phase, since_bottom())))
             }
             _ => Ok(Vec::new()),
         }
@@ -184,11 +185,14 @@ impl Orbit {
     ///
     /// Errors as for [`Orbit::times`].
     pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
-        check_interval(start, stop)?;
-        match &self.course {
-            Course::Libration(elliptic) => {
-                self.instants(elliptic, &[self.to_turning(elliptic)], 1.0, start, stop)
-            }
+        let interval = Interval::new(start, stop)?;
+        match (&self.course, State::new(self.theta0, self.velocity0, self.force)) {
+            (Course::Libration(elliptic), Ok(state)) => interval.repeated(
+                elliptic.phase.rate,
+                self.time_scale,
+                &[self.to_turning(elliptic, &state)],
+                1.0,
+            ),
             _ => Ok(Vec::new()),
         }
     }
@@ -202,60 +206,9 @@ impl Orbit {
     fn straight_time(&self, theta: f64) -> f64 {
         (Dd::sum(0.5 * theta, -0.5 * self.theta0) / Dd::from(0.5 * self.velocity0)).value()
     }
-
-    /// Times of phases (in half periods since the start, rising) that repeat every `spacing` half periods.
-    fn instants(
-        &self,
-        elliptic: &Elliptic,
-        phases: &[Dd],
-        spacing: f64,
-        start: f64,
-        stop: f64,
-    ) -> Result<Vec<f64>, Domain> {
-        let phase = &elliptic.phase;
-        let passed = |t: f64| if t.is_finite() { (phase.rate * (t * self.time_scale)).hi } else { t };
-        let (first, last) = (passed(start), passed(stop));
-        let repeats = |at: Dd| ((first - at.hi) / spacing, (last - at.hi) / spacing);
-        let count: f64 = phases
-            .iter()
-            .map(|at| {
-                let (from, to) = repeats(*at);
-                (to.floor() - from.ceil() + 1.0).max(0.0)
-            })
-            .sum();
-        if count > MOST_TIMES {
-            let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
-            let (argument, allowed) = ("passages from start to stop", "at most 10000000");
-            return Err(Domain { argument, given, allowed });
-        }
-        let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
-        Domain::check("stop", stop, near, "within 2^53 half periods, like start")?;
-        let [low, high] = phases.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
-            let (from, to) = repeats(*at);
-            [low.min(from.floor()), high.max(to.ceil())]
-        });
-        let mut times = Vec::with_capacity(count as usize + 2);
-        let mut repeat = low - 1.0;
-        while repeat <= high + 1.0 {
-            for at in phases {
-                let t = ((*at + Dd::from(repeat * spacing)) / phase.rate).value() / self.time_scale;
-                if (start..=stop).contains(&t) {
-                    times.push(t);
-                }
-            }
-            repeat += 1.0;
-        }
-        Ok(times)
-    }
 }
 
-fn check_interval(start: f64, stop: f64) -> Result<(), Domain> {
-    Domain::check("start", start, !start.is_nan(), "a number")?;
-    Domain::check("stop", stop, stop >= start, "a number, and not before start")?;
-    Ok(())
-}
-
-/// The time, if it is from start to stop.
-fn within(start: f64, stop: f64, time: f64) -> Vec<f64> {
-    if (start..=stop).contains(&time) { vec![time] } else { Vec::new() }
+/// The time, if it is in the interval.
+fn within(interval: Interval, time: f64) -> Vec<f64> {
+    if interval.holds(time) { vec![time] } else { Vec::new() }
 }
