@@ -1,6 +1,7 @@
 //! The one error of the constructors: which argument, which value, what is allowed.
 
 use core::fmt;
+use std::borrow::Cow;
 
 /// A rejected argument.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,7 +11,7 @@ pub struct Domain {
     /// The value as given.
     pub given: String,
     /// What is allowed, to be read after "must be".
-    pub allowed: &'static str,
+    pub allowed: Cow<'static, str>,
 }
 
 impl Domain {
@@ -21,7 +22,16 @@ impl Domain {
         holds: bool,
         allowed: &'static str,
     ) -> Result<f64, Domain> {
-        if holds { Ok(value) } else { Err(Domain { argument, given: format!("{value:?}"), allowed }) }
+        if holds { Ok(value) } else { Err(Domain::new(argument, format!("{value:?}"), allowed)) }
+    }
+
+    /// The error of a value as it was given.
+    pub(crate) fn new(
+        argument: &'static str,
+        given: String,
+        allowed: impl Into<Cow<'static, str>>,
+    ) -> Domain {
+        Domain { argument, given, allowed: allowed.into() }
     }
 }
 

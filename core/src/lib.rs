@@ -22,6 +22,7 @@
 //!
 //! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
 
+pub mod approx;
 pub mod duffing;
 pub mod elliptic;
 pub mod float;

@@ -143,7 +143,7 @@ impl Form {
             let coefficients = Coefficients::new(which, p, q, c1);
             if !coefficients.real() {
                 let given = format!("{}, p = {p:?}, q = {q:?}, c1 = {c1:?}", which.name());
-                return Err(Domain { argument: "form", given, allowed: real_where(which) });
+                return Err(Domain::new("form", given, real_where(which)));
             }
             coefficients
         };

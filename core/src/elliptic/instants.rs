@@ -42,7 +42,7 @@ impl Interval {
         if count > MOST_TIMES {
             let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
             let (argument, allowed) = ("passages from start to stop", "at most 10000000");
-            return Err(Domain { argument, given, allowed });
+            return Err(Domain::new(argument, given, allowed));
         }
         let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
         Domain::check("stop", self.stop, near, "within 2^53 half periods, like start")?;

@@ -179,7 +179,7 @@ impl InstructionSet {
     pub fn force(self) -> Result<(), Domain> {
         let allowed = "an instruction set of this processor";
         if !InstructionSet::available().contains(&self) {
-            return Err(Domain { argument: "instruction set", given: format!("{self:?}"), allowed });
+            return Err(Domain::new("instruction set", format!("{self:?}"), allowed));
         }
         IN_USE.store(self as u8, Ordering::Relaxed);
         Ok(())

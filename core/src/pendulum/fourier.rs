@@ -68,7 +68,7 @@ impl Orbit {
     /// **Error** at most 4 ulp of each amplitude, plus 2^-100 of its condition.
     pub fn fourier(&self, n: i64) -> Result<Fourier, Domain> {
         if !(1..=MOST_HARMONICS).contains(&n) {
-            return Err(Domain { argument: "n", given: n.to_string(), allowed: "from 1 to 10000000" });
+            return Err(Domain::new("n", n.to_string(), "from 1 to 10000000"));
         }
         let amplitudes = self.amplitudes(n as u64);
         let frequency = self.mean_frequency();

@@ -35,14 +35,12 @@ impl Frequency {
             .collect();
         if given.len() > 1 {
             let allowed = "given as one of omega0, omega2 and length";
-            return Err(Domain { argument: "frequency", given: given.join(", "), allowed });
+            return Err(Domain::new("frequency", given.join(", "), allowed));
         }
         match (omega0, omega2, length, gravity) {
-            (_, _, None, Some(gravity)) => Err(Domain {
-                argument: "gravity",
-                given: format!("{gravity:?}"),
-                allowed: "given with a length",
-            }),
+            (_, _, None, Some(gravity)) => {
+                Err(Domain::new("gravity", format!("{gravity:?}"), "given with a length"))
+            }
             (Some(omega0), ..) => Frequency::from_omega0(omega0),
             (_, Some(omega2), ..) => Frequency::from_omega2(omega2),
             (_, _, Some(length), gravity) => {
