@@ -194,12 +194,10 @@ def draw_angle(axes, pendulum, t):
     if first == last:
         first, last = sorted((0.0, first))
     scale = time_scale(pendulum)
-    unit = "t [s]"
-    if last - first > MANY * scale:
-        # More swings than the picture has room for would be a solid band.
-        unit = f"t [s], the first {SHOWN * scale:.3g} of {last - first:.6g} s"
-        last = first + SHOWN * scale
-        t = t[t <= last]
+    end = last
+    last = first_swings(first, end, scale)
+    t = t[t <= last]
+    unit = part_of("t [s]", first, last, first, end)
     fine = np.linspace(first, last, int(np.clip(200 * (last - first) / scale, 600, 20_000)))
     theta = pendulum.theta(fine)
     if last > first:
@@ -215,6 +213,19 @@ def draw_angle(axes, pendulum, t):
     quiet(axes)
     angle_ticks(axes.yaxis, *axes.get_ylim())
     legend(axes)
+
+
+def first_swings(first, last, scale):
+    """Where the picture ends: more swings than it has room for would be a solid band."""
+    return first + SHOWN * scale if last - first > MANY * scale else last
+
+
+def part_of(unit, first, last, start, stop):
+    """What an axis from `first` to `last` shows of the instants asked for, `start` to `stop`."""
+    if last - first == stop - start:
+        return unit
+    which = "the first " if first == start else ""
+    return f"{unit}, {which}{last - first:.3g} of {stop - start:.6g} s"
 
 
 def time_scale(pendulum):

@@ -57,7 +57,11 @@ impl Duffing {
         let (rising, falling) = (square * sine.square() + speed, square * cosine.square() - speed);
         let u0 = (sine / cosine).value() * reduced.side;
         let velocity = (Wide::from(velocity0).shift(-1) / cosine.square()).value();
-        Duffing::new(u0, velocity, (falling - rising).value(), falling.shift(1).value())
+        let (p, q) = ((falling - rising).value(), falling.shift(1).value());
+        Domain::check("omega0^2 (1 - 2 m)", p, p.is_finite(), "finite")?;
+        Domain::check("2 omega0^2 (1 - m)", q, q.is_finite(), "finite")?;
+        Domain::check("velocity0/2 cos(theta0/2)^2", velocity, velocity.is_finite(), "finite")?;
+        Duffing::new(u0, velocity, p, q)
     }
 
     /// The pendulum whose theta is 2 arctan(u/scale), each of its four numbers rounded once.

@@ -71,6 +71,19 @@ def sampled(times, source):
     return span + (f", {source}" if source else "")
 
 
+def nans(values):
+    """How many values are NaN."""
+    import numpy as np
+
+    return int(np.count_nonzero(np.isnan(values)))
+
+
+def valueless(count):
+    """The line on samples that lie beyond 2**53 half periods, as lines of a summary."""
+    text = f"{count}, more than 2^53 half periods away: nan in a table"
+    return [("of them too far to be known", text)] if count else []
+
+
 def check_instants(options):
     """Refuse options about instants that contradict each other."""
     for name in ("until", "samples"):
