@@ -4,6 +4,7 @@
 
 mod elliptic;
 mod kernels;
+mod numerical;
 mod orbit;
 mod oscillator;
 mod pool;
@@ -19,5 +20,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", libration::VERSION)?;
     module.add_class::<orbit::Orbit>()?;
     oscillator::add_all(module)?;
+    numerical::add_all(module)?;
     kernels::add_all(module)
 }

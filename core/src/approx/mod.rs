@@ -3,5 +3,7 @@
 //! Each kind is a table of entries (entry.rs) that every door lists alike.
 
 pub mod entry;
+pub mod steps;
 
 pub use entry::{Entry, Named};
+pub use steps::Scheme;
