@@ -132,19 +132,33 @@ def finite(t: Any) -> np.ndarray:
 
 def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None:
     """Draw a panel over time beside a phase portrait, under one line, and save the picture."""
+
+    def draw(figure):
+        panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
+        left(panels[0])
+        right(panels[1])
+        head(figure, title())
+
+    save_figure(path, form, (12, 5), draw)
+
+
+def head(figure, title):
+    """The line above a picture."""
+    figure.suptitle(title, x=0.012, ha="left", fontsize=13)
+
+
+def save_figure(path: Any, form: str | None, size: tuple[float, float], draw: Any) -> None:
+    """Draw a figure of a size in inches in the settings of the house, and save it."""
     from matplotlib import rc_context, rcParamsDefault
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    # The settings of the house, not of a matplotlibrc that may ask for LaTeX or hide a line.
+    # Not those of a matplotlibrc, which may ask for LaTeX or hide a line.
     with rc_context({name: value for name, value in rcParamsDefault.items() if name != "backend"}):
-        figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
+        figure = Figure(figsize=size, dpi=100, layout="constrained")
         FigureCanvasAgg(figure)
-        panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-            left(panels[0])
-            right(panels[1])
-            figure.suptitle(title(), x=0.012, ha="left", fontsize=13)
+            draw(figure)
             figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
 
 

@@ -209,14 +209,8 @@ def test_pictures_show_the_motion_however_long_or_small(spring, t, label):
         assert np.ptp(y[seen]) > 0.2 * np.ptp(axes.get_ylim())
 
 
-@pytest.mark.parametrize(
-    ("pendulum", "message"),
-    [
-        (Pendulum(0.0, 1e200), "omega0^2 (1 - 2 m) = -inf: must be finite"),
-        (Pendulum(math.pi, 1e300), "velocity0/2 cos(theta0/2)^2 = inf: must be finite"),
-    ],
-)
-def test_pendulums_too_fast_for_a_spring(pendulum, message):
+@pytest.mark.parametrize("pendulum", [Pendulum(0.0, 1e200), Pendulum(math.pi, 1e300)])
+def test_pendulums_too_fast_for_a_spring(pendulum):
     with pytest.raises(ValueError) as caught:
         Duffing.of_pendulum(pendulum)
-    assert str(caught.value) == message
+    assert str(caught.value) == "omega0^2 (1 - 2 m) = -inf: must be finite"

@@ -12,7 +12,7 @@ import sys
 from libration.cli.parser import Refusal, top_parser
 from libration.cli.streams import Ended, drop, ending, printable, refused
 
-COMMANDS = ("solve", "period", "duffing")
+COMMANDS = ("solve", "period", "compare", "duffing")
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -120,6 +120,7 @@ TOP_EPILOG = """\
 commands:
   solve       angle and velocity at many instants, as a table and as a plot
   period      the period, and how much longer it is than that of small swings
+  compare     approximations and numerical solutions beside the exact motion
   duffing     the nonlinear spring u'' + p u + q u^3 = 0, as solve
 
 examples:

@@ -116,7 +116,7 @@ def instants(options):
     return times, f"column {quoted(column)} of {shown(options.times)}"
 
 
-def plotter(module, name, path):
+def plotter(module, name, option, path):
     """A function that draws, or a Refusal if matplotlib is missing, before anything is computed; None without a path."""
     if path is None:
         return None
@@ -124,11 +124,11 @@ def plotter(module, name, path):
         import matplotlib.backends.backend_agg
         import matplotlib.figure  # noqa: F401
     except ModuleNotFoundError as error:
-        raise refusal("--plot", path, "needs matplotlib: pip install 'libration[plot]'") from error
+        raise refusal(option, path, "needs matplotlib: pip install 'libration[plot]'") from error
     except Exception as error:
         # Its settings are read now, and a bad one may raise anything.
         reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
-        raise refusal("--plot", path, f"matplotlib does not start: {reason}") from error
+        raise refusal(option, path, f"matplotlib does not start: {reason}") from error
     return getattr(importlib.import_module(module), name)
 
 

@@ -63,7 +63,7 @@ def run(words):
     check_targets(options)
     motion = pendulum(given)
     with targets(options) as (table, picture):
-        plot_motion = plotter("libration.plot", "plot_motion", options.plot)
+        plot_motion = plotter("libration.plot", "plot_motion", "--plot", options.plot)
         times, source = instants(options)
         columns, largest, at = motion_columns(motion, times)
         if table:
