@@ -3,7 +3,7 @@
 use libration::approx::{
     ANGLES, AngleApproximation as Approximation, AngleFormula as Formula, Entry, LargestError,
 };
-use numpy::{IntoPyArray, PyArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::orbit::{Orbit, refused};
@@ -69,17 +69,27 @@ pub struct AngleApproximation {
 #[pymethods]
 impl AngleApproximation {
     /// The approximate angle at the times `t`.
-    fn theta<'py>(&self, py: Python<'py>, t: Vec<f64>) -> Bound<'py, PyArray1<f64>> {
+    fn theta<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let t = t.as_slice()?;
         let mut theta = vec![f64::NAN; t.len()];
-        py.detach(|| self.approximation.theta_into(&t, &mut theta));
-        theta.into_pyarray(py)
+        py.detach(|| self.approximation.theta_into(t, &mut theta));
+        Ok(theta.into_pyarray(py))
     }
 
     /// The approximate minus the exact angle at the times `t`.
-    fn difference<'py>(&self, py: Python<'py>, t: Vec<f64>) -> Bound<'py, PyArray1<f64>> {
+    fn difference<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let t = t.as_slice()?;
         let mut difference = vec![f64::NAN; t.len()];
-        py.detach(|| self.approximation.difference_into(&t, &mut difference));
-        difference.into_pyarray(py)
+        py.detach(|| self.approximation.difference_into(t, &mut difference));
+        Ok(difference.into_pyarray(py))
     }
 
     /// Period of the approximation.

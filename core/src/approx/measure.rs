@@ -25,9 +25,11 @@ pub const MOST_PERIODS: f64 = 10_000.0;
 
 /// Points of the grid to the shorter of the exact and the linear period, and to each harmonic of a series.
 const TO_A_PERIOD: f64 = 128.0;
-const TO_A_HARMONIC: f64 = 8.0;
-/// How much the parabola through three neighbours may miss of a top between them.
-const SLACK: f64 = 2e-3;
+const TO_A_HARMONIC: f64 = 16.0;
+/// How much the parabola through three neighbours may miss of a top between them: of a smooth one, and of one next to the
+/// end of an arcsine.
+const SLACK: f64 = 0.02;
+const SLACK_OF_SERIES: f64 = 0.3;
 /// Two tops of one height, but for rounding.
 const SAME: f64 = 1e-9;
 /// 0.618^40 of a step of the grid: the top is flat there.
@@ -99,6 +101,7 @@ impl AngleApproximation {
         if limited && !best.undefined_from.is_nan() {
             return best;
         }
+        let slack = if self.repeats() { SLACK_OF_SERIES } else { SLACK };
         let points = (duration / step).round();
         let mut tops: Vec<[Point; 3]> = Vec::new();
         let mut height = 0.0;
@@ -116,14 +119,14 @@ impl AngleApproximation {
             if top && !here.1.is_nan() {
                 let bracket = self.defined(before, here, after);
                 height = f64::max(height, here.1);
-                if estimate(&bracket) >= height * (1.0 - SLACK) {
+                if estimate(&bracket) >= height * (1.0 - slack) {
                     tops.push(bracket);
                 }
             }
             (before, here, i) = (here, after, i + 1.0);
         }
         let height = tops.iter().map(estimate).fold(0.0, f64::max);
-        for bracket in tops.iter().filter(|bracket| estimate(bracket) >= height * (1.0 - SLACK)) {
+        for bracket in tops.iter().filter(|bracket| estimate(bracket) >= height * (1.0 - slack)) {
             let (t, difference) = maximum(bracket, |t| self.size(t));
             if difference > best.difference * (1.0 + SAME) {
                 best = LargestError { difference, t, ..best };

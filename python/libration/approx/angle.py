@@ -220,7 +220,7 @@ class AngleApproximation(Fixed):
     @staticmethod
     def _at(answer: Any, t: Any) -> Any:
         times = np.asarray(t, dtype=float)
-        return answer(times.ravel()).reshape(times.shape)[()]
+        return answer(np.ascontiguousarray(times).ravel()).reshape(times.shape)[()]
 
     @property
     def period(self) -> float:
