@@ -3,6 +3,8 @@ from typing import final
 import numpy as np
 
 __all__ = [
+    "AngleApproximation",
+    "AngleFormula",
     "CubicQuintic",
     "Duffing",
     "DuffingForm",
@@ -318,6 +320,26 @@ theta4_m: np.ufunc
 theta4_mc: np.ufunc
 theta4_q: np.ufunc
 turns: np.ufunc
+
+@final
+class AngleFormula:
+    def __new__(cls, name: str) -> AngleFormula: ...
+    @staticmethod
+    def patterns() -> list[str]: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def facts(self) -> tuple[str, str, str, str, tuple[float, float] | None, str]: ...
+    def of(self, /, orbit: Orbit) -> AngleApproximation: ...
+    def ranges(self, /, bound: float, periods: float) -> list[tuple[float, float]]: ...
+
+@final
+class AngleApproximation:
+    @property
+    def period(self) -> float: ...
+    def theta(self, /, t: np.ndarray) -> np.ndarray: ...
+    def difference(self, /, t: np.ndarray) -> np.ndarray: ...
+    def largest_error(self, /, periods: float) -> tuple[float, float, float]: ...
 
 @final
 class Orbit:

@@ -2,6 +2,7 @@
 //!
 //! No formula and no arithmetic on doubles: everything is handed to the core.
 
+mod approx;
 mod elliptic;
 mod kernels;
 mod numerical;
@@ -19,6 +20,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     pool::wanted().map_err(PyValueError::new_err)?;
     module.add("__version__", libration::VERSION)?;
     module.add_class::<orbit::Orbit>()?;
+    approx::add_all(module)?;
     oscillator::add_all(module)?;
     numerical::add_all(module)?;
     kernels::add_all(module)

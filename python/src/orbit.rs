@@ -12,7 +12,7 @@ use pyo3::types::{PyFloat, PyType};
 /// `omega0`, `omega2` and `length` exclude each other; none of them means `omega0 = 1`. `gravity` needs `length`.
 #[pyclass(frozen, module = "libration._core")]
 pub struct Orbit {
-    orbit: libration::Orbit,
+    pub(crate) orbit: libration::Orbit,
     theta0: f64,
     velocity0: f64,
     frequency: Frequency,

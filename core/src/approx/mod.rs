@@ -2,8 +2,18 @@
 //!
 //! Each kind is a table of entries (entry.rs) that every door lists alike.
 
+pub mod angle;
+mod angle_entries;
+mod angle_oscillator;
+mod angle_series;
+mod angle_small;
+mod angle_taylor;
 pub mod entry;
+pub mod measure;
 pub mod steps;
 
+pub use angle::{AngleApproximation, AngleFormula};
+pub use angle_entries::ANGLES;
 pub use entry::{Entry, Named};
+pub use measure::LargestError;
 pub use steps::Scheme;

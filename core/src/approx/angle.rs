@@ -1,0 +1,205 @@
+//! Approximations of the angle by name, each set up once for an orbit.
+//!
+//! What is written for a release from rest runs on the exact phase of the orbit: time counts from its last turning point.
+//! All phases are exact in double-double, so that an approximation that repeats stays right for all times.
+//! Where a formula has no value it gives NaN; nothing is clipped. Sources: the table in angle_entries.rs.
+
+use super::angle_entries::ANGLES;
+use super::angle_oscillator::{Linear, SineModel, Trigonometric};
+use super::angle_series::{Arcsine, Harmonic, Series};
+use super::angle_small::{Bounded, Secular};
+use super::angle_taylor::Polynomial;
+use super::entry::{Entry, Named};
+use crate::domain::Domain;
+use crate::pendulum::orbit::Course;
+use crate::pendulum::{Orbit, Regime};
+
+/// A formula for the angle over time, found by its name.
+///
+/// ```
+/// use libration::{Frequency, Orbit, approx::AngleFormula};
+/// let orbit = Orbit::new(3.0, 0.0, Frequency::from_omega0(1.0)?)?;
+/// let series = AngleFormula::named("fourier-theta:4")?.of(&orbit)?;
+/// assert_eq!(format!("{:.6} {:.3e}", series.theta(1.0), series.difference(1.0)), "2.770526 1.234e-3");
+/// # Ok::<(), libration::Domain>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AngleFormula {
+    named: Named,
+}
+
+/// A formula for the angle set up for one orbit.
+#[derive(Clone, Debug)]
+pub struct AngleApproximation {
+    formula: AngleFormula,
+    pub(super) orbit: Orbit,
+    pub(super) shape: Shape,
+}
+
+/// What the formula has become for the orbit.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    /// Without motion or without a force every formula is exact.
+    Exact,
+    Linear(Linear),
+    Harmonic(Harmonic),
+    Arcsine(Arcsine),
+    Series(Series),
+    Trigonometric(Trigonometric),
+    Secular(Secular),
+    Bounded(Bounded),
+    Model(SineModel),
+    Polynomial(Polynomial),
+}
+
+/// The regimes that a formula is written for.
+#[derive(Clone, Copy, PartialEq)]
+enum Serves {
+    All,
+    Periodic,
+    Libration,
+}
+
+impl AngleFormula {
+    /// Finds `linear`, `fourier:4` and so on; the error names the nearest entries first.
+    pub fn named(name: &str) -> Result<AngleFormula, Domain> {
+        Ok(AngleFormula { named: Named::find("formula", &ANGLES, name)? })
+    }
+
+    /// What is known of it before it is asked anything.
+    pub fn entry(&self) -> &'static Entry {
+        self.named.entry
+    }
+
+    /// The name that finds it again.
+    pub fn name(&self) -> String {
+        self.named.name()
+    }
+
+    /// N, or 0 where it takes none.
+    pub fn order(&self) -> u32 {
+        self.named.order
+    }
+
+    /// Refuses what the formula is not written for.
+    fn refuse(&self, orbit: &Orbit) -> Result<(), Domain> {
+        let (serves, about_bottom) = match self.entry().name {
+            "linear" | "small-m" | "cubic" | "cubic-quintic" => (Serves::All, true),
+            "small-m-bounded" | "trigonometric" => (Serves::Libration, true),
+            "harmonic" | "fourier" => (Serves::Libration, false),
+            "fourier-theta" => (Serves::Periodic, false),
+            _ => (Serves::All, false),
+        };
+        let regime = orbit.regime();
+        let served = match serves {
+            Serves::All => true,
+            Serves::Periodic => regime != Regime::Separatrix,
+            Serves::Libration => matches!(regime, Regime::Libration | Regime::Rest),
+        };
+        let needs = if serves == Serves::Periodic { "libration or rotation" } else { "libration" };
+        if !served {
+            return Err(Domain::new("regime", regime.name().into(), format!("{needs} for {}", self.name())));
+        }
+        if about_bottom && orbit.force.upside_down() {
+            let allowed = format!("positive for {}, which is about theta = 0", self.name());
+            return Err(Domain::new("omega2", format!("{:?}", orbit.omega2()), allowed));
+        }
+        Ok(())
+    }
+
+    /// Sets the formula up for an orbit; refused where it is not written for its regime or for omega2 < 0.
+    pub fn of(&self, orbit: &Orbit) -> Result<AngleApproximation, Domain> {
+        self.refuse(orbit)?;
+        let order = self.named.order;
+        let shape = match (&orbit.course, self.entry().name) {
+            (Course::Still, _) => Shape::Exact,
+            (Course::Free, "small-m") => {
+                let allowed = "large beside the velocity for small-m";
+                return Err(Domain::new("omega0", format!("{:?}", orbit.omega0()), allowed));
+            }
+            (Course::Free, name) if orbit.force.root().is_none() || name == "fourier-theta" => Shape::Exact,
+            (_, "linear") => Linear::new(orbit).map_or(Shape::Exact, Shape::Linear),
+            (_, "cubic") => Shape::Model(SineModel::cubic(orbit)?),
+            (_, "cubic-quintic") => Shape::Model(SineModel::cubic_quintic(orbit)?),
+            (_, "taylor") => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
+            (_, "small-m") => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
+            (Course::Libration(e), "small-m-bounded") => {
+                Bounded::new(orbit, e).map_or(Shape::Exact, Shape::Bounded)
+            }
+            (Course::Libration(e), "trigonometric") => {
+                Trigonometric::new(orbit, e).map_or(Shape::Exact, Shape::Trigonometric)
+            }
+            (Course::Libration(_), "harmonic") => Shape::Harmonic(Harmonic::new(orbit)),
+            (Course::Libration(_), "fourier") => Shape::Arcsine(Arcsine::new(orbit, order)),
+            (_, _) => Shape::Series(Series::new(orbit, order)),
+        };
+        Ok(AngleApproximation { formula: *self, orbit: orbit.clone(), shape })
+    }
+}
+
+impl AngleApproximation {
+    /// The formula.
+    pub fn formula(&self) -> AngleFormula {
+        self.formula
+    }
+
+    /// The approximate angle in rad at t (in s); NaN where the formula has no value, and where the exact angle has none
+    /// by its distance in time.
+    ///
+    /// **Error** at most 8 ulp of its scale, plus the condition of its phase in what is rounded to double: the
+    /// coefficients of the sine models.
+    pub fn theta(&self, t: f64) -> f64 {
+        match &self.shape {
+            Shape::Exact => self.orbit.theta(t),
+            Shape::Linear(shape) => shape.theta(t),
+            Shape::Harmonic(shape) => shape.theta(&self.orbit, t),
+            Shape::Arcsine(shape) => shape.theta(&self.orbit, t),
+            Shape::Series(shape) => shape.theta(&self.orbit, t),
+            Shape::Trigonometric(shape) => shape.theta(&self.orbit, t),
+            Shape::Secular(shape) => shape.theta(t),
+            Shape::Bounded(shape) => shape.theta(t),
+            Shape::Model(shape) => shape.theta(t),
+            Shape::Polynomial(shape) => shape.theta(t),
+        }
+    }
+
+    /// The approximate minus the exact angle in rad at t (in s).
+    ///
+    /// **Error** of `harmonic` and of the two Fourier series at most 1e-10 of the difference itself, from the terms they
+    /// leave out; of the others that of the two angles.
+    pub fn difference(&self, t: f64) -> f64 {
+        match &self.shape {
+            Shape::Exact => 0.0 * self.orbit.theta(t),
+            Shape::Harmonic(shape) => shape.difference(&self.orbit, t),
+            Shape::Arcsine(shape) => shape.difference(&self.orbit, t),
+            Shape::Series(shape) => shape.difference(&self.orbit, t),
+            _ => self.theta(t) - self.orbit.theta(t),
+        }
+    }
+
+    /// [`AngleApproximation::theta`] of every time; as many as the shorter slice holds.
+    pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
+        for (theta, t) in theta.iter_mut().zip(t) {
+            *theta = self.theta(*t);
+        }
+    }
+
+    /// [`AngleApproximation::difference`] of every time; as many as the shorter slice holds.
+    pub fn difference_into(&self, t: &[f64], difference: &mut [f64]) {
+        for (difference, t) in difference.iter_mut().zip(t) {
+            *difference = self.difference(*t);
+        }
+    }
+
+    /// Period in s of the approximation itself; NaN where it does not repeat.
+    pub fn period(&self) -> f64 {
+        let period = match &self.shape {
+            Shape::Linear(shape) => shape.period(),
+            Shape::Trigonometric(shape) => shape.period(),
+            Shape::Model(shape) => shape.period(),
+            Shape::Secular(_) | Shape::Polynomial(_) => f64::NAN,
+            _ => self.orbit.period(),
+        };
+        if period.is_finite() { period } else { f64::NAN }
+    }
+}

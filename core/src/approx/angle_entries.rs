@@ -1,0 +1,105 @@
+//! The table of approximations of the angle. Their errors and their ranges are measured (measure.rs), never typed here.
+
+use super::entry::Entry;
+
+/// 70 and 120 degrees.
+const DEGREES_70: f64 = 1.2217304763960306;
+const DEGREES_120: f64 = 2.0943951023931953;
+
+const PLAIN: Entry = Entry {
+    name: "",
+    orders: None,
+    formula: "",
+    source: "",
+    stated: "",
+    stated_range: None,
+    undefined: "rotation, separatrix",
+};
+
+/// The approximations of the angle, by name.
+pub static ANGLES: [Entry; 10] = [
+    Entry {
+        name: "linear",
+        formula: "θ₀ cos ω₀t + (θ̇₀/ω₀) sin ω₀t",
+        source: "Horsley 2025 (2), (4), with any start; the motion of sin θ ≈ θ",
+        stated: "small angles",
+        undefined: "",
+        ..PLAIN
+    },
+    Entry {
+        name: "harmonic",
+        formula: "θ_max cos(2πt/T), with the exact period T",
+        source: "Lima 2018 (17)",
+        ..PLAIN
+    },
+    Entry {
+        name: "fourier",
+        orders: Some([1, 500]),
+        formula: "2 arcsin of the first N terms of (2π/K) Σ q^(n−½)/(1−q^(2n−1)) sin((2n−1)πu/2K) = k sn u",
+        source: "Lima 2018 (20)-(22)",
+        stated: "below 180 deg",
+        stated_range: Some([0.0, core::f64::consts::PI]),
+        undefined: "where |k sn_N| > 1: from 131.55 deg with N = 1, nearer to 180 deg the larger N; rotation, separatrix",
+        ..PLAIN
+    },
+    Entry {
+        name: "fourier-theta",
+        orders: Some([1, 500]),
+        formula: "the first N terms of 8 Σ q^(n−½)/((2n−1)(1+q^(2n−1))) sin((2n−1)πu/2K); rotation: its turn and \
+                  4 Σ qⁿ/(n(1+q^(2n))) sin(nπu/K)",
+        source: "Jacobi's series of dn and cn, integrated (DLMF 22.11.1, 22.11.3); Chachiyo, arXiv:2504.16816",
+        undefined: "separatrix",
+        ..PLAIN
+    },
+    Entry {
+        name: "trigonometric",
+        formula: "θ_max cos κt/√(1 + λ sin² κt), κ² = ω₀²(1 − 10x/81 + x²/262), \
+                  λ = (243x² − 2620x)/(243x² − 7860x + 63666), x = θ_max²",
+        source: "Salas 2019 (30), (34), (35)",
+        stated: "up to 120 deg",
+        stated_range: Some([0.0, DEGREES_120]),
+        ..PLAIN
+    },
+    Entry {
+        name: "small-m",
+        formula: "2 arctan of Salas (24) to first order in m: secular, an error that grows as the square of the time",
+        source: "Salas 2019, the formula before fig. 6",
+        stated: "m < 0.2",
+        stated_range: Some([0.0, 0.927_295_218_001_612_2]),
+        undefined: "",
+        ..PLAIN
+    },
+    Entry {
+        name: "small-m-bounded",
+        formula: "2 atan2(s c cn + x dn sn, c² − x² sn²) with sn, cn, dn to first order in m at the exact phase: \
+                  an error that does not grow with time",
+        source: "derived here from Salas 2019 (23), DLMF 22.10.1-22.10.3 and 22.11",
+        ..PLAIN
+    },
+    Entry {
+        name: "cubic",
+        formula: "the exact motion with sin θ ≈ θ − 40θ³/243",
+        source: "Salas 2019 (2)",
+        stated: "up to 70 deg",
+        stated_range: Some([0.0, DEGREES_70]),
+        undefined: "from its escape on, beyond 141.2 deg",
+        ..PLAIN
+    },
+    Entry {
+        name: "cubic-quintic",
+        formula: "the exact motion with sin θ ≈ θ − 40θ³/243 + θ⁵/131",
+        source: "Salas 2019 (3), (29)",
+        stated: "up to 120 deg",
+        stated_range: Some([0.0, DEGREES_120]),
+        undefined: "",
+        ..PLAIN
+    },
+    Entry {
+        name: "taylor",
+        orders: Some([1, 200]),
+        formula: "Taylor's polynomial of θ(t) of degree N about t = 0",
+        source: "recurrence of sine and cosine of a power series",
+        undefined: "",
+        ..PLAIN
+    },
+];

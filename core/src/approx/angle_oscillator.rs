@@ -1,0 +1,153 @@
+//! Approximations that are oscillators of their own: linear, trigonometric (Salas 35), and the motions of two polynomials
+//! in place of the sine (Salas 2, 3), solved exactly.
+//!
+//! Source: Salas 2019 (2), (3), (29), (30), (34), (35).
+
+use super::angle_series::{counted, framed, turning_angle};
+use crate::domain::Domain;
+use crate::duffing::{CubicQuintic, Duffing};
+use crate::elliptic::phase::Phase;
+use crate::float::scaling::{exp2, ldexp};
+use crate::float::{Dd, PI, Wide};
+use crate::pendulum::Orbit;
+use crate::pendulum::orbit::{Elliptic, carried};
+
+/// theta0 cos(omega0 t) + velocity0/omega0 sin(omega0 t).
+#[derive(Clone, Debug)]
+pub(super) struct Linear {
+    phase: Phase,
+    /// omega0 is its root times 2^power.
+    power: i32,
+    period: f64,
+    start: Wide,
+    velocity: Wide,
+    /// velocity0/omega0.
+    swing: Wide,
+}
+
+/// Phases below this the cosine does not show, in any digit of a double-double.
+const EARLY: f64 = 1e-20;
+
+impl Linear {
+    /// `None` without a force.
+    pub fn new(orbit: &Orbit) -> Option<Linear> {
+        let (root, power) = orbit.force.root()?;
+        let omega = Wide::new(root.to_dd(), power);
+        let velocity = Wide::from(orbit.velocity0);
+        Some(Linear {
+            phase: Phase { rate: root.to_dd() / PI, start: Dd::ZERO },
+            power,
+            period: (Wide::from(PI.scale(2.0)) / omega).value(),
+            start: Wide::from(orbit.theta0),
+            velocity,
+            swing: velocity / omega,
+        })
+    }
+
+    pub fn theta(&self, t: f64) -> f64 {
+        let passed = ldexp(t, self.power);
+        if passed.abs() < EARLY {
+            return (self.start + self.velocity * t).value();
+        }
+        let Some((sine, cosine)) = counted(&self.phase, passed) else { return f64::NAN };
+        (self.start * Wide::from(cosine) + self.swing * Wide::from(sine)).value()
+    }
+
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+}
+
+/// A cos(kt)/sqrt(1 + lambda sin^2 kt), kt counted from the last turning point.
+#[derive(Clone, Debug)]
+pub(super) struct Trigonometric {
+    phase: Phase,
+    amplitude: Wide,
+    /// lambda.
+    flattening: Dd,
+    period: f64,
+}
+
+impl Trigonometric {
+    pub fn new(orbit: &Orbit, elliptic: &Elliptic) -> Option<Trigonometric> {
+        let (root, power) = orbit.force.root()?;
+        let size = turning_angle(orbit);
+        let x = size.square().to_dd();
+        let whole = |value: f64| Dd::from(value);
+        let square = whole(1.0) - x * 10.0 / whole(81.0) + x.square() / whole(262.0);
+        let above = x.square() * 243.0 - x * 2620.0;
+        let below = x.square() * 243.0 - x * 7860.0 + whole(63666.0);
+        // Salas' rate, in half periods of its own per unit of the scaled time of the orbit; both rates are near omega0.
+        let rate = root.to_dd() * square.sqrt() / PI;
+        let ratio = rate / elliptic.phase.rate * Dd::from(exp2(carried(power).0));
+        let start = elliptic.phase.start;
+        // Released at the upper or the lower turning point, or past the lower one since phase -1/2.
+        let upper = orbit.velocity0 == 0.0 && start.hi > 0.0;
+        let since = if upper { start - whole(0.5) } else { start + whole(0.5) };
+        let omega = Wide::new(root.to_dd() * square.sqrt(), power);
+        Some(Trigonometric {
+            phase: Phase { rate: elliptic.phase.rate * ratio, start: since * ratio },
+            amplitude: if upper { size } else { -size },
+            flattening: above / below,
+            period: (Wide::from(PI.scale(2.0)) / omega).value(),
+        })
+    }
+
+    pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some((sine, cosine)) = counted(&self.phase, t * orbit.time_scale) else { return f64::NAN };
+        let root = (Dd::ONE + self.flattening * sine.square()).sqrt();
+        framed(orbit, self.amplitude * Wide::from(cosine / root))
+    }
+
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+}
+
+/// The motion of a polynomial in place of the sine.
+#[derive(Clone, Debug)]
+pub(super) enum SineModel {
+    Cubic(Duffing),
+    CubicQuintic(CubicQuintic),
+}
+
+/// omega0^2 times a number, rounded once.
+fn coefficient(orbit: &Orbit, above: f64, below: f64) -> f64 {
+    let (a, b, c) = orbit.force.factors();
+    (Wide::from(a) * b * above / (Wide::from(c) * below)).value()
+}
+
+impl SineModel {
+    pub fn cubic(orbit: &Orbit) -> Result<SineModel, Domain> {
+        let (p, q) = (coefficient(orbit, 1.0, 1.0), coefficient(orbit, -40.0, 243.0));
+        Ok(SineModel::Cubic(Duffing::new(orbit.theta0, orbit.velocity0, p, q)?))
+    }
+
+    pub fn cubic_quintic(orbit: &Orbit) -> Result<SineModel, Domain> {
+        let [alpha, beta, gamma] =
+            [(1.0, 1.0), (-40.0, 243.0), (1.0, 131.0)].map(|(a, b)| coefficient(orbit, a, b));
+        Ok(SineModel::CubicQuintic(CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)?))
+    }
+
+    pub fn theta(&self, t: f64) -> f64 {
+        match self {
+            SineModel::Cubic(model) => model.u(t),
+            SineModel::CubicQuintic(model) => model.u(t),
+        }
+    }
+
+    /// When the motion ahead ends at infinity.
+    pub fn escape_time(&self) -> f64 {
+        match self {
+            SineModel::Cubic(model) => model.escape_time(),
+            SineModel::CubicQuintic(model) => model.escape_time(),
+        }
+    }
+
+    pub fn period(&self) -> f64 {
+        match self {
+            SineModel::Cubic(model) => model.period(),
+            SineModel::CubicQuintic(model) => model.period(),
+        }
+    }
+}

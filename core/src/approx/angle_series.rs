@@ -1,0 +1,348 @@
+//! The Fourier series of the angle and of the sine of its half, cut after N terms; and the harmonic motion.
+//!
+//! With r = e^(-pi K'/2K), so that the nome is r^2, and the phase in half periods:
+//!   theta         = sum a_j sin(j pi phase),  a_j = 8 r^j/(j (1 + r^2j)),           j odd,
+//!   sin(theta/2)  = sum b_j sin(j pi phase),  b_j = (2 pi/K) r^j/(1 - r^2j),        j odd,
+//!   rotation: theta = 2 pi phase + sum a_j sin(2 j pi phase),  a_j = 4 q^j/(j (1 + q^2j)).
+//! What is left out is summed from its own terms, so that a difference from the exact angle keeps its digits however small.
+//! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2018 (17), (20)-(22).
+
+use crate::elliptic::agm::agm;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, Reduced, alternating};
+use crate::float::elementary::{arctangent, long_sin_cos};
+use crate::float::wide::exp;
+use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide};
+use crate::pendulum::Orbit;
+use crate::pendulum::orbit::{Course, Elliptic};
+use crate::pendulum::state::State;
+
+/// Sine and cosine of pi f for |f| <= 1/2.
+pub(super) fn half_turn(f: Dd) -> (Dd, Dd) {
+    let size = f.abs();
+    let (sine, cosine) = if size.hi > 0.25 {
+        let (sine, cosine) = long_sin_cos((Dd::from(0.5) - size) * PI);
+        (cosine, sine)
+    } else {
+        long_sin_cos(size * PI)
+    };
+    (if f.hi < 0.0 { -sine } else { sine }, cosine)
+}
+
+/// Sine and cosine of pi (n + f) for a phase counted as whole and rest; `None` beyond 2^53 half turns.
+pub(super) fn counted(phase: &Phase, t: f64) -> Option<(Dd, Dd)> {
+    let (n, f) = phase.count(t, LAST_HALF_PERIOD);
+    if f.hi.is_nan() {
+        return None;
+    }
+    let (sine, cosine) = half_turn(f);
+    let side = alternating(n);
+    Some((sine.scale(side), cosine.scale(side)))
+}
+
+/// The angle in the frame of the orbit, from the canonical one, which goes upwards through 0 at phase 0.
+pub(super) fn framed(orbit: &Orbit, canonical: Wide) -> f64 {
+    let frame = &orbit.frame;
+    let angle = canonical * frame.side;
+    if frame.base.hi == 0.0 && frame.half_turn == 0.0 {
+        return angle.value();
+    }
+    (frame.base + PI * frame.half_turn + angle.to_dd()).value()
+}
+
+/// The elliptic orbit, in libration or rotation, and the point of its phase: whole half periods, rest, sine and cosine.
+struct Point<'a> {
+    elliptic: &'a Elliptic,
+    n: f64,
+    f: Dd,
+    sine: Dd,
+    cosine: Dd,
+}
+
+impl Point<'_> {
+    fn new(orbit: &Orbit, t: f64) -> Option<Point<'_>> {
+        let (elliptic, turn) = match &orbit.course {
+            Course::Libration(elliptic) => (elliptic, 1.0),
+            Course::Rotation(elliptic) => (elliptic, 2.0),
+            _ => return None,
+        };
+        let (n, f) = elliptic.phase.count(t * orbit.time_scale, LAST_HALF_PERIOD / turn);
+        if f.hi.is_nan() {
+            return None;
+        }
+        let (sine, cosine) = half_turn(f);
+        if turn == 1.0 {
+            let side = alternating(n);
+            return Some(Point { elliptic, n, f, sine: sine.scale(side), cosine: cosine.scale(side) });
+        }
+        // Twice the angle: (cosine - sine)(cosine + sine) keeps the digits of both.
+        let doubled = (sine * cosine).scale(2.0);
+        Some(Point { elliptic, n, f, sine: doubled, cosine: (cosine - sine) * (cosine + sine) })
+    }
+
+    /// cos(theta/2), never negative in libration.
+    fn half_cosine(&self) -> Dd {
+        let sign = 1f64.copysign(self.f.hi);
+        let at = Reduced { n: Dd::ZERO, sign, f: self.f.scale(sign), parity: alternating(self.n) };
+        self.elliptic.lattice.long_values(&at)[2]
+    }
+}
+
+/// scale times the sum of c_i sin(j_i phi) with j_i = first, first + step, ... and c_0 = 1.
+#[derive(Clone, Debug)]
+struct Sum {
+    scale: Wide,
+    coefficients: Vec<Dd>,
+    first: u32,
+    step: u32,
+}
+
+/// Beside 1, no term counts from here on.
+const NOTHING: f64 = 1e-33;
+/// More terms no series has that doubles can ask for.
+const MOST: usize = 20_000;
+
+type Turn = (Dd, Dd);
+
+fn times((s, c): Turn, (sine, cosine): Turn) -> Turn {
+    (s * cosine + c * sine, c * cosine - s * sine)
+}
+
+fn multiple(turn: Turn, order: u32) -> Turn {
+    let mut result = (Dd::ZERO, Dd::ONE);
+    let (mut power, mut left) = (turn, order);
+    while left > 0 {
+        if left & 1 == 1 {
+            result = times(result, power);
+        }
+        power = times(power, power);
+        left >>= 1;
+    }
+    result
+}
+
+impl Sum {
+    /// The first terms of a series of positive terms that fall at least like `ratio`, or all from `first` on.
+    fn new(first: u32, step: u32, count: usize, ratio: f64, term: impl Fn(u32) -> Wide) -> Sum {
+        let scale = term(first);
+        let mut coefficients = Vec::new();
+        if scale.is_zero() {
+            return Sum { scale, coefficients, first, step };
+        }
+        let mut j = first;
+        let inverse = Wide::ONE / scale;
+        while coefficients.len() < count.min(MOST) {
+            let c = (term(j) * inverse).to_dd();
+            // What follows is below c/(1 - ratio).
+            if c.hi < NOTHING * (1.0 - ratio) {
+                break;
+            }
+            coefficients.push(c);
+            j += step;
+        }
+        Sum { scale, coefficients, first, step }
+    }
+
+    fn at(&self, sine: Dd, cosine: Dd) -> Wide {
+        let turn = (sine, cosine);
+        let step = multiple(turn, self.step);
+        let mut here = multiple(turn, self.first);
+        let mut sum = Dd::ZERO;
+        for c in &self.coefficients {
+            sum = sum + *c * here.0;
+            here = times(here, step);
+        }
+        Wide::from(sum) * self.scale
+    }
+}
+
+/// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation.
+fn decay(orbit: &Orbit) -> (Wide, u32) {
+    let Ok(State { k, kc, power, .. }) = State::new(orbit.theta0, orbit.velocity0, orbit.force) else {
+        return (Wide::ZERO, 2);
+    };
+    match orbit.course {
+        Course::Rotation(_) => (exp(-(PI * agm(kc / k) / agm(Dd::ONE / k))), 1),
+        // The nome is m/16 to all digits.
+        _ if power != 0 => (Wide::new(k, power - 2), 2),
+        _ => (exp(-(HALF_PI * agm(kc) / agm(k))), 2),
+    }
+}
+
+/// base^j.
+fn power(base: Wide, order: u32) -> Wide {
+    let (mut result, mut square, mut left) = (Wide::ONE, base, order);
+    while left > 0 {
+        if left & 1 == 1 {
+            result = result * square;
+        }
+        square = square.square();
+        left >>= 1;
+    }
+    result
+}
+
+/// a_j of the angle: 8 r^j/(j (1 + r^2j)) in libration, half of it in rotation.
+fn angle_term(r: Wide, step: u32, j: u32) -> Wide {
+    let r = power(r, j);
+    let factor = if step == 2 { 8.0 } else { 4.0 };
+    r * factor / ((Wide::ONE + r.square()) * f64::from(j))
+}
+
+/// A series cut after N terms, and what is left out.
+#[derive(Clone, Debug)]
+struct Cut {
+    head: Sum,
+    tail: Sum,
+}
+
+impl Cut {
+    fn new(order: u32, step: u32, ratio: f64, term: impl Fn(u32) -> Wide) -> Cut {
+        Cut {
+            head: Sum::new(1, step, order as usize, ratio, &term),
+            tail: Sum::new(1 + step * order, step, MOST, ratio, &term),
+        }
+    }
+
+    fn of_angle(orbit: &Orbit, order: u32) -> Cut {
+        let (r, step) = decay(orbit);
+        let ratio = power(r, step).value();
+        Cut::new(order, step, ratio, |j| angle_term(r, step, j))
+    }
+}
+
+/// The series of theta itself.
+#[derive(Clone, Debug)]
+pub(super) struct Series {
+    cut: Cut,
+}
+
+impl Series {
+    pub fn new(orbit: &Orbit, order: u32) -> Series {
+        Series { cut: Cut::of_angle(orbit, order) }
+    }
+
+    pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let mut angle = self.cut.head.at(point.sine, point.cosine);
+        if matches!(orbit.course, Course::Rotation(_)) {
+            angle = Wide::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
+        }
+        framed(orbit, angle)
+    }
+
+    pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        -(self.cut.tail.at(point.sine, point.cosine) * orbit.frame.side).value()
+    }
+}
+
+/// theta_max sin(pi phase).
+#[derive(Clone, Debug)]
+pub(super) struct Harmonic {
+    amplitude: Wide,
+    /// All harmonics but the first, and their sum where the phase is 1/2.
+    tail: Sum,
+    top: Wide,
+}
+
+/// The turning angle of a libration.
+pub(super) fn turning_angle(orbit: &Orbit) -> Wide {
+    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
+        Ok(State { k, power, .. }) if power != 0 => Wide::new(k, power + 1),
+        Ok(State { k, kc, .. }) => Wide::new(arctangent(k, kc), 1),
+        Err(_) => Wide::ZERO,
+    }
+}
+
+impl Harmonic {
+    pub fn new(orbit: &Orbit) -> Harmonic {
+        let tail = Cut::of_angle(orbit, 1).tail;
+        let top = tail.at(Dd::ONE, Dd::ZERO);
+        Harmonic { amplitude: turning_angle(orbit), tail, top }
+    }
+
+    pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        framed(orbit, self.amplitude * Wide::from(point.sine))
+    }
+
+    /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.
+    pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let left = self.tail.at(point.sine, point.cosine);
+        ((self.top * Wide::from(point.sine) - left) * orbit.frame.side).value()
+    }
+}
+
+/// 2 arcsin of the cut series of sin(theta/2).
+#[derive(Clone, Debug)]
+pub(super) struct Arcsine {
+    cut: Cut,
+}
+
+impl Arcsine {
+    pub fn new(orbit: &Orbit, order: u32) -> Arcsine {
+        let (r, step) = decay(orbit);
+        let ratio = power(r, step).value();
+        let quarter = match &orbit.course {
+            Course::Libration(elliptic) => elliptic.lattice.quarter,
+            _ => HALF_PI,
+        };
+        let factor = Wide::from(TWO_PI / quarter);
+        let term = |j| {
+            let r = power(r, j);
+            factor * r / (Wide::ONE - r.square())
+        };
+        Arcsine { cut: Cut::new(order, step, ratio, term) }
+    }
+
+    /// 1 - |k sn_N|: below 0 the arcsine has no value.
+    pub fn margin(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        (Wide::ONE - self.cut.head.at(point.sine, point.cosine).abs()).value()
+    }
+
+    /// k sn_N and the cosine that belongs to it.
+    fn side(&self, point: &Point) -> Option<(Wide, Dd)> {
+        let sine = self.cut.head.at(point.sine, point.cosine);
+        let square = (Wide::ONE - sine) * (Wide::ONE + sine);
+        if square.is_negative() { None } else { Some((sine, square.sqrt().to_dd())) }
+    }
+
+    pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some((sine, cosine)) = self.side(&point) else { return f64::NAN };
+        framed(orbit, arcsine(sine, cosine))
+    }
+
+    /// tan of a quarter of the difference is (sin a - sin b)/(cos a + cos b) of the halves, and sin a - sin b is what the
+    /// series leaves out.
+    pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
+        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some((_, cosine)) = self.side(&point) else { return f64::NAN };
+        let left = self.cut.tail.at(point.sine, point.cosine);
+        let tangent = left / Wide::from(cosine + point.half_cosine());
+        -(quarter_of(tangent) * orbit.frame.side).value()
+    }
+}
+
+/// Below, an angle is its tangent to all digits.
+const TINY: i32 = -300;
+
+/// Four times the arctangent.
+fn quarter_of(tangent: Wide) -> Wide {
+    if tangent.is_zero() || tangent.power() < TINY {
+        return tangent.shift(2);
+    }
+    let angle = Wide::new(arctangent(tangent.abs().to_dd(), Dd::ONE), 2);
+    if tangent.is_negative() { -angle } else { angle }
+}
+
+/// Twice the angle with this sine and this cosine >= 0.
+fn arcsine(sine: Wide, cosine: Dd) -> Wide {
+    if sine.is_zero() || sine.power() < TINY {
+        return sine.shift(1);
+    }
+    let angle = Wide::new(arctangent(sine.abs().to_dd(), cosine), 1);
+    if sine.is_negative() { -angle } else { angle }
+}

@@ -1,0 +1,117 @@
+//! The pendulum to first order in m: Salas' formula, whose error grows with the time, and one whose error does not.
+//!
+//! In units of omega0 = 1, with s, c = sin, cos(theta0/2) and x = velocity0/2, his formula is
+//!   theta = 2 arctan{[n0 d0 + (m/4)(n1 d0 - n0 d1)]/d0^2},    y = u - sin u cos u,    u = omega0 t,
+//!   n0 = s c cos u + x sin u,    n1 = s c y sin u - x (2 sin^3 u + y cos u),
+//!   d0 = c^2 - x^2 sin^2 u,      d1 = 2 x^2 y sin u cos u.
+//! The other one is tan(theta/2) = (s c cn + x dn sn)/(c^2 - x^2 sn^2) (Salas 23 times c^2) with the first harmonics of
+//! sn, cn and dn at the exact phase. Source: Salas 2019, (23), (24) and before fig. 6; DLMF 22.10, 22.11.
+
+use super::angle_series::counted;
+use crate::elliptic::phase::Phase;
+use crate::float::elementary::arctangent;
+use crate::float::scaling::ldexp;
+use crate::float::{Dd, PI, Wide};
+use crate::pendulum::Orbit;
+use crate::pendulum::orbit::Elliptic;
+use crate::pendulum::state::{Frame, State};
+
+/// The start in units of omega0 = 1, with the velocity upwards: s and x are over 2^power.
+#[derive(Clone, Debug)]
+struct Start {
+    s: Dd,
+    c: Dd,
+    x: Dd,
+    m: Dd,
+    power: i32,
+    frame: Frame,
+}
+
+impl Start {
+    fn new(orbit: &Orbit) -> Option<Start> {
+        let State { s, c, x, m, power, frame, .. } =
+            State::new(orbit.theta0, orbit.velocity0, orbit.force).ok()?;
+        Some(Start { s, c, x, m: m.ldexp(2 * power), power, frame })
+    }
+
+    /// The square of a velocity.
+    fn square(&self, x: Dd) -> Dd {
+        if self.power == 0 { x.square() } else { Dd::ZERO }
+    }
+
+    /// Twice the angle of the point, in the frame of the orbit.
+    fn angle(&self, opposite: Dd, adjacent: Dd) -> f64 {
+        if opposite.hi.is_nan() || adjacent.hi.is_nan() || (opposite.hi == 0.0 && adjacent.hi == 0.0) {
+            return f64::NAN;
+        }
+        let half = if self.power != 0 {
+            Wide::new(opposite / adjacent, self.power)
+        } else {
+            let size = arctangent(opposite.abs(), adjacent.abs());
+            let size = if adjacent.hi < 0.0 { PI - size } else { size };
+            Wide::from(if opposite.hi < 0.0 { -size } else { size })
+        };
+        let angle = half.shift(1) * self.frame.side;
+        if self.frame.base.hi == 0.0 {
+            return angle.value();
+        }
+        (self.frame.base + angle.to_dd()).value()
+    }
+}
+
+/// To first order in m at a fixed time: the argument is omega0 t, and y grows with it.
+#[derive(Clone, Debug)]
+pub(super) struct Secular {
+    start: Start,
+    phase: Phase,
+    power: i32,
+}
+
+impl Secular {
+    pub fn new(orbit: &Orbit) -> Option<Secular> {
+        let (root, power) = orbit.force.root()?;
+        let phase = Phase { rate: root.to_dd() / PI, start: Dd::ZERO };
+        Some(Secular { start: Start::new(orbit)?, phase, power })
+    }
+
+    pub fn theta(&self, t: f64) -> f64 {
+        let Start { s, c, x, m, .. } = self.start;
+        let passed = ldexp(t, self.power);
+        let Some((sine, cosine)) = counted(&self.phase, passed) else { return f64::NAN };
+        let y = self.phase.rate * PI * passed - sine * cosine;
+        let n0 = s * c * cosine + x * sine;
+        let n1 = s * c * y * sine - x * (sine * sine.square() * 2.0 + y * cosine);
+        let square = self.start.square(x);
+        let d0 = c.square() - square * sine.square();
+        let d1 = (square * y * sine * cosine).scale(2.0);
+        self.start.angle(n0 * d0 + m.scale(0.25) * (n1 * d0 - n0 * d1), d0.square())
+    }
+}
+
+/// To first order in m at a fixed phase.
+#[derive(Clone, Debug)]
+pub(super) struct Bounded {
+    start: Start,
+    phase: Phase,
+    time_scale: f64,
+}
+
+impl Bounded {
+    pub fn new(orbit: &Orbit, elliptic: &Elliptic) -> Option<Bounded> {
+        let phase = Phase { rate: elliptic.phase.rate, start: Dd::ZERO };
+        Some(Bounded { start: Start::new(orbit)?, phase, time_scale: orbit.time_scale })
+    }
+
+    pub fn theta(&self, t: f64) -> f64 {
+        let Start { s, c, x, m, .. } = self.start;
+        let Some((sine, cosine)) = counted(&self.phase, t * self.time_scale) else { return f64::NAN };
+        // sin 3z = sin z (3 - 4 sin^2 z), cos 3z = cos z (1 - 4 sin^2 z), 1 - cos 2z = 2 sin^2 z.
+        let square = sine.square();
+        let sixteenth = m.scale(0.0625);
+        let sn = sine * (Dd::ONE + sixteenth * (Dd::from(4.0) - square.scale(4.0)));
+        let cn = cosine * (Dd::ONE - (m * square).scale(0.25));
+        let dn = Dd::ONE - (m * square).scale(0.5);
+        let opposite = s * c * cn + x * dn * sn;
+        self.start.angle(opposite, c.square() - self.start.square(x) * sn.square())
+    }
+}

@@ -1,0 +1,71 @@
+//! Taylor's polynomial of theta(t) about t = 0: right at first, and then the first to be lost.
+//!
+//! With a_k, s_k, c_k the coefficients of theta, sin theta and cos theta in omega0 t,
+//!   k s_k = sum j a_j c_(k-j),   k c_k = -sum j a_j s_(k-j),   (k + 1)(k + 2) a_(k+2) = -s_k,
+//! in units of time short enough for |a_1| <= 1. Source: derivatives of sin theta and cos theta.
+
+use crate::float::circle::{self, Reduced};
+use crate::float::scaling::ldexp;
+use crate::float::{Dd, HALF_PI, Wide, series};
+use crate::pendulum::Orbit;
+
+/// sum a_k (unit t)^k.
+#[derive(Clone, Debug)]
+pub(super) struct Polynomial {
+    coefficients: Vec<Dd>,
+    /// 1/s: omega0 times a power of two.
+    unit: Wide,
+}
+
+/// Sine and cosine of any angle.
+fn sine_cosine(theta: f64) -> (Dd, Dd) {
+    let Reduced { side, from_bottom, from_top, .. } = circle::reduce(theta);
+    let beyond = from_top.hi < from_bottom.hi;
+    let near = if beyond { from_top } else { from_bottom };
+    let (sine, cosine) = if near.hi > 0.5 * HALF_PI.hi {
+        let (cosine, sine) = series::sin_cos((HALF_PI - near.to_dd()).into());
+        (sine, cosine)
+    } else {
+        series::sin_cos(near)
+    };
+    (sine.to_dd() * side, if beyond { -cosine.to_dd() } else { cosine.to_dd() })
+}
+
+impl Polynomial {
+    /// `None` without a force.
+    pub fn new(orbit: &Orbit, order: u32) -> Option<Polynomial> {
+        let (root, power) = orbit.force.root()?;
+        let omega = Wide::new(root.to_dd(), power);
+        let ratio = Wide::from(orbit.velocity0) / omega;
+        let shorter = if ratio.is_zero() { 0 } else { (ratio.power() + 1).max(0) };
+        // omega0^2 in units of the square of time, with its sign.
+        let force = ldexp(if orbit.force.upside_down() { -1.0 } else { 1.0 }, -2 * shorter);
+        let most = order as usize + 1;
+        let (sine, cosine) = sine_cosine(orbit.theta0);
+        let mut a = vec![Dd::from(orbit.theta0), ratio.shift(-shorter).to_dd()];
+        let (mut s, mut c) = (vec![sine], vec![cosine]);
+        for k in 0..most {
+            if k > 0 {
+                let whole = Dd::from(k as f64);
+                let against = |other: &[Dd]| {
+                    (1..=k).fold(Dd::ZERO, |sum, j| sum + a[j] * (j as f64) * other[k - j]) / whole
+                };
+                let (next_s, next_c) = (against(&c), -against(&s));
+                s.push(next_s);
+                c.push(next_c);
+            }
+            let below = Dd::from(((k + 1) * (k + 2)) as f64);
+            a.push(-(s[k] * force) / below);
+        }
+        a.truncate(most);
+        Some(Polynomial { coefficients: a, unit: omega.shift(shorter) })
+    }
+
+    pub fn theta(&self, t: f64) -> f64 {
+        if !t.is_finite() {
+            return f64::NAN;
+        }
+        let x = self.unit * t;
+        self.coefficients.iter().rev().fold(Wide::ZERO, |sum, a| sum * x + Wide::from(*a)).value()
+    }
+}
