@@ -41,7 +41,10 @@ def said(capsys, tmp_path, monkeypatch):
     ("words", "line"),
     [
         ([], "libration: missing command: one of solve, period, compare, duffing; see libration --help"),
-        (["solv"], "libration: unknown command 'solv': commands are solve, period, compare, duffing; did you mean solve?"),
+        (
+            ["solv"],
+            "libration: unknown command 'solv': commands are solve, period, compare, duffing; did you mean solve?",
+        ),
         ([""], "libration: unknown command '': commands are solve, period, compare, duffing; see libration --help"),
         ([*SOLVE, " "], "libration solve: unknown word ' '; see libration solve --help"),
         (["--theta0", "3"], "libration: unknown option '--theta0'; see libration --help"),

@@ -1,6 +1,7 @@
 """Approximations of the pendulum by name, with their sources, domains and measured errors.
 
-`angle` holds formulas for theta(t): ask it for one by name, or go through all of them.
+`angle` holds formulas for theta(t) and `numerical` the schemes that march through it: ask for one by name, or go through
+all of them.
 
 Examples
 --------
@@ -12,5 +13,15 @@ Examples
 
 from .angle import AngleApproximation, AngleError, AngleFormula, angle
 from .registry import Registry
+from .solvers import NumericalFormula, NumericalSolution, numerical
 
-__all__ = ["AngleApproximation", "AngleError", "AngleFormula", "Registry", "angle"]
+__all__ = [
+    "AngleApproximation",
+    "AngleError",
+    "AngleFormula",
+    "NumericalFormula",
+    "NumericalSolution",
+    "Registry",
+    "angle",
+    "numerical",
+]

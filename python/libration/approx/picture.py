@@ -74,6 +74,10 @@ def draw_comparison(figure, pendulum, solutions, periods):
         difference = theta - exact
         lower.plot(part, 100 * difference / pendulum.theta_max if swings else difference, color=color, ls=dash, lw=1.6)
         hatch_gaps((upper, lower), part, np.isnan(theta), color)
+    # What runs away leaves the picture, so that the others can be told apart.
+    room = np.ptp(exact)
+    within(upper, exact.min() - room, exact.max() + room)
+    within(lower, *((-100 * room / pendulum.theta_max, 100 * room / pendulum.theta_max) if swings else (-room, room)))
     upper.set_ylabel(r"$\theta$ [rad]")
     lower.set_ylabel(r"error [% of $\theta_{max}$]" if swings else "error [rad]")
     lower.axhline(0.0, color=EXACT, lw=0.8)
@@ -86,6 +90,12 @@ def draw_comparison(figure, pendulum, solutions, periods):
     if pendulum.velocity0:
         state += rf", $\dot\theta_0$ = {number(pendulum.velocity0)} rad/s"
     head(figure, f"{state}: {pendulum.regime}, T = {number(pendulum.period)} s")
+
+
+def within(axes, low, high):
+    """Keeps the limits that the curves ask for within others."""
+    bottom, top = axes.get_ylim()
+    axes.set_ylim(max(bottom, low), min(top, high))
 
 
 def styles():

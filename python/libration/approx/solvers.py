@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from ..pendulum import Pendulum
 from .angle import AngleError
+from .registry import Registry
 
 # SciPy's answer is asked for at this many instants a period, as a student asks for a smooth curve.
 INSTANTS = 1000
@@ -51,7 +52,9 @@ class NumericalFormula:
     def __init__(self, name: str) -> None:
         scheme, colon, step = name.partition(":")
         if scheme not in SCHEMES and scheme not in SCIPY:
-            raise ValueError(f"numerical solution = {name!r}: must be one of {', '.join(nearest(names, name))}")
+            raise ValueError(
+                f"numerical solution = {name!r}: must be one of {', '.join(nearest(numerical.names, name))}"
+            )
         if scheme in SCIPY and colon:
             raise ValueError(f"numerical solution = {name!r}: must be {scheme} without a step")
         self.name, self._scheme, self._step = name, scheme, step_of(name, step) if scheme in SCHEMES else math.nan
@@ -156,7 +159,9 @@ class NumericalSolution:
         last = checked_span(periods, self.pendulum)
         if self.formula._scheme in SCIPY:
             return np.linspace(0.0, last, math.ceil(INSTANTS * periods) + 1)
-        return self.formula._step * np.arange(self._steps(last) + 1)
+        t = self.formula._step * np.arange(self._steps(last) + 1)
+        # The last step may end beyond; a step longer than the span stands for itself.
+        return t[: max(2, np.searchsorted(t, last, side="right"))]
 
     def _steps(self, last):
         """How many steps there are to a time."""
@@ -178,7 +183,8 @@ class NumericalSolution:
 
 
 SCHEMES: dict[str, tuple[str, str]] = {name: (formula, source) for name, formula, source in _core.schemes()}
-names = (*(f"{name}:H" for name in SCHEMES), *SCIPY)
+USUAL = {"euler": "0.01", "euler-cromer": "0.01", "rk4": "0.025"}
+numerical = Registry(NumericalFormula, [*(f"{name}:H" for name in SCHEMES), *SCIPY], USUAL)
 
 
 def nearest(patterns, wanted):

@@ -135,14 +135,13 @@ def moving(options, motion):
 def solution(name, motion):
     """One solution by its name, or a Refusal with the nearest names first."""
     from libration import approx
-    from libration.approx.solvers import names as numerical
     from libration.approx.solvers import nearest
 
     base = name.partition(":")[0]
-    patterns = (*approx.angle.names, *numerical)
+    patterns = (*approx.angle.names, *approx.numerical.names)
     if base not in [each.partition(":")[0] for each in patterns]:
         raise refusal("--with", name, f"is not known; there are {', '.join(nearest(patterns, name))}")
-    makes = approx.numerical if base in [each.partition(":")[0] for each in numerical] else approx.angle
+    makes = approx.numerical if base in [each.partition(":")[0] for each in approx.numerical.names] else approx.angle
     try:
         return makes(name).of(motion)
     except (ValueError, ImportError) as error:
@@ -215,11 +214,11 @@ def print_text(motion, spans, rows, files):
         ]
     )
     percent = math.isfinite(motion.theta_max)
-    heads = ["largest error [rad]", *(["% of theta_max"] if percent else []), "at t/T"]
-    width = max(len(name) for name, *_ in rows)
+    heads = ["      rad", *(["        %"] if percent else []), " at t/T"]
+    width = max(len("largest error"), *(len(name) for name, *_ in rows))
     block = sum(map(len, heads)) + 2 * (len(heads) - 1)
     print()
-    print(" " * width, *(f"  {over(periods):^{block}}" for periods in spans), sep="")
+    print(f"{'largest error':{width}}", *(f"  {over(periods):>{block}}" for periods in spans), sep="")
     print(" " * width, *(f"  {'  '.join(heads)}" for _ in spans), sep="")
     for name, made, errors in rows:
         cells = [
@@ -228,6 +227,8 @@ def print_text(motion, spans, rows, files):
             for head, cell in zip(heads, texts(error, motion, percent), strict=True)
         ]
         print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, max(spans), errors)}".rstrip())
+    if percent:
+        print("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
         print()
         print_lines([("written", path) for path in files])
@@ -243,7 +244,7 @@ def texts(error, motion, percent):
     if math.isnan(error.difference):
         return ["undefined", *(["-"] if percent else []), "-"]
     shown = [f"{error.difference:.4g}", *([f"{100 * error.relative:.4g}"] if percent else [])]
-    return [*shown, f"{error.t / motion.period:.4f}"]
+    return [*shown, f"{error.t / motion.period:.5g}"]
 
 
 def remarks(made, motion, longest, errors):
@@ -251,7 +252,7 @@ def remarks(made, motion, longest, errors):
     said = []
     gaps = [error.undefined_from for error in errors if not math.isnan(error.undefined_from)]
     if gaps:
-        said.append(f"undefined from t/T = {gaps[0] / motion.period:.4f}")
+        said.append(f"undefined from t/T = {gaps[0] / motion.period:.5g}")
     top = over_the_top(made, longest)
     if not math.isnan(top):
         said.append(f"goes over the top at t = {top:.4g} s")
