@@ -150,10 +150,7 @@ def draw_portrait(axes, oscillator):
     that no energy leaves the range of the doubles.
     """
     width = reach(oscillator)
-    stiffness = [c * width**power for power, c in zip((0, 2, 4), polynomial(oscillator), strict=False)]
-    pull = max(map(abs, stiffness))
-    rate = math.sqrt(pull) if pull else abs(oscillator.velocity0) / width or 1.0
-    stiffness = [c / pull if pull else c for c in stiffness]
+    stiffness, rate = scaled(oscillator, width)
     grid = np.linspace(-1, 1, 801)
     depth = potential(stiffness, grid)
     resting = [0.0, *(u / width for u in equilibria(oscillator))]
@@ -172,7 +169,7 @@ def draw_portrait(axes, oscillator):
     saddles = [level for level in barriers(stiffness, resting) if low < level < high]
     if saddles:
         axes.contour(*scale, levels=saddles, colors=SEPARATRIX, linewidths=1.1, linestyles="dashed")
-    axes.plot(*along(oscillator, width, rate), color=EXACT, lw=2, label="this motion")
+    axes.plot(*along(oscillator, width), color=EXACT, lw=2, label="this motion")
     axes.plot([oscillator.u0], [oscillator.velocity0], "o", ms=6, color=EXACT, label="t = 0 s")
     if saddles:
         axes.plot([], [], color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label="separatrix")
@@ -183,10 +180,19 @@ def draw_portrait(axes, oscillator):
     legend(axes)
 
 
-def along(oscillator, width, rate):
+def scaled(oscillator, width):
+    """Coefficients of the force where u counts in half widths and the largest of them is 1, and the rate that it stands for."""
+    stiffness = [c * width ** (2 * k) for k, c in enumerate(polynomial(oscillator))]
+    pull = max(map(abs, stiffness))
+    if not pull:
+        return stiffness, abs(oscillator.velocity0) / width or 1.0
+    return [c / pull for c in stiffness], math.sqrt(pull)
+
+
+def along(oscillator, width):
     """The whole orbit, as far as the picture shows it."""
     back, ahead = oscillator.escape_time_backward, oscillator.escape_time
-    scale = oscillator.period if math.isfinite(oscillator.period) else 40 / rate
+    scale = oscillator.period if math.isfinite(oscillator.period) else 40 / scaled(oscillator, width)[1]
     start = max(back, -scale)
     stop = min(ahead, scale)
     # Denser towards the ends, where an escape runs away.
