@@ -5,11 +5,12 @@ functions.toml, from docs/corners.toml or from a page that a run has written.
 """
 
 import re
+import runpy
 import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = ["README.md", "docs/functions.md", "docs/corners.md", "docs/duffing.md"]
+PAGES = ["README.md", "docs/functions.md", "docs/corners.md", "docs/duffing.md", "docs/approximations.md"]
 
 
 def functions(root: Path) -> str:
@@ -67,7 +68,12 @@ def forms(root: Path) -> str:
 
 def blocks(root: Path) -> dict[str, str]:
     """Every block by its name."""
+    measured = runpy.run_path(str(root / "docs/approximations.py"))
     return {
+        "angle-sources": measured["sources"](),
+        "angle-errors": measured["angles"](),
+        "period-errors": measured["periods"](),
+        "sine-errors": measured["sines"](),
         "functions": functions(root),
         "accuracy": accuracy(root),
         "corners": corners(root),
