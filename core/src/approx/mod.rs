@@ -10,8 +10,13 @@ mod angle_small;
 mod angle_taylor;
 pub mod entry;
 pub mod measure;
+pub mod period;
+mod period_rules;
+mod search;
+mod swing;
 
 pub use angle::{AngleApproximation, AngleFormula};
 pub use angle_entries::ANGLES;
 pub use entry::{Entry, Named};
 pub use measure::LargestError;
+pub use period::{PERIODS, PeriodFormula};
