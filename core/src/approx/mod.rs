@@ -12,7 +12,9 @@ pub mod entry;
 pub mod measure;
 pub mod period;
 mod period_rules;
+mod remez;
 mod search;
+pub mod sine;
 mod swing;
 
 pub use angle::{AngleApproximation, AngleFormula};
@@ -20,3 +22,4 @@ pub use angle_entries::ANGLES;
 pub use entry::{Entry, Named};
 pub use measure::LargestError;
 pub use period::{PERIODS, PeriodFormula};
+pub use sine::{SINES, SineError, SineFormula};
