@@ -17,33 +17,33 @@ const STATES_NO_RANGE: Entry =
 pub static SINES: [Entry; 4] = [
     Entry {
         name: "salas-2",
-        formula: "phi - 40 phi^3/243",
+        formula: "φ − 40φ³/243",
         source: "Salas 2019 (2)",
-        stated: "|phi| < 70 deg",
+        stated: "|φ| < 70 deg",
         stated_range: Some([0.0, 7.0 / 18.0 * PI]),
         ..STATES_NO_RANGE
     },
     Entry {
         name: "salas-3",
-        formula: "phi - 40 phi^3/243 + phi^5/131",
+        formula: "φ − 40φ³/243 + φ⁵/131",
         source: "Salas 2019 (3)",
-        stated: "|phi| <= 120 deg",
+        stated: "|φ| ≤ 120 deg",
         stated_range: Some([0.0, 2.0 / 3.0 * PI]),
         ..STATES_NO_RANGE
     },
     Entry {
         name: "taylor",
         orders: Some([1, 99]),
-        formula: "phi - phi^3/3! + phi^5/5! - ... to phi^N, N odd",
+        formula: "φ − φ³/3! + φ⁵/5! − … to φ^N, N odd",
         source: "Taylor series, DLMF 4.19.1",
         ..STATES_NO_RANGE
     },
     Entry {
         name: "best",
         orders: Some([1, 21]),
-        formula: "the odd polynomial of degree N, odd, with the least largest |sin(phi) - P(phi)| up to phi_max",
+        formula: "the odd polynomial P of degree N with the least largest |sin φ − P(φ)| for |φ| ≤ phi_max, N odd",
         source: "Chebyshev's alternation, by Remez's exchange",
-        stated: "|phi| <= phi_max",
+        stated: "|φ| ≤ phi_max",
         ..STATES_NO_RANGE
     },
 ];
