@@ -14,6 +14,7 @@ import random
 from collections import Counter
 
 import action
+import approx_check
 import balls
 import corners
 import elliptic
@@ -149,6 +150,7 @@ def main():
     import oscillator_check  # which imports this file
 
     oscillator_check.main(chosen.all, chosen.seed)
+    approx_check.main(chosen.all, chosen.seed)
 
 
 def is_exact(name, row):

@@ -12,7 +12,9 @@ pub mod entry;
 pub mod measure;
 pub mod period;
 mod period_rules;
+mod remez;
 mod search;
+pub mod sine;
 pub mod steps;
 mod swing;
 
@@ -21,4 +23,5 @@ pub use angle_entries::ANGLES;
 pub use entry::{Entry, Named};
 pub use measure::LargestError;
 pub use period::{PERIODS, PeriodFormula};
+pub use sine::{SINES, SineError, SineFormula};
 pub use steps::Scheme;

@@ -1,7 +1,7 @@
 """Approximations of the pendulum by name, with their sources, domains and measured errors.
 
-`angle` holds formulas for theta(t) and `numerical` the schemes that march through it: ask for one by name, or go through
-all of them.
+`angle` holds formulas for theta(t), `period` formulas for the period of a swing, `sine` polynomials for the sine of the
+force, and `numerical` the schemes that march through theta(t): ask each for one by name, or go through all of them.
 
 Examples
 --------
@@ -9,10 +9,14 @@ Examples
 >>> series = approx.angle("fourier:2").of(Pendulum(1.0))
 >>> f"{series.theta(2.0):.6f} {series.difference(2.0):.1e}"
 '-0.306096 1.0e-04'
+>>> f"{approx.period('lima-arun').error(1.0):.1e}"
+'3.5e-04'
 """
 
 from .angle import AngleApproximation, AngleError, AngleFormula, angle
+from .period import PeriodFormula, period
 from .registry import Registry
+from .sine import SineError, SineFormula, sine
 from .solvers import NumericalFormula, NumericalSolution, numerical
 
 __all__ = [
@@ -21,7 +25,12 @@ __all__ = [
     "AngleFormula",
     "NumericalFormula",
     "NumericalSolution",
+    "PeriodFormula",
     "Registry",
+    "SineError",
+    "SineFormula",
     "angle",
     "numerical",
+    "period",
+    "sine",
 ]
