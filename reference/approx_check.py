@@ -1,6 +1,6 @@
-"""Checks the truth of the approximations: a seeded sample derived again, errors by Arb's own mean, spoiled rows that must fail.
+"""Checks the truth of the approximations: a sample derived again, errors by Arb's own mean.
 
-Called by check.py; alone: python approx_check.py (some seconds).
+Rows that are spoiled must fail. Called by check.py; alone: python approx_check.py (some seconds).
 """
 
 import math

@@ -1,10 +1,11 @@
-"""Truth for the polynomials in place of the sine; writes vectors/approx_sine.csv. Run: python approx_sine.py (a minute).
+"""Truth for the polynomials in place of the sine; writes vectors/approx_sine.csv. Run: python approx_sine.py.
 
-The best polynomial solves, with its peaks, the equations of Chebyshev's alternation: error +-E and slope 0 at every inner peak,
-by Newton's method in all unknowns at once, from a short range to the wanted one; that no error between is larger, which
-proves it, is then seen on a grid. Largest errors are the zeros of slopes, by bisection.
-Columns: quantity (`coefficient` of phi^argument, `value` at phi = argument, the largest errors `absolute` and `relative` for
-|phi| <= argument and where they are, `at` and `relative_at`), formula, the range of a best one (phi_max), argument, value as hi + lo.
+The best polynomial solves, with its peaks, the equations of Chebyshev's alternation: error +-E and slope 0 at every
+inner peak, by Newton's method in all unknowns at once, from a short range to the wanted one; that no error between is
+larger, which proves it, is then seen on a grid. Largest errors are the zeros of slopes, by bisection.
+Columns: quantity (`coefficient` of phi^argument, `value` at phi = argument, the largest errors `absolute` and
+`relative` for |phi| <= argument and where they are, `at` and `relative_at`), formula, the range of a best one
+(phi_max), argument, value as hi + lo.
 """
 
 import math

@@ -3,6 +3,7 @@
 import csv
 import math
 import pickle
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -145,6 +146,23 @@ def test_the_ranges_of_the_sources():
     # Ganley's own words: to 0.001 up to 100 degrees, to 5 % up to 160.
     [(_, end)] = approx.period("ganley-parwani").ranges(0.05)
     assert 160 < math.degrees(end) < 161
+
+
+def test_ranges_are_where_the_error_keeps_the_bound():
+    rng = np.random.default_rng(6)
+    near = 10.0 ** rng.uniform(-9, 0, 2000)
+    angles = np.concatenate([near, math.pi - near, rng.uniform(0, math.pi, 2000)])
+    for formula in approx.period:
+        errors = np.abs(formula.error(angles))
+        for bound in (0.1, 1e-2, 1.7e-3, 1e-4, 1e-8, 1e-14, 1e-20):
+            ranges = formula.ranges(bound)
+            inside = np.zeros(angles.shape, bool)
+            for low, high in ranges:
+                inside |= (low <= angles) & (angles <= high)
+                ends = np.array([end for end in (low, high) if 0 < end < math.pi])
+                assert np.all(np.abs(formula.error(ends)) <= bound)
+            assert np.array_equal(inside, errors <= bound), (formula.name, bound)
+            assert all(a[1] < b[0] for a, b in pairwise(ranges))
 
 
 def test_the_truth():

@@ -1,7 +1,7 @@
 //! The period of a swing by every named formula, as its ratio to the period of small swings, and how far each is off.
 //!
-//! Each formula is evaluated to triple-double (period_rules.rs), so that its error against 2K/pi is right to its own last
-//! digits even where it is 1e-30.
+//! Each formula is evaluated to triple-double (period_rules.rs), so that its error against 2K/pi is right to its own
+//! last digits even where it is 1e-30.
 
 use super::entry::{Entry, Named};
 use super::period_rules::{RULES, Rule, exact};
@@ -142,8 +142,8 @@ impl PeriodFormula {
     pub fn ratio_of_m(&self, m: f64) -> f64 {
         value(self.of(Swing::of_parameter(m)))
     }
-    /// The formula over 2K/pi, minus 1, at `theta_max` in [0, pi]; -1 where only the exact one is infinite, NaN where the
-    /// formula has no value.
+    /// The formula over 2K/pi, minus 1, at `theta_max` in [0, pi]; -1 where only the exact one is infinite, NaN where
+    /// the formula has no value.
     ///
     /// **Error** at most 1 ulp plus 1e-45; below 1e-44 it is given as 0.
     pub fn error(&self, theta_max: f64) -> f64 {
@@ -198,7 +198,8 @@ impl PeriodFormula {
         Ok(ranges)
     }
 
-    /// Angles so dense, with the zeros and the extremes of the error among them, that it crosses no bound twice between two.
+    /// Angles so dense, with the zeros and the extremes of the error among them, that it crosses no bound twice
+    /// between two.
     fn marks(&self) -> Vec<f64> {
         let mut near = vec![1e-16];
         while near[near.len() - 1] < 0.1 {

@@ -1,8 +1,9 @@
 //! The odd polynomial of least largest error to the sine on a symmetric range, by Remez's exchange.
 //!
-//! What is approximated is the rest of Taylor's series after the wanted degree, over its first term at the end of the range:
-//! then nothing cancels, however short the range, and double-doubles do. phi, phi^3, ... are a Chebyshev system on
-//! (0, phi_max], so the best sum of n of them is the one whose error has n + 1 equal peaks of alternating sign there.
+//! What is approximated is the rest of Taylor's series after the wanted degree, over its first term at the end of the
+//! range: then nothing cancels, however short the range, and double-doubles do. phi, phi^3, ... are a Chebyshev
+//! system on (0, phi_max], so the best sum of n of them is the one whose error has n + 1 equal peaks of alternating
+//! sign there.
 
 use super::search::peak;
 use super::swing::sine;

@@ -12,8 +12,8 @@ pub(super) fn crossing(holds: impl Fn(f64) -> bool, inside: f64, outside: f64) -
     }
 }
 
-/// Where a function with one maximum in [low, high] is largest. The function's last digits decide how near: with twice the
-/// digits of a double it is the double.
+/// Where a function with one maximum in [low, high] is largest. The function's last digits decide how near: with
+/// twice the digits of a double it is the double.
 pub(super) fn peak<V: PartialOrd>(value: impl Fn(f64) -> V, low: f64, high: f64) -> f64 {
     /// Of the interval, on either side of a pair in its middle: each step leaves 0.55 of it.
     const PART: f64 = 0.45;

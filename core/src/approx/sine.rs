@@ -1,7 +1,8 @@
-//! Polynomials in place of the sine in the force: Salas's two, Taylor's, and the best one of a degree on a range (remez.rs).
+//! Polynomials in place of the sine in the force: Salas's two, Taylor's, and the best one of a degree on a range
+//! (remez.rs).
 //!
-//! A polynomial is known by how far its coefficients depart from Taylor's, so that its distance from the sine is one series
-//! without cancellation, right to its own last digits.
+//! A polynomial is known by how far its coefficients depart from Taylor's, so that its distance from the sine is one
+//! series without cancellation, right to its own last digits.
 
 use super::entry::{Entry, Named};
 use super::remez;
@@ -189,8 +190,8 @@ impl SineFormula {
         Ok(SineError { absolute, at, relative, relative_at })
     }
 
-    /// The values of `phi_max` in (0, 2 pi] for which the largest distance from the sine stays within a bound: one interval
-    /// from 0, to the last double.
+    /// The values of `phi_max` in (0, 2 pi] for which the largest distance from the sine stays within a bound: one
+    /// interval from 0, to the last double.
     ///
     /// | argument | domain |
     /// |---|---|
@@ -228,8 +229,8 @@ fn tops<V: PartialOrd>(points: &[f64], size: impl Fn(f64) -> V) -> Vec<f64> {
     (1..points.len() - 1).filter(top).map(|i| peak(&size, points[i - 1], points[i + 1])).collect()
 }
 
-/// How large a size is on the points, the ends among them, and between; and where, the last of places that are alike, as
-/// the peaks of a best polynomial are.
+/// How large a size is on the points, the ends among them, and between; and where, the last of places that are alike,
+/// as the peaks of a best polynomial are.
 fn largest(points: &[f64], size: impl Fn(f64) -> (f64, f64, f64)) -> (f64, f64) {
     let places: Vec<f64> =
         [points[0], points[points.len() - 1]].into_iter().chain(tops(points, &size)).collect();

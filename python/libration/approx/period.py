@@ -18,8 +18,8 @@ class PeriodFormula(Named):
     Parameters
     ----------
     name : str
-        `linear`, `bernoulli`, `series:N` (N even), `denman`, `kidd-fogg`, `molina`, `ganley-parwani`, `lima-arun`, `agm:N`,
-        `belendez`, `cromer`, `chachiyo`, `salas-26`, `salas-27`, `salas-28` or `exact`.
+        `linear`, `bernoulli`, `series:N` (N even), `denman`, `kidd-fogg`, `molina`, `ganley-parwani`, `lima-arun`,
+        `agm:N`, `belendez`, `cromer`, `chachiyo`, `salas-26`, `salas-27`, `salas-28` or `exact`.
 
     Raises
     ------
@@ -28,8 +28,8 @@ class PeriodFormula(Named):
 
     Notes
     -----
-    A formula of the angle is undefined for m < 0; a formula of m = sin(theta_max/2)**2 or of sqrt(1 - m) goes on to negative
-    m. Salas prints his four for a quarter of the period: `quarter_period`.
+    A formula of the angle is undefined for m < 0; a formula of m = sin(theta_max/2)**2 or of sqrt(1 - m) goes on to
+    negative m. Salas prints his four for a quarter of the period: `quarter_period`.
 
     Examples
     --------
@@ -85,13 +85,16 @@ class PeriodFormula(Named):
 
         Notes
         -----
-        Error promised: 1 ulp. `math.pi` is a little less than pi: there the exact ratio is 24.6, not infinite; m = 1 is the top.
+        Error promised: 1 ulp. `math.pi` is a little less than pi: there the exact ratio is 24.6, not infinite; m = 1
+        is the top.
 
         Examples
         --------
         >>> from libration import approx
-        >>> print(approx.period("kidd-fogg").ratio([0.5, 1.0, 2.0]).round(6), approx.period("exact").ratio(m=-1.0).round(6))
-        [1.015916 1.067471 1.360447] 0.834627
+        >>> approx.period("kidd-fogg").ratio([0.5, 1.0, 2.0]).round(6)
+        array([1.015916, 1.067471, 1.360447])
+        >>> f"{approx.period('exact').ratio(m=-1.0):.6f}"
+        '0.834627'
         """
         return self._of(self._formula.ratio, self._formula.ratio_of_m, theta_max, m)
 
@@ -108,7 +111,8 @@ class PeriodFormula(Named):
         Returns
         -------
         float64 or array of the shape of the argument
-            At m = 1, where the exact period is infinite, -1 for a formula that stays finite and NaN for one that does not.
+            At m = 1, where the exact period is infinite, -1 for a formula that stays finite and NaN for one that does
+            not.
 
         Raises
         ------
