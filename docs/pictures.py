@@ -1,4 +1,7 @@
-"""Draws docs/duffing.png: the phase portraits of the springs, with orbits of every regime. Run: python docs/pictures.py"""
+"""Draws docs/duffing.png, the phase portraits of the springs with orbits of every regime, and docs/periods.png.
+
+Run: python docs/pictures.py
+"""
 
 from pathlib import Path
 
@@ -6,6 +9,7 @@ import matplotlib
 import numpy as np
 
 from libration import Duffing
+from libration.approx.chart import plot_periods
 from libration.plot import EXACT, FAINT, SEPARATRIX, quiet
 from libration.portrait import along, barriers, equilibria, polynomial, potential
 
@@ -85,11 +89,12 @@ def draw(axes, title, p, q, width, height, orbits):
 
 
 def main():
-    """Write the picture beside this file."""
+    """Write the pictures beside this file."""
     figure, panels = pyplot.subplots(2, 3, figsize=(12, 7), dpi=100, layout="constrained")
     for axes, panel in zip(panels.flat, PANELS, strict=True):
         draw(axes, *panel)
     figure.savefig(Path(__file__).with_name("duffing.png"))
+    plot_periods(Path(__file__).with_name("periods.png"))
 
 
 if __name__ == "__main__":

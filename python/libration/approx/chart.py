@@ -14,8 +14,10 @@ ORDERS = {"series": (4, 8), "agm": (1, 2, 3, 4)}
 COLOURS = ("#1f5fa8", "#c0392b", "#2e7d32", "#8e44ad", "#b9770e", "#0e7c7b", "#6d4c41", "#546e7a")
 DASHES = ("solid", (0, (5, 2)), (0, (1, 1.2)))
 ANGLES = 1200
-# Errors below are drawn at the edge: a double shows no more of a ratio.
+# A double shows no smaller error of a ratio.
 LEAST = 1e-16
+# A curve is shaded to this factor on both sides.
+WIDE = 2.5
 
 
 def listed() -> list[Any]:
@@ -39,7 +41,7 @@ def listed() -> list[Any]:
 def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None = None) -> None:
     """Draw T/T0 against the turning angle by every formula, and below the size of its relative error.
 
-    Where an author states a range, the area under the error of the formula is shaded over it.
+    Where an author states a range, the error of the formula is shaded over it.
 
     Parameters
     ----------
@@ -79,12 +81,12 @@ def draw_periods(figure, theta_max):
     for number, formula in enumerate(listed()):
         color, dash = COLOURS[number % len(COLOURS)], DASHES[number // len(COLOURS) % len(DASHES)]
         upper.plot(degrees, formula.ratio(angles), color=color, ls=dash, lw=1.2, label=formula.name)
-        error = np.maximum(np.abs(formula.error(angles)), LEAST)
+        error = np.abs(formula.error(angles))
         lower.plot(degrees, error, color=color, ls=dash, lw=1.4)
         if formula.stated_range:
             low, high = np.degrees(formula.stated_range)
             inside = (low <= degrees) & (degrees <= high)
-            lower.fill_between(degrees, LEAST, error, where=inside, color=color, alpha=0.08, lw=0)
+            lower.fill_between(degrees, error / WIDE, error * WIDE, where=inside, color=color, alpha=0.2, lw=0)
     for axes in (upper, lower):
         if theta_max is not None:
             axes.axvline(math.degrees(theta_max), color="#777777", lw=1, ls=(0, (2, 2)))

@@ -90,10 +90,9 @@ def print_formulas(motion, formulas):
     if not formulas:
         return
     width = max(len(formula.name) for formula, *_ in formulas)
-    print(f"\n{'formula':{width}}  {'T / T0':>16}  {'error':>11}  formula for T / T0 and its source")
+    print(f"\n{'formula':{width}}  {'T / T0':>16}  {'error':>11}  source")
     for formula, ratio, error in formulas:
-        text = f"{formula.formula} ({formula.source})"
-        print(f"{formula.name:{width}}  {digits(ratio):>16}  {percent(error):>11}  {text}")
+        print(f"{formula.name:{width}}  {digits(ratio):>16}  {percent(error):>11}  {formula.source}")
 
 
 def percent(error):
@@ -114,7 +113,14 @@ def print_json(given, motion, regime, with_frequency, phase, ratio, formulas):
         answer |= {"period_s": motion.period, "small_swing_period_s": small_swing_period(given)}
     answer |= {"period_ratio": ratio, "period_omega0_rad": phase, "theta_max_rad": motion.theta_max}
     answer["formulas"] = [
-        {"name": formula.name, "period_ratio": ratio, "relative_error": error} for formula, ratio, error in formulas
+        {
+            "name": formula.name,
+            "formula": formula.formula,
+            "source": formula.source,
+            "period_ratio": ratio,
+            "relative_error": error,
+        }
+        for formula, ratio, error in formulas
     ]
     print(strict(answer))
 
