@@ -11,7 +11,7 @@ from libration.cli.parameters import found_parameters, given_parameters, keyed
 from libration.cli.parser import Parser, Refusal, refusal
 from libration.cli.quantities import plain
 from libration.cli.sampling import PICTURES, TABLES, check_targets, plotter, written
-from libration.cli.state import UNITS, pendulum, state, state_options
+from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
 
 DESCRIPTION = """\
 How far approximations and numerical solutions are from the exact motion: the largest
@@ -92,7 +92,7 @@ def run(words):
     if options.json:
         print_json(given, motion, spans, rows, files)
     else:
-        print_text(motion, spans, rows, files)
+        print_text(motion, "s" if has_frequency(given) else "/ omega0", spans, rows, files)
 
 
 def names(text):
@@ -202,14 +202,17 @@ def over_the_top(made, periods):
     return made.over_the_top(periods) if hasattr(made, "over_the_top") else math.nan
 
 
-def print_text(motion, spans, rows, files):
+def print_text(motion, unit, spans, rows, files):
     """A table for people."""
-    from libration.cli.summary import angle_text, period_text, print_lines
+    from libration.cli.summary import angle_text, digits, print_lines
 
     regime = str(motion.regime)
     print_lines(
         [
-            ("exact motion", f"{regime}, period {period_text(regime, motion.period)}"),
+            (
+                "exact motion",
+                f"{regime}, {'one turn' if regime == 'rotation' else 'period'} {digits(motion.period)} {unit}",
+            ),
             ("turning angle", angle_text(regime, motion.theta_max)),
         ]
     )
@@ -226,7 +229,7 @@ def print_text(motion, spans, rows, files):
             for error in errors
             for head, cell in zip(heads, texts(error, motion, percent), strict=True)
         ]
-        print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, max(spans), errors)}".rstrip())
+        print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, unit, max(spans), errors)}".rstrip())
     if percent:
         print("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
@@ -247,7 +250,7 @@ def texts(error, motion, percent):
     return [*shown, f"{error.t / motion.period:.5g}"]
 
 
-def remarks(made, motion, longest, errors):
+def remarks(made, motion, unit, longest, errors):
     """What else a reader should know of one row."""
     said = []
     gaps = [error.undefined_from for error in errors if not math.isnan(error.undefined_from)]
@@ -255,5 +258,5 @@ def remarks(made, motion, longest, errors):
         said.append(f"undefined from t/T = {gaps[0] / motion.period:.5g}")
     top = over_the_top(made, longest)
     if not math.isnan(top):
-        said.append(f"goes over the top at t = {top:.4g} s")
+        said.append(f"goes over the top at t = {top:.4g} {unit}")
     return "  " + "; ".join(said) if said else ""
