@@ -1,0 +1,124 @@
+"""The style of the papers' figures: one picture with title, caption and metadata, saved as SVG or PNG.
+
+matplotlib is needed only here and in what draws; its Figure is used without pyplot, as in ../plot.py, whose quiet
+style is kept. The caption stands below the picture and in the metadata of the file.
+"""
+
+import textwrap
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet
+
+# The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
+BLACK, RED, BLUE, GREY = "#1a1a1a", SEPARATRIX, EXACT, LINEAR
+DOTTED, DASHED = (0, (1, 1.4)), (0, (5, 2.5))
+# Characters of the caption to an inch of the picture.
+CHARACTERS = 14.5
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One figure of a paper, drawn anew.
+
+    Parameters
+    ----------
+    name : str
+        File name without its ending: the paper, and the number of the printed figure.
+    title : str
+        What is seen, in one line.
+    caption : str
+        Source, and what was chosen where the paper does not say.
+    size : pair of float
+        Width and height, inches.
+    draw : callable
+        Draws into a matplotlib Figure.
+
+    Examples
+    --------
+    >>> from io import BytesIO
+    >>> from libration.papers import pictures
+    >>> picture = pictures("lima")[0]
+    >>> print(picture.name, picture.size)
+    lima-1 (6.5, 5.6)
+    >>> file = BytesIO()
+    >>> picture.save({"png": file})
+    >>> file.getvalue()[1:4]
+    b'PNG'
+    """
+
+    name: str
+    title: str
+    caption: str
+    size: tuple[float, float]
+    draw: Callable[[Any], None]
+
+    def save(self, files: dict[str, Any]) -> None:
+        """Draw once, and save in every form asked for.
+
+        Parameters
+        ----------
+        files : dict
+            Path or binary file by form, `svg` or `png`.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing, or SciPy where the paper integrates.
+        """
+        from matplotlib import rc_context, rcParamsDefault
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+
+        # The settings of the house, not of a matplotlibrc; the salt makes the same file of the same picture.
+        settings = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
+        with rc_context(settings | {"svg.hashsalt": "libration"}):
+            figure = Figure(figsize=self.size, dpi=150, layout="constrained")
+            FigureCanvasAgg(figure)
+            with np.errstate(all="ignore"):
+                self.draw(figure)
+            figure.suptitle(self.title, x=0.012, ha="left", fontsize=12.5)
+            text = textwrap.fill(self.caption, int(CHARACTERS * self.size[0]))
+            figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
+            for form, file in files.items():
+                figure.savefig(file, format=form, metadata=self.metadata(form))
+
+    def metadata(self, form: str) -> dict[str, Any]:
+        """What the file says of itself: title and caption; no date, so that the same picture is the same file."""
+        told = {"Title": self.title, "Description": self.caption}
+        return told | ({"Date": None} if form == "svg" else {"Software": "libration"})
+
+
+def panels(figure, heights=(2.1, 1)):
+    """An upper and a lower panel over the same axis."""
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=heights)
+    for axes in (upper, lower):
+        quiet(axes)
+    lower.axhline(0, color="#999999", lw=0.8)
+    return upper, lower
+
+
+def exact(axes, t, theta):
+    """The exact solution: black, solid."""
+    axes.plot(t, theta, color=BLACK, lw=1.6, label="exact")
+
+
+def dotted(axes, t, theta, label):
+    """The first approximation: red, dotted."""
+    axes.plot(t, theta, color=RED, lw=1.9, ls=DOTTED, label=label)
+
+
+def dashed(axes, t, theta, label):
+    """The second approximation, or the numerical solution: blue, dashed."""
+    axes.plot(t, theta, color=BLUE, lw=1.7, ls=DASHED, label=label)
+
+
+def named(axes, horizontal, vertical):
+    """Labels of both axes, and the legend above."""
+    axes.set_xlabel(horizontal)
+    axes.set_ylabel(vertical)
+    if axes.get_legend_handles_labels()[0]:
+        legend(axes)
