@@ -30,21 +30,21 @@ def swing(theta0):
 def draw_forces(figure):
     """Figure 1: the force diagram."""
     axes = figure.subplots()
-    bare(axes, (-0.62, -1.75), (1.35, 0.15))
+    bare(axes, (-0.45, -1.52), (1.2, 0.1))
     at = math.radians(35)
     place = bob(at)
     vertical(axes)
     path(axes, 0, at)
     rod(axes, at)
-    angle(axes, 0, at, 0.3, r"$\theta$")
-    axes.text(*(bob(at, 0.36) + (0.08, 0.06)), r"$l$", **letter())
-    axes.text(*(bob(at / 2, 1.0) + (0.02, -0.07)), r"$s$", **letter())
+    angle(axes, 0, at, 0.22, r"$\theta$")
+    axes.text(*(bob(at, 0.3) + (0.07, 0.05)), r"$l$", **letter())
+    axes.text(*bob(at / 4, 1.06), r"$s$", **letter())
     axes.text(*(place + (0.13, 0.06)), r"$m$", **letter())
     weight = 0.6
     radial, along = np.array([math.sin(at), -math.cos(at)]), -np.array([math.cos(at), math.sin(at)])
-    arrow(axes, place, -0.52 * radial, DARK_RED, r"$T$", (-0.1, 0.0))
+    arrow(axes, place, -0.52 * radial, DARK_RED, r"$T$", (0.03, -0.12))
     arrow(axes, place, (0, -weight), "#e0301e", r"$mg$", (0.0, -0.08))
-    arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.14, -0.08), thick=1.5)
+    arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.08, -0.1), thick=1.5)
     arrow(axes, place, weight * math.cos(at) * radial, GREEN, r"$mg\,\cos\theta$", (0.2, -0.02), thick=1.5)
     # The components span the weight.
     tip = place + (0, -weight)
@@ -85,8 +85,9 @@ def draw_phase_space(figure):
         axes.plot(theta, velocity, color=color, lw=2, ls=style, label=f"from rest at {theta0:g} rad")
     axes.plot(np.arange(-1, 2) * 2 * np.pi, np.zeros(3), "o", ms=6, color=BLACK, label="bottom", clip_on=False)
     axes.plot([-np.pi, np.pi], [0, 0], "o", ms=6, color="white", mec=BLACK, label="top")
-    for x, y, text in ((-np.pi, 8.35, "rotation, forward"), (-np.pi, -8.35, "rotation, back"), (0, 2.45, "libration")):
-        axes.text(x, y, text, **letter("#666666") | {"fontsize": 9.5})
+    for x, y, text in ((-np.pi, 8.35, "rotation, forward"), (-np.pi, -8.35, "rotation, back"), (0, 3.4, "libration")):
+        patch = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+        axes.text(x, y, text, **letter("#666666") | {"fontsize": 9.5, "bbox": patch})
     axes.set(xlim=(grid[0], grid[-1]), ylim=(speed[0], speed[-1]))
     angle_ticks(axes.xaxis, grid[0], grid[-1])
     axes.set_xlabel(r"$\theta$ [rad]")
@@ -96,7 +97,7 @@ def draw_phase_space(figure):
 
 def draw_ellipse(figure):
     """The elliptic functions on the ellipse, the chord of the pendulum, and both over time."""
-    left, middle, right = figure.subplots(1, 3, width_ratios=(1.0, 1.0, 1.25))
+    left, middle, right = figure.subplots(1, 3, width_ratios=(1.05, 1.0, 1.25))
     m, k = math.sin(RELEASE / 2) ** 2, math.sin(RELEASE / 2)
     u = 0.55 * complete_k(m=m)
     on_ellipse(left, m, u)
@@ -107,7 +108,7 @@ def draw_ellipse(figure):
 def on_ellipse(axes, m, u):
     """The point at u, its distance and its angle."""
     b = 1 / math.sqrt(1 - m)
-    bare(axes, (-1.35, -2.25), (1.45, 2.35))
+    bare(axes, (-2.75, -2.2), (1.4, 2.3))
     turn = np.linspace(0, 2 * np.pi, 400)
     axes.plot(np.cos(turn), b * np.sin(turn), color=BLACK, lw=1.6)
     axes.plot(np.cos(turn), np.sin(turn), color=GREY, lw=1, ls=(0, (4, 3)))
@@ -128,13 +129,13 @@ def on_ellipse(axes, m, u):
     axes.text(0.07, b + 0.14, r"$b$", **small)
     axes.text(1.11, -0.14, r"$1$", **small)
     told = "cn$\\,u = x/r$\nsn$\\,u = y/r$\ndn$\\,u = 1/r$\n$u=\\int_0^\\varphi r\\,d\\varphi$"
-    axes.text(-1.3, 2.3, told, fontsize=10, va="top", linespacing=1.35)
+    axes.text(-2.75, 2.2, told, fontsize=11, va="top", linespacing=1.5)
 
 
 def on_circle(axes, k, u):
     """The pendulum at the same u, with its chord from the lowest point."""
     m = k * k
-    bare(axes, (-0.5, -1.25), (1.2, 1.0))
+    bare(axes, (-0.62, -1.2), (1.15, 0.95))
     z = jacobi(u, m=m)
     theta = 2 * math.asin(k * z.cn / z.dn)
     path(axes, -0.5, RELEASE)
@@ -144,10 +145,9 @@ def on_circle(axes, k, u):
     low, place = bob(0.0), bob(theta)
     axes.plot([low[0], place[0]], [low[1], place[1]], color=RED, lw=3, solid_capstyle="butt")
     angle(axes, 0, theta, 0.24, r"$\theta$")
-    middle = (low + place) / 2
-    axes.text(*(middle + (0.13, -0.17)), "chord\n$2lk\\,x$", **letter(RED) | {"fontsize": 11, "linespacing": 1.2})
+    axes.text(*(low + 0.42 * (place - low) + (-0.17, 0.17)), "chord\n$2lk\\,x$", **letter(RED) | {"fontsize": 11, "linespacing": 1.2})
     axes.text(*(bob(theta, 0.6) + (-0.02, 0.1)), r"$l$", **letter() | {"fontsize": 11})
-    axes.text(-0.45, 0.9, r"$\sin(\theta/2) = k\,x = k\,\mathrm{cd}\,u$", fontsize=10, va="top")
+    axes.text(-0.62, 0.9, r"$\sin(\theta/2) = k\,x = k\,\mathrm{cd}\,u$", fontsize=11, va="top")
 
 
 def over_time(axes, m, u):
@@ -163,10 +163,7 @@ def over_time(axes, m, u):
     axes.plot([u / quarter], [jacobi(u, m=m).cn / jacobi(u, m=m).dn], "o", ms=7, color=BLUE)
     axes.set(xlim=(0, 4), ylim=(-1.08, 1.08))
     axes.set_xlabel(r"$u/K$, where $u=\omega_0 t$")
-    axes.legend(
-        loc="lower right", bbox_to_anchor=(1.02, 1.0), ncols=3, frameon=False, fontsize=9, columnspacing=0.9,
-        handlelength=1.5,
-    )
+    axes.legend(loc="lower right", bbox_to_anchor=(1.02, 1.0), ncols=3, frameon=False, fontsize=9, handlelength=1.5)
 
 
 def graph(number, theta0, text):

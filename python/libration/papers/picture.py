@@ -17,7 +17,7 @@ from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet
 BLACK, RED, BLUE, GREY = "#1a1a1a", SEPARATRIX, EXACT, LINEAR
 DOTTED, DASHED = (0, (1, 1.4)), (0, (5, 2.5))
 # Characters of the caption to an inch of the picture.
-CHARACTERS = 14.5
+CHARACTERS = 16
 
 
 @dataclass(frozen=True)
