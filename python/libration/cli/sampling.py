@@ -107,16 +107,26 @@ def plotter(module, name, path):
     """A function that draws, or a Refusal if matplotlib is missing, before anything is computed; None without a path."""
     if path is None:
         return None
-    try:
-        import matplotlib.backends.backend_agg
-        import matplotlib.figure  # noqa: F401
-    except ModuleNotFoundError as error:
-        raise refusal("--plot", path, "needs matplotlib: pip install 'libration[plot]'") from error
-    except Exception as error:
-        # Its settings are read now, and a bad one may raise anything.
-        reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
-        raise refusal("--plot", path, f"matplotlib does not start: {reason}") from error
+    check_matplotlib("--plot", path, "plot")
     return getattr(importlib.import_module(module), name)
+
+
+def check_matplotlib(option, path, extra):
+    """Refuse to draw if matplotlib is missing or does not start; `extra` is what installs it with libration."""
+    check_package("matplotlib", ("matplotlib.backends.backend_agg", "matplotlib.figure"), option, path, extra)
+
+
+def check_package(package, modules, option, path, extra):
+    """Refuse an option whose package is missing or does not start."""
+    try:
+        for module in modules:
+            importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        raise refusal(option, path, f"needs {package}: pip install 'libration[{extra}]'") from error
+    except Exception as error:
+        # Settings are read now, and a bad one may raise anything.
+        reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
+        raise refusal(option, path, f"{package} does not start: {reason}") from error
 
 
 def draw(plot, motion, times, picture, path):

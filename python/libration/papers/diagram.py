@@ -40,12 +40,12 @@ def ceiling(axes, width=0.32):
         axes.plot([x, x + 0.05], [0.035, 0.085], color=BLACK, lw=0.8)
 
 
-def angle(axes, start, stop, radius, text, color=BLACK):
-    """An arc between two angles from the downward vertical, with its letter."""
+def angle(axes, start, stop, radius, text, color=BLACK, at=0.5):
+    """An arc between two angles from the downward vertical, with its letter beside it at a share of the way."""
     turn = np.linspace(start, stop, 60)
     axes.plot(radius * np.sin(turn), -radius * np.cos(turn), color=color, lw=1.1)
-    middle = (start + stop) / 2
-    axes.text(*((radius + 0.07) * np.array([np.sin(middle), -np.cos(middle)])), text, **letter(color))
+    place = start + at * (stop - start)
+    axes.text(*((radius + 0.07) * np.array([np.sin(place), -np.cos(place)])), text, **letter(color))
 
 
 def path(axes, start, stop, length=1.0):

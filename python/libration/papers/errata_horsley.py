@@ -64,7 +64,7 @@ def frequency_residual(omega0):
         def form(t, rate=rate):
             return np.cos(rate * t)
 
-        found.append(motion_residual(form, lambda u, g=gravity, l=length: g / l * u, INSTANTS))
+        found.append(motion_residual(form, lambda u, ratio=gravity / length: ratio * u, INSTANTS))
     return largest(found)
 
 
@@ -197,8 +197,8 @@ ROWS = (
     ),
     HORSLEY(
         "code, ω₀",
-        "omega_0 = (g / 1)**0.5",
-        "omega_0 = (g / l)**0.5",
+        "`omega_0 = (g / 1)**0.5`",
+        "`omega_0 = (g / l)**0.5`",
         "A one for an l: the length is not used. The figures have l = 1 and are not touched.",
         Kind.OPEN,
         "largest |θ″ + (g/l)θ| of cos ω₀t, g = 9.8, l = 1 and 2",
@@ -221,8 +221,8 @@ ROWS = (
     ),
     HORSLEY(
         "code, last lines",
-        'title = "Solutions at initial angular") ⏎ displacement …")',
-        'title = "Solutions at initial angular displacement …")',
+        '`title = "Solutions at initial angular")` ⏎ `displacement …")`',
+        '`title = "Solutions at initial angular displacement …")`',
         "Both titles are broken over lines behind a stray parenthesis; the indentation of some lines is lost as well.",
         Kind.TEXT,
         "1 if Python cannot read the line",

@@ -50,9 +50,7 @@ def coefficients_residual(coefficients):
 def spring_residual(form, springs=SPRINGS):
     """The largest |u'' + p u + q u**3| of form(t, c1, c2, p, q)."""
     found = [
-        motion_residual(
-            functools.partial(form, c1=c1, c2=c2, p=p, q=q), lambda u, p=p, q=q: p * u + q * u**3, INSTANTS
-        )
+        motion_residual(functools.partial(form, c1=c1, c2=c2, p=p, q=q), lambda u, p=p, q=q: p * u + q * u**3, INSTANTS)
         for c1, c2, p, q in springs
     ]
     return largest(found)
@@ -297,9 +295,7 @@ ROWS = (
         "largest value of what should be 0",
         1e-12,
         relation_residual,
-        lambda a, b, c1, p, q: (
-            a**4 * q + 2 * a**2 * p + c1**2 * (2 * b**2 * p - 2 * p) + c1**4 * (2 * b**2 * q - q)
-        ),
+        lambda a, b, c1, p, q: a**4 * q + 2 * a**2 * p + c1**2 * (2 * b**2 * p - 2 * p) + c1**4 * (2 * b**2 * q - q),
         lambda a, b, c1, p, q: a**4 * q + 2 * a**2 * p + 2 * b**2 * (p + q * c1**2) - 2 * p * c1**2 - q * c1**4,
     ),
     SALAS(

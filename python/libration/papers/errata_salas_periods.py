@@ -46,7 +46,7 @@ def range_residual(bound, period):
     return largest(found)
 
 
-def pade_row(number, bound, percent):
+def pade_row(number, bound, percent, text):
     """The row of (26), (27) or (28): the printed prefactor gives a quarter of the period."""
     ratio = approx.period(f"salas-{number}").ratio
     return SALAS(
@@ -55,7 +55,7 @@ def pade_row(number, bound, percent):
         "T = 2π √(l/g) …",
         "The rational function is right (a Padé approximant of 2K/π); the prefactor makes it a quarter of the period.",
         Kind.PAPER,
-        f"largest relative error for 0 < m ≤ {bound}",
+        f"largest relative error for 0 < m ≤ {text}",
         percent / 100,
         lambda period: range_residual(bound, period),
         lambda m: np.pi / 2 * ratio(m=m),
@@ -101,9 +101,9 @@ ROWS = (
         lambda m, omega0: complete_k(m=m) / omega0,
         lambda m, omega0: 2 * complete_k(m=1 / m) / (omega0 * np.sqrt(m)),
     ),
-    pade_row(26, 1 / 3, 0.12),
-    pade_row(27, 0.75, 0.43),
-    pade_row(28, 0.75, 0.05),
+    pade_row(26, 1 / 3, 0.12, "1/3"),
+    pade_row(27, 0.75, 0.43, "3/4"),
+    pade_row(28, 0.75, 0.05, "3/4"),
     SALAS(
         "(28), range",
         "for |m| < 1",
@@ -120,7 +120,7 @@ ROWS = (
         "conclusions",
         "trigonometric approximations are good for |m| < 0.2",
         "to 1 % of φ₀ over one period for |m| ≤ 0.08",
-        "The error of the formula before fig. 6 is about 1.4 m² φ₀ after one period, and grows with time.",
+        "The error of the formula before fig. 6 grows as m² φ₀, and with time.",
         Kind.PAPER,
         "largest error over one period from rest at the end of the range, over φ₀",
         0.01,

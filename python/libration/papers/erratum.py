@@ -56,7 +56,7 @@ class Erratum:
     --------
     >>> from libration.papers import errata
     >>> row = next(row for row in errata() if row.place == "(25)")
-    >>> print(row.holds(row.corrected_form), row.holds(row.printed_form), f"{row.residual(row.printed_form):.4f}")
+    >>> print(row.holds(row.corrected_form), row.holds(row.printed_form), f"{row.printed_residual:.4f}")
     True False 0.7500
     """
 
@@ -76,6 +76,16 @@ class Erratum:
         """How far a form is from what the equation claims; NaN if it has no value."""
         with np.errstate(all="ignore"):
             return float(self.check(form))
+
+    @functools.cached_property
+    def printed_residual(self) -> float:
+        """The residual of the printed form."""
+        return self.residual(self.printed_form)
+
+    @functools.cached_property
+    def corrected_residual(self) -> float:
+        """The residual of the corrected form."""
+        return self.residual(self.corrected_form)
 
     def holds(self, form: Any) -> bool:
         """Whether a form passes the check."""

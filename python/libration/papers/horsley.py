@@ -11,7 +11,7 @@ import numpy as np
 
 from ..elliptic import complete_k, jacobi
 from ..pendulum import Pendulum
-from ..plot import FAINT, angle_ticks, linear_theta, quiet
+from ..plot import angle_ticks, linear_theta, quiet
 from .diagram import angle, arrow, bare, bob, letter, path, rod, vertical
 from .numerical import odeint_theta
 from .picture import BLACK, BLUE, GREY, RED, Picture, named, panels
@@ -38,13 +38,13 @@ def draw_forces(figure):
     rod(axes, at)
     angle(axes, 0, at, 0.22, r"$\theta$")
     axes.text(*(bob(at, 0.3) + (0.07, 0.05)), r"$l$", **letter())
-    axes.text(*bob(at / 4, 1.06), r"$s$", **letter())
+    axes.text(*bob(at / 4, 0.95), r"$s$", **letter())
     axes.text(*(place + (0.13, 0.06)), r"$m$", **letter())
     weight = 0.6
     radial, along = np.array([math.sin(at), -math.cos(at)]), -np.array([math.cos(at), math.sin(at)])
-    arrow(axes, place, -0.52 * radial, DARK_RED, r"$T$", (0.03, -0.12))
+    arrow(axes, place, -0.52 * radial, DARK_RED, r"$T$", (0.0, -0.13))
     arrow(axes, place, (0, -weight), "#e0301e", r"$mg$", (0.0, -0.08))
-    arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.08, -0.1), thick=1.5)
+    arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.14, -0.1), thick=1.5)
     arrow(axes, place, weight * math.cos(at) * radial, GREEN, r"$mg\,\cos\theta$", (0.2, -0.02), thick=1.5)
     # The components span the weight.
     tip = place + (0, -weight)
@@ -125,7 +125,7 @@ def on_ellipse(axes, m, u):
     axes.text(0.5 * math.cos(z.am / 2), 0.5 * math.sin(z.am / 2), r"$\varphi$", **small | {"color": BLUE})
     axes.text(0.5 * x - 0.14, 0.5 * y + 0.06, r"$r$", **small | {"color": BLUE})
     axes.text(x / 2, -0.15, r"$x$", **small | {"color": RED})
-    axes.text(x + 0.1, y / 2, r"$y$", **small)
+    axes.text(x - 0.12, 0.42 * y, r"$y$", **small)
     axes.text(0.07, b + 0.14, r"$b$", **small)
     axes.text(1.11, -0.14, r"$1$", **small)
     told = "cn$\\,u = x/r$\nsn$\\,u = y/r$\ndn$\\,u = 1/r$\n$u=\\int_0^\\varphi r\\,d\\varphi$"
@@ -145,7 +145,11 @@ def on_circle(axes, k, u):
     low, place = bob(0.0), bob(theta)
     axes.plot([low[0], place[0]], [low[1], place[1]], color=RED, lw=3, solid_capstyle="butt")
     angle(axes, 0, theta, 0.24, r"$\theta$")
-    axes.text(*(low + 0.42 * (place - low) + (-0.17, 0.17)), "chord\n$2lk\\,x$", **letter(RED) | {"fontsize": 11, "linespacing": 1.2})
+    axes.text(
+        *(low + 0.42 * (place - low) + (-0.17, 0.17)),
+        "chord\n$2lk\\,x$",
+        **letter(RED) | {"fontsize": 11, "linespacing": 1.2},
+    )
     axes.text(*(bob(theta, 0.6) + (-0.02, 0.1)), r"$l$", **letter() | {"fontsize": 11})
     axes.text(-0.62, 0.9, r"$\sin(\theta/2) = k\,x = k\,\mathrm{cd}\,u$", fontsize=11, va="top")
 
@@ -166,14 +170,15 @@ def over_time(axes, m, u):
     axes.legend(loc="lower right", bbox_to_anchor=(1.02, 1.0), ncols=3, frameon=False, fontsize=9, handlelength=1.5)
 
 
-def graph(number, theta0, text):
+def graph(number, theta0):
     """The picture of the graph at 0.4 or 3 rad."""
+    ratio = swing(theta0).period * swing(theta0).omega0 / math.tau
     return Picture(
         f"horsley-{number}",
         f"Nonlinear and linear pendulum, released at rest from {theta0:g} rad",
         f"After Horsley 2025, appendix, the graph at {theta0:g} rad: l = 1 m, g = 9.8 m/s², 0 to 10 s. Blue, the "
         "nonlinear equation (2) by SciPy's odeint at its default tolerances, as in the essay's code; red, the linear "
-        f"equation (1); dots, the exact solution. {text} The lower panel is ours.",
+        f"equation (1); dots, the exact solution. The period is {ratio:.4f} times that of (1). The lower panel is ours.",
         (7.5, 5.6),
         functools.partial(draw_graph, theta0=theta0),
     )
@@ -188,8 +193,8 @@ PICTURES = (
         (5.8, 5.6),
         draw_forces,
     ),
-    graph(2, 0.4, "The curves part by 30 % of the amplitude within the graph."),
-    graph(3, 3.0, "The period is 2.57 times that of the linear equation."),
+    graph(2, 0.4),
+    graph(3, 3.0),
     Picture(
         "horsley-phase-space",
         "Phase space of the pendulum, l = 1 m, g = 9.8 m/s²",

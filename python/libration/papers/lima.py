@@ -7,7 +7,6 @@ import numpy as np
 
 from .. import approx
 from ..pendulum import Pendulum
-from ..plot import angle_ticks
 from .diagram import angle, arrow, bare, bob, letter, path, rod, vertical
 from .picture import BLUE, DASHED, DOTTED, RED, Picture, dashed, dotted, exact, named, panels
 
@@ -15,22 +14,22 @@ from .picture import BLUE, DASHED, DOTTED, RED, Picture, dashed, dotted, exact, 
 def draw_pendulum(figure):
     """Figure 1."""
     axes = figure.subplots()
-    bare(axes, (-0.75, -1.3), (1.25, 0.2))
-    start, swing = math.radians(58), math.radians(27)
-    vertical(axes)
+    bare(axes, (-0.68, -1.25), (1.02, 0.12))
+    start, swing = math.radians(58), math.radians(30)
+    vertical(axes, 1.08)
     path(axes, -0.6, start)
     rod(axes, start, strong=False)
     rod(axes, swing)
-    angle(axes, 0, start, 0.5, r"$\theta_0$")
+    angle(axes, 0, start, 0.5, r"$\theta_0$", at=0.75)
     angle(axes, 0, swing, 0.28, r"$\theta$")
     axes.text(-0.1, 0.06, r"$C$", **letter())
     axes.text(*(bob(swing, 0.66) + (0.09, 0.03)), r"$\ell$", **letter())
     axes.text(*(bob(swing) + (0.14, -0.06)), r"$m$", **letter())
     back = -0.42 * np.array([math.cos(swing), math.sin(swing)])
-    arrow(axes, bob(swing), back, BLUE, r"$v=\ell\,\dot\theta$", (-0.02, -0.1))
+    arrow(axes, bob(swing), back, BLUE, r"$v=\ell\,\dot\theta$", (-0.06, -0.1))
 
 
-def draw_solutions(figure, theta0, order):
+def draw_solutions(figure, theta0, order, text, half):
     """Figures 2 to 4: the exact solution, the harmonic one and N terms of the Fourier series; below, deviations."""
     upper, lower = panels(figure, (1.7, 1))
     swing = Pendulum(theta0)
@@ -50,12 +49,12 @@ def draw_solutions(figure, theta0, order):
         curve(upper, shares, approximation.theta(t), label)
         lower.plot(shares, 100 * approximation.difference(t) / theta0, **style)
     lower.set_xlim(0, 1)
-    angle_ticks(upper.yaxis, *upper.get_ylim())
+    upper.set_yticks(theta0 * np.linspace(-1, 1, 5), [f"−{text}", f"−{half}", "0", half, text])
     named(upper, "", r"$\theta$ [rad]")
     named(lower, r"$t/T$", r"deviation [% of $\theta_0$]")
 
 
-def solutions(number, theta0, order, text):
+def solutions(number, theta0, order, text, half):
     """The picture of figure 2, 3 or 4."""
     return Picture(
         f"lima-{number}",
@@ -64,7 +63,7 @@ def solutions(number, theta0, order, text):
         f"(17) with the exact period; dashed, the Fourier-based one (22) with N = {order}. Below, how far both deviate "
         "from the exact one, in % of θ₀ as in Lima's text. One period, in units of T, is our choice.",
         (7.5, 5.8),
-        functools.partial(draw_solutions, theta0=theta0, order=order),
+        functools.partial(draw_solutions, theta0=theta0, order=order, text=text, half=half),
     )
 
 
@@ -73,10 +72,10 @@ PICTURES = (
         "lima-1",
         "The simple pendulum",
         "After Lima 2019, fig. 1: released at rest at θ₀, the bob passes θ with the velocity v = ℓ θ̇.",
-        (6.5, 5.6),
+        (6.2, 5.3),
         draw_pendulum,
     ),
-    solutions(2, math.pi / 3, 1, "π/3"),
-    solutions(3, math.pi / 2, 2, "π/2"),
-    solutions(4, 7 * math.pi / 8, 4, "7π/8"),
+    solutions(2, math.pi / 3, 1, "π/3", "π/6"),
+    solutions(3, math.pi / 2, 2, "π/2", "π/4"),
+    solutions(4, 7 * math.pi / 8, 4, "7π/8", "7π/16"),
 )

@@ -66,24 +66,24 @@ NAMES = {
     "juchem_neto": "Juchem Neto",
 }
 TURNS = "rotation: arctan knows one turn, and three have been made"
-TOP = "released at the double next to pi: the arctan wraps"
+TOP = "thrown over the top from the double next to π: the arctan wraps"
 LIMITS = (
     Limit(salas_22, 1.0, 3.0, 7.0, TURNS),
     Limit(salas_23, 1.0, 3.0, 7.0, TURNS),
     Limit(salas_24, 1.0, 3.0, 7.0, TURNS),
     Limit(salas_22, math.pi, 0.5, 1.0, TOP),
     Limit(salas_23, math.pi, 0.5, 1.0, TOP),
-    Limit(salas_24, -math.pi, -0.5, 1.0, "thrown over the top from the double next to minus pi: the arctan wraps"),
-    Limit(salas_23, 4.0, 0.0, 3.0, "theta0 beyond pi: a whole turn is lost"),
-    Limit(salas_23, 0.0, 2.0, 800.0, "separatrix, late: dn and 1 - sn**2 are both 0 in doubles"),
+    Limit(salas_24, -math.pi, -0.5, 1.0, "the same from −π"),
+    Limit(salas_23, 4.0, 0.0, 3.0, "θ₀ beyond π: a whole turn is lost"),
+    Limit(salas_23, 0.0, 2.0, 800.0, "separatrix, late: dn and 1 − sn² are both 0 in doubles"),
     Limit(salas_24, 0.0, 2.0, 800.0, "separatrix, late: nc and sc overflow"),
-    Limit(juchem_neto, -1.0, 0.0, 3.0, "theta0 < 0: the square root of k has lost its sign"),
-    Limit(juchem_neto, 0.0, 1.0, 1.0, "theta0 = 0 with a velocity: gamma0 is infinite and k is 0"),
-    Limit(juchem_neto, 1.0, 3.0, 1.5, "rotation: the arcsin folds the angle back, wrong modulo 2 pi too"),
+    Limit(juchem_neto, -1.0, 0.0, 3.0, "θ₀ < 0: the root of k has lost its sign"),
+    Limit(juchem_neto, 0.0, 1.0, 1.0, "θ₀ = 0 with a velocity: γ₀ is infinite and k is 0"),
+    Limit(juchem_neto, 1.0, 3.0, 1.5, "rotation: the arcsin folds the angle back at the top"),
     Limit(juchem_neto, math.pi, 1.0, 0.5, "thrown over the top: the mirror image"),
-    Limit(juchem_neto, -math.pi, 1.0, 0.5, "thrown back from minus pi: the mirror image"),
-    Limit(juchem_neto, 4.0, 0.0, 3.0, "theta0 between pi and 2 pi: wrong modulo 2 pi too"),
-    Limit(juchem_neto, 7.0, 0.0, 3.0, "theta0 between 2 pi and 3 pi: a whole turn is lost"),
+    Limit(juchem_neto, -math.pi, 1.0, 0.5, "thrown from −π: the mirror image"),
+    Limit(juchem_neto, 4.0, 0.0, 3.0, "θ₀ between π and 2π: the mirror image"),
+    Limit(juchem_neto, 7.0, 0.0, 3.0, "θ₀ between 2π and 3π: a whole turn is lost"),
 )
 
 

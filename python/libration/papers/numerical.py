@@ -8,7 +8,7 @@ import numpy as np
 
 def odeint_theta(t, theta0, velocity0, omega0):
     """The angle of the pendulum by scipy.integrate.odeint, defaults kept, at the instants t that begin at 0."""
-    from scipy.integrate import odeint
+    from scipy.integrate import odeint  # type: ignore[import-untyped]
 
     def derivative(state, _t):
         theta, velocity = state

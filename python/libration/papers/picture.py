@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 
 from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet
+from .work import chosen
 
 # The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
 BLACK, RED, BLUE, GREY = "#1a1a1a", SEPARATRIX, EXACT, LINEAR
-DOTTED, DASHED = (0, (1, 1.4)), (0, (5, 2.5))
+DOTTED, DASHED = (0, (1, 1.4)), (0, (4.5, 3.2))
 # Characters of the caption to an inch of the picture.
 CHARACTERS = 16
 
@@ -43,7 +44,7 @@ class Picture:
     >>> from libration.papers import pictures
     >>> picture = pictures("lima")[0]
     >>> print(picture.name, picture.size)
-    lima-1 (6.5, 5.6)
+    lima-1 (6.2, 5.3)
     >>> file = BytesIO()
     >>> picture.save({"png": file})
     >>> file.getvalue()[1:4]
@@ -74,14 +75,16 @@ class Picture:
         from matplotlib.figure import Figure
 
         # The settings of the house, not of a matplotlibrc; the salt makes the same file of the same picture.
-        settings = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
-        with rc_context(settings | {"svg.hashsalt": "libration"}):
+        settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
+        settings["svg.hashsalt"] = "libration"
+        with rc_context(settings):
             figure = Figure(figsize=self.size, dpi=150, layout="constrained")
             FigureCanvasAgg(figure)
             with np.errstate(all="ignore"):
                 self.draw(figure)
             figure.suptitle(self.title, x=0.012, ha="left", fontsize=12.5)
-            text = textwrap.fill(self.caption, int(CHARACTERS * self.size[0]))
+            # No line ends within `m = 0.1`.
+            text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
             for form, file in files.items():
                 figure.savefig(file, format=form, metadata=self.metadata(form))
@@ -90,6 +93,35 @@ class Picture:
         """What the file says of itself: title and caption; no date, so that the same picture is the same file."""
         told = {"Title": self.title, "Description": self.caption}
         return told | ({"Date": None} if form == "svg" else {"Software": "libration"})
+
+
+def pictures(work: str | None = None) -> tuple[Picture, ...]:
+    """The figures of the three papers, and two that one of them wished for.
+
+    Parameters
+    ----------
+    work : str, optional
+        `salas`, `lima` or `horsley`; by default all three.
+
+    Returns
+    -------
+    tuple of Picture
+
+    Raises
+    ------
+    ValueError
+        For another name.
+
+    Examples
+    --------
+    >>> from libration.papers import pictures
+    >>> print(*(picture.name for picture in pictures("horsley")))
+    horsley-1 horsley-2 horsley-3 horsley-phase-space horsley-ellipse
+    """
+    from . import horsley, lima, salas
+
+    parts = {"salas": salas.PICTURES, "lima": lima.PICTURES, "horsley": horsley.PICTURES}
+    return tuple(picture for name in chosen(work) for picture in parts[name])
 
 
 def panels(figure, heights=(2.1, 1)):
@@ -103,7 +135,7 @@ def panels(figure, heights=(2.1, 1)):
 
 def exact(axes, t, theta):
     """The exact solution: black, solid."""
-    axes.plot(t, theta, color=BLACK, lw=1.6, label="exact")
+    axes.plot(t, theta, color=BLACK, lw=2.1, label="exact")
 
 
 def dotted(axes, t, theta, label):

@@ -29,7 +29,7 @@ CUBIC, QUINTIC = 7 * math.pi / 18, 2 * math.pi / 3
 def draw_pendulum(figure):
     """Figure 1."""
     axes = figure.subplots()
-    bare(axes, (-0.75, -1.72), (1.3, 0.16))
+    bare(axes, (-0.6, -1.42), (1.05, 0.13))
     swing = math.radians(38)
     ceiling(axes)
     vertical(axes)
