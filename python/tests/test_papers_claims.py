@@ -1,4 +1,4 @@
-"""The claims: every row is accounted for, what it prints is what the papers say, and a row that does not stand is seen."""
+"""The claims: every row is accounted for, and a row that does not stand is seen."""
 
 import dataclasses
 import math

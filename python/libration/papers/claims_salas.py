@@ -21,7 +21,7 @@ def sine_row(place, name, degrees, printed):
     """A row for the range of (2) or (3)."""
     return SALAS(
         place,
-        f"the polynomial stands for the sine up to {degrees}°: largest error there, in % of the sine (read: at most 3 %)",
+        f"the polynomial stands for the sine up to {degrees}°: largest error, in % of the sine (read: at most 3 %)",
         printed,
         (0.0, 3.0),
         lambda: 100 * approx.sine(name).error(math.radians(degrees)).relative,
@@ -91,7 +91,7 @@ def order_of_small_m():
 
 
 def system_33():
-    """The largest residual of (33) for the k and lambda of (34), over its largest coefficient; phi0 = pi/2, omega = 1."""
+    """The largest residual of (33) for the k and lambda of (34), over its largest coefficient; phi0 = pi/2."""
     square = (math.pi / 2) ** 2
     square_of_k = (81 / 262 * square**2 - 10 * square + 81) / 81
     stretch = 1 + 262 * (20 * square - 243) / (243 * square**2 - 7860 * square + 63666)

@@ -302,7 +302,8 @@ ROWS = (
         "(18) with (21)",
         "u = (a cn z − b sn z dn z)/(1 − c sn² z)",
         "u = (a cn z + b sn z dn z)/(1 + c sn² z)",
-        "The system (21), and (22) to (24) after it, take b and c with the other sign. w in (21) is the square of the rate.",
+        "The system (21), and (22) to (24) after it, take b and c with the other sign. "
+        "w in (21) is the square of the rate.",
         Kind.PAPER,
         SWING + " with a, b, c, w from (21)",
         1e-8,

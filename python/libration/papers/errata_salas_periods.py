@@ -39,7 +39,7 @@ def rotation_residual(period):
 
 
 def range_residual(bound, period):
-    """The largest relative error of omega0 T = period(m) over 0 < m <= bound, beside the time between turning points."""
+    """The largest relative error of omega0 T = period(m) for 0 < m <= bound, beside the motion's own."""
     found = []
     for m in bound * np.linspace(0.05, 1.0, 20):
         found.append(period(m) / swing_time(Pendulum(2 * math.asin(math.sqrt(m)))) - 1)

@@ -1,4 +1,4 @@
-"""The exact solutions as the papers give them, with their slips mended: Salas (22), (23), (24) and Juchem Neto's formula.
+"""The exact solutions as the papers give them, slips mended: Salas (22), (23), (24) and Juchem Neto's formula.
 
 They are kept as they stand, arctan and arcsin included, in plain double: right where the authors may use them, and
 wrong or without a value where `libration.theta` goes on (see limits.py). Each takes arrays of times and states.
@@ -108,8 +108,8 @@ def salas_24(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     Returns
     -------
     float64 or array of the broadcast shape
-        Angle in rad between -pi and pi: right in libration; whole turns are lost in rotation, and where theta0 is beyond
-        pi. NaN where the arithmetic ends: at the poles of nc, and late on the separatrix, where nc and sc overflow.
+        Angle in rad between -pi and pi: right in libration; whole turns are lost in rotation, and where theta0 is
+        beyond pi. NaN where the arithmetic ends: at the poles of nc, and late on the separatrix.
 
     Notes
     -----

@@ -59,7 +59,7 @@ def solutions(number, theta0, order, text, half):
     return Picture(
         f"lima-{number}",
         f"Periodic approximations, θ₀ = {text} = {math.degrees(theta0):g}°, N = {order}",
-        f"After Lima 2019, fig. {number}: solid, the exact solution (16), corrected; dotted, the harmonic approximation "
+        f"After Lima 2019, fig. {number}: solid, the exact solution (16), corrected; dotted, the harmonic one "
         f"(17) with the exact period; dashed, the Fourier-based one (22) with N = {order}. Below, how far both deviate "
         "from the exact one, in % of θ₀ as in Lima's text. One period, in units of T, is our choice.",
         (7.5, 5.8),
