@@ -178,7 +178,8 @@ def graph(number, theta0):
         f"Nonlinear and linear pendulum, released at rest from {theta0:g} rad",
         f"After Horsley 2025, appendix, the graph at {theta0:g} rad: l = 1 m, g = 9.8 m/s², 0 to 10 s. Blue, the "
         "nonlinear equation (2) by SciPy's odeint at its default tolerances, as in the essay's code; red, the linear "
-        f"equation (1); dots, the exact solution. The period is {ratio:.4f} times that of (1). Below, ours.",
+        f"equation (1); dots, the exact solution. The period is {ratio:.4f} times that of (1). "
+        "The lower panel is ours.",
         (7.5, 5.6),
         functools.partial(draw_graph, theta0=theta0),
     )

@@ -61,8 +61,8 @@ def draw_sines(figure):
     lower.set_ylim(-0.055, 0.055)
     lower.set_xlim(0, np.pi)
     angle_ticks(lower.xaxis, 0, np.pi)
-    named(upper, "", r"value")
-    named(lower, PHI, "minus sine")
+    named(upper, "", "value")
+    named(lower, PHI, r"less $\sin\varphi$")
 
 
 def draw_numerical(figure, state, until, *, wrapped=False):
