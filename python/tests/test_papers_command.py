@@ -47,7 +47,8 @@ def test_every_figure_and_claim(said, tmp_path):
         assert head.startswith(b"\x89PNG" if name.endswith("png") else b"<?xml")
 
 
-def test_one_paper(said, tmp_path):
+def test_one_paper_and_lima_needs_no_scipy(said, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "scipy.integrate", None)
     code, table, _ = said("lima")
     assert code == 0
     assert set(os.listdir(tmp_path / "out")) == {name for name in FILES if name.startswith("lima")} | {"claims.csv"}
@@ -103,11 +104,6 @@ def test_missing_package(said, tmp_path, monkeypatch, module, paper, name):
     assert code == 2
     assert line == f"libration papers: --out = out: needs {name}: pip install 'libration[papers]'"
     assert os.listdir(tmp_path) == []
-
-
-def test_lima_needs_no_scipy(said, monkeypatch):
-    monkeypatch.setitem(sys.modules, "scipy.integrate", None)
-    assert said("lima")[0] == 0
 
 
 def test_a_figure_that_cannot_be_drawn_leaves_nothing(said, tmp_path, monkeypatch):

@@ -78,7 +78,7 @@ class Picture:
         settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
         settings["svg.hashsalt"] = "libration"
         with rc_context(settings):
-            figure = Figure(figsize=self.size, dpi=150, layout="constrained")
+            figure = Figure(figsize=self.size, dpi=200, layout="constrained")
             FigureCanvasAgg(figure)
             with np.errstate(all="ignore"):
                 self.draw(figure)
