@@ -62,7 +62,7 @@ def draw_sines(figure):
     lower.set_xlim(0, np.pi)
     angle_ticks(lower.xaxis, 0, np.pi)
     named(upper, "", "value")
-    named(lower, PHI, r"less $\sin\varphi$")
+    named(lower, PHI, "difference")
 
 
 def draw_numerical(figure, state, until, *, wrapped=False):
