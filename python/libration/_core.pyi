@@ -116,6 +116,7 @@ __all__ = [
     "jacobi_zeta_k",
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
+    "march",
     "nc_k",
     "nc_m",
     "nc_mc",
@@ -139,6 +140,7 @@ __all__ = [
     "sc_k",
     "sc_m",
     "sc_mc",
+    "schemes",
     "sd_k",
     "sd_m",
     "sd_mc",
@@ -508,3 +510,7 @@ def duffing_of_pendulum(
     gravity: float | None = None,
 ) -> tuple[float, float, float, float]: ...
 def pendulum_of_duffing(duffing: Duffing) -> tuple[float, float, float, float] | None: ...
+def march(
+    scheme: str, start: tuple[float, float], omega2: float, step: float, count: int
+) -> tuple[np.ndarray, np.ndarray]: ...
+def schemes() -> list[tuple[str, str, str]]: ...

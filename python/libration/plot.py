@@ -139,7 +139,7 @@ def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None
         right(panels[1])
         head(figure, title())
 
-    save_figure(path, form, (12, 5), draw)
+    save_figure({form: path}, (12, 5), draw)
 
 
 def head(figure, title):
@@ -147,19 +147,29 @@ def head(figure, title):
     figure.suptitle(title, x=0.012, ha="left", fontsize=13)
 
 
-def save_figure(path: Any, form: str | None, size: tuple[float, float], draw: Any) -> None:
-    """Draw a figure of a size in inches in the settings of the house, and save it."""
+def save_figure(
+    files: dict[Any, Any], size: tuple[float, float], draw: Any, *, dpi: int = 100, told: dict[str, str] | None = None
+) -> None:
+    """Draw a figure of a size in inches once, in the settings of the house, and save it in every form.
+
+    `files` are paths or binary files by form; without one (None) the ending of the path says it. `told` is what a file
+    says of itself.
+    """
     from matplotlib import rc_context, rcParamsDefault
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    # Not those of a matplotlibrc, which may ask for LaTeX or hide a line.
-    with rc_context({name: value for name, value in rcParamsDefault.items() if name != "backend"}):
-        figure = Figure(figsize=size, dpi=100, layout="constrained")
+    # Not those of a matplotlibrc, which may ask for LaTeX or hide a line; the salt makes the same file of the same picture.
+    settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
+    with rc_context(settings | {"svg.hashsalt": "libration"}):
+        figure = Figure(figsize=size, dpi=dpi, layout="constrained")
         FigureCanvasAgg(figure)
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             draw(figure)
-            figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
+            for form, file in files.items():
+                # A date would make another file of the same picture.
+                stamp = {"Date": None} if is_svg(file, form) else {"Software": "libration"}
+                figure.savefig(file, format=form, metadata=(told or {}) | stamp)
 
 
 EXACT = "#1f5fa8"

@@ -66,7 +66,7 @@ def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None 
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    save_figure(path, form, (11, 8), lambda figure: draw_periods(figure, theta_max))
+    save_figure({form: path}, (11, 8), lambda figure: draw_periods(figure, theta_max))
 
 
 def draw_periods(figure, theta_max):

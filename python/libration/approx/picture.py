@@ -9,7 +9,7 @@ from ..pendulum import Pendulum
 from ..plot import head, legend, number, quiet, save_figure
 
 # Colour, dash and order: told apart in grey too.
-EXACT = "#222222"
+EXACT = "#1a1a1a"
 STYLES = (
     ("#c0392b", (0, (1, 1.2))),
     ("#1f5fa8", (0, (5, 2))),
@@ -56,7 +56,7 @@ def plot_comparison(
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    save_figure(path, form, (9, 6.5), lambda figure: draw_comparison(figure, pendulum, solutions, periods))
+    save_figure({form: path}, (9, 6.5), lambda figure: draw_comparison(figure, pendulum, solutions, periods))
 
 
 def draw_comparison(figure, pendulum, solutions, periods):

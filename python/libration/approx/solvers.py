@@ -3,6 +3,8 @@
 The steps of fixed length are the core's (core/approx/steps.rs); `solve_ivp` and `odeint` are SciPy's, with its defaults.
 """
 
+import importlib
+import importlib.util
 import math
 from dataclasses import dataclass
 from typing import Any
@@ -80,11 +82,8 @@ class NumericalFormula:
         ImportError
             For SciPy's, if SciPy is missing.
         """
-        if self._scheme in SCIPY:
-            try:
-                import scipy.integrate  # noqa: F401
-            except ModuleNotFoundError as error:
-                raise ImportError(f"{self.name}: needs SciPy: pip install 'libration[papers]'") from error
+        if self._scheme in SCIPY and importlib.util.find_spec("scipy") is None:
+            raise ImportError(f"{self.name}: needs SciPy: pip install 'libration[papers]'")
         return NumericalSolution(self, pendulum)
 
 
@@ -227,7 +226,7 @@ def between(theta, velocity, before, part, step):
 
 def scipy_solution(name, start, omega2, t):
     """SciPy's answer with its own tolerances."""
-    from scipy.integrate import odeint, solve_ivp
+    integrate = importlib.import_module("scipy.integrate")
 
     def slopes(_t, state):
         return state[1], -omega2 * math.sin(state[0])
@@ -236,7 +235,7 @@ def scipy_solution(name, start, omega2, t):
     if from_start.size == 1:
         return np.array(start[:1])
     if name == "odeint":
-        theta = odeint(slopes, start, from_start, tfirst=True)[:, 0]
+        theta = integrate.odeint(slopes, start, from_start, tfirst=True)[:, 0]
     else:
-        theta = solve_ivp(slopes, (0.0, float(t[-1])), start, t_eval=from_start).y[0]
+        theta = integrate.solve_ivp(slopes, (0.0, float(t[-1])), start, t_eval=from_start).y[0]
     return theta[-t.size :]

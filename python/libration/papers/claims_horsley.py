@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 
+from .. import approx
 from ..elliptic import incomplete_f, jacobi
 from ..pendulum import Pendulum
 from ..plot import linear_theta
 from .claim import Claim, rounded
 from .horsley import swing
-from .numerical import odeint_theta
 
 HORSLEY = functools.partial(Claim, "Horsley 2025")
 TIMES = np.linspace(0, 10, 500)
@@ -24,7 +24,8 @@ def departure(theta0, until=10.0):
 
 def numerical_error(theta0):
     """The largest error of odeint at its defaults at the 500 instants of the graph, rad."""
-    return np.max(np.abs(odeint_theta(TIMES, theta0, 0.0, swing(theta0).omega0) - swing(theta0).theta(TIMES)))
+    numerical = approx.numerical("odeint").of(swing(theta0))
+    return np.max(np.abs(numerical.theta(TIMES) - swing(theta0).theta(TIMES)))
 
 
 def smallest_growth():

@@ -9,11 +9,11 @@ import math
 
 import numpy as np
 
+from .. import approx
 from ..elliptic import complete_k, jacobi
 from ..pendulum import Pendulum
 from ..plot import angle_ticks, linear_theta, quiet
 from .diagram import angle, arrow, bare, bob, letter, path, rod, vertical
-from .numerical import odeint_theta
 from .picture import BLACK, BLUE, GREY, RED, Picture, named, panels
 
 GRAVITY, LENGTH = 9.8, 1.0
@@ -57,7 +57,7 @@ def draw_graph(figure, theta0):
     upper, lower = panels(figure, (2.2, 1))
     pendulum = swing(theta0)
     t = np.linspace(0, 10, 500)
-    numerical = odeint_theta(t, theta0, 0.0, pendulum.omega0)
+    numerical = approx.numerical("odeint").of(pendulum).theta(t)
     upper.plot(t, numerical, color=BLUE, lw=1.8, label="nonlinear (odeint)")
     upper.plot(t, linear_theta(pendulum, t), color=RED, lw=1.5, label="linear")
     upper.plot(t[::10], pendulum.theta(t[::10]), "o", ms=3.2, color=BLACK, mew=0, label="exact")

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet
+from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet, save_figure
 from .work import chosen
 
 # The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
@@ -70,29 +70,16 @@ class Picture:
         ImportError
             If matplotlib is missing, or SciPy where the paper integrates.
         """
-        from matplotlib import rc_context, rcParamsDefault
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
 
-        # The settings of the house, not of a matplotlibrc; the salt makes the same file of the same picture.
-        settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
-        settings["svg.hashsalt"] = "libration"
-        with rc_context(settings):
-            figure = Figure(figsize=self.size, dpi=200, layout="constrained")
-            FigureCanvasAgg(figure)
+        def draw(figure):
             with np.errstate(all="ignore"):
                 self.draw(figure)
             figure.suptitle(self.title, x=0.012, ha="left", fontsize=12.5)
             # No line ends within `m = 0.1`.
             text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
-            for form, file in files.items():
-                figure.savefig(file, format=form, metadata=self.metadata(form))
 
-    def metadata(self, form: str) -> dict[str, Any]:
-        """What the file says of itself: title and caption; no date, so that the same picture is the same file."""
-        told = {"Title": self.title, "Description": self.caption}
-        return told | ({"Date": None} if form == "svg" else {"Software": "libration"})
+        save_figure(files, self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
 
 
 def pictures(work: str | None = None) -> tuple[Picture, ...]:

@@ -8,12 +8,10 @@ import math
 import numpy as np
 
 from .. import approx
-from ..arrays import theta
 from ..pendulum import Pendulum
 from ..plot import angle_ticks
 from .diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical
 from .exact import salas_23
-from .numerical import odeint_theta
 from .picture import BLACK, BLUE, DASHED, DOTTED, GREY, RED, Picture, dashed, dotted, exact, named, panels
 
 # Chosen: a libration with a velocity, a rotation, and a small swing with a velocity; omega0 = 1.
@@ -69,7 +67,8 @@ def draw_numerical(figure, state, until, *, wrapped=False):
     """Figures 3 and 4: exact and numerical, and their difference."""
     upper, lower = panels(figure)
     t = np.linspace(0, until, 1501)
-    exact_theta = theta(t, *state)
+    pendulum = Pendulum(*state)
+    exact_theta = pendulum.theta(t)
     if wrapped:
         angle = salas_23(t, *state)
         gaps = np.flatnonzero(np.abs(np.diff(angle)) > np.pi) + 1
@@ -77,7 +76,7 @@ def draw_numerical(figure, state, until, *, wrapped=False):
             np.insert(t, gaps, np.nan), np.insert(angle, gaps, np.nan), color=GREY, lw=1.1, label="(23) as printed"
         )
     exact(upper, t, exact_theta)
-    numerical = odeint_theta(t, *state, 1.0)
+    numerical = approx.numerical("odeint").of(pendulum).theta(t)
     dashed(upper, t, numerical, "numerical (odeint)")
     lower.plot(t, 1e6 * (numerical - exact_theta), color=BLUE, lw=1.3, ls=DASHED)
     lower.set_xlim(0, until)
