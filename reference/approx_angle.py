@@ -73,9 +73,8 @@ def harmonic(motion, t, _):
 def fourier(motion, t, order):
     """Lima (20)-(22)."""
     K, q, u = motion.K, motion.nome, motion.argument(t)
-    sn = 2 * mp.pi / K * sum(
-        mp.sqrt(q) ** j / (1 - q**j) * mp.sin(j * mp.pi * u / (2 * K)) for j in range(1, 2 * order, 2)
-    )
+    waves = sum(mp.sqrt(q) ** j / (1 - q**j) * mp.sin(j * mp.pi * u / (2 * K)) for j in range(1, 2 * order, 2))
+    sn = 2 * mp.pi / K * waves
     return (mp.nan if abs(sn) > 1 else motion.base + 2 * mp.asin(sn)), motion.period
 
 
@@ -84,9 +83,7 @@ def fourier_theta(motion, t, order):
     if motion.regime == "rotation":
         waves = sum(q**n / (n * (1 + q ** (2 * n))) * mp.sin(n * mp.pi * u / K) for n in range(1, order + 1))
         return motion.base + motion.flip * (mp.pi * u / K + 4 * waves), motion.period
-    waves = sum(
-        mp.sqrt(q) ** j / (j * (1 + q**j)) * mp.sin(j * mp.pi * u / (2 * K)) for j in range(1, 2 * order, 2)
-    )
+    waves = sum(mp.sqrt(q) ** j / (j * (1 + q**j)) * mp.sin(j * mp.pi * u / (2 * K)) for j in range(1, 2 * order, 2))
     return motion.base + 8 * waves, motion.period
 
 
@@ -172,7 +169,9 @@ class Released:
         for _ in range(30):
             middle = (low + high) / 2
             low, high = (middle, high) if self.u(middle) > u else (low, middle)
-        time = mp.findroot(lambda t: self.u(t) - u, (low, high), solver="anderson", tol=mp.eps * mpf(10) ** 6, verify=False)
+        time = mp.findroot(
+            lambda t: self.u(t) - u, (low, high), solver="anderson", tol=mp.eps * mpf(10) ** 6, verify=False
+        )
         return time if v < 0 else -time
 
     def theta(self, t):
@@ -209,7 +208,10 @@ def coefficients(given, order):
     places = velocity0, mp.sin(theta0), mp.cos(theta0), omega2
     found, terms = [theta0], Counter({(1, 0, 0, 0): 1})
     for k in range(1, order + 1):
-        value = sum(factor * mp.fprod(x**e for x, e in zip(places, exponents, strict=True)) for exponents, factor in terms.items())
+        value = sum(
+            factor * mp.fprod(x**e for x, e in zip(places, exponents, strict=True))
+            for exponents, factor in terms.items()
+        )
         found.append(value / mp.factorial(k))
         terms = derivative(terms)
     return found

@@ -17,7 +17,7 @@ const PERIOD: f64 = 4.0;
 /// The promise for differences of formulas that know what they leave out: of the difference itself.
 const RELATIVE: f64 = 1e-10;
 
-fn set_up(row: &Row) -> AngleApproximation {
+fn made(row: &Row) -> AngleApproximation {
     let force = Frequency::from_omega2(row.hex("omega2")).unwrap();
     let orbit = Orbit::new(row.hex("theta0"), row.hex("velocity0"), force).unwrap();
     AngleFormula::named(row.text("formula")).unwrap().of(&orbit).unwrap()
@@ -51,7 +51,7 @@ fn errors(row: &Row, [theta, difference, period]: [f64; 3]) -> [f64; 3] {
 }
 
 fn values(row: &Row) -> [f64; 3] {
-    let made = set_up(row);
+    let made = made(row);
     let t = row.hex("t");
     [made.theta(t), made.difference(t), made.period()]
 }
@@ -90,7 +90,7 @@ fn every_formula_keeps_its_promise() {
 #[test]
 fn slices_hold_what_single_instants_do() {
     for row in rows(VECTORS, ROWS).iter().step_by(7) {
-        let made = set_up(row);
+        let made = made(row);
         let times = [row.hex("t"), 0.0, -1.5, f64::NAN];
         let (mut theta, mut difference) = ([7.0; 4], [7.0; 4]);
         made.theta_into(&times, &mut theta);
@@ -112,7 +112,7 @@ fn spoiled_siblings_are_found() {
     let scaled = 1.0 + 2e-14;
     assert_eq!(bad(&|row| values(row).map(|value| value * scaled)), ANGLES.len());
     let plain = |row: &Row| {
-        let made = set_up(row);
+        let made = made(row);
         let force = Frequency::from_omega2(row.hex("omega2")).unwrap();
         let orbit = Orbit::new(row.hex("theta0"), row.hex("velocity0"), force).unwrap();
         let t = row.hex("t");

@@ -7,7 +7,7 @@ Examples
 >>> from libration import Pendulum, approx
 >>> series = approx.angle("fourier:2").of(Pendulum(1.0))
 >>> f"{series.theta(2.0):.6f} {series.difference(2.0):.1e}"
-'-0.306096 1.0e-04'
+'-0.305939 2.6e-04'
 """
 
 from .angle import AngleApproximation, AngleError, AngleFormula, angle
