@@ -14,6 +14,8 @@ import random
 from collections import Counter
 
 import action
+import approx_angle
+import approx_angle_route
 import approx_check
 import balls
 import corners
@@ -33,6 +35,7 @@ GENERATORS = {
     "pendulum_corners.csv": (corners.HEADER, corners.row),
     "action.csv": (action.HEADER, action.row),
     "second.csv": (second.HEADER, second.row),
+    "approx_angle.csv": (approx_angle.HEADER, approx_angle.row),
     **elliptic.FILES,
     **family.FILES,
 }
@@ -41,6 +44,7 @@ SAMPLES = {
     "pendulum_corners.csv": 60,
     "action.csv": 16,
     "second.csv": 8,
+    "approx_angle.csv": 10,
     "jacobi.csv": 250,
     "jacobi_special.csv": 500,
     "complete.csv": 120,
@@ -88,8 +92,9 @@ def inputs_of(name):
         return exact.read(exact.ROOM / "inputs" / name)
     if name == "pendulum_corners.csv":
         return list(corners.inputs())
-    if name in ("action.csv", "second.csv"):
-        return list({"action.csv": action, "second.csv": second}[name].inputs())
+    own = {"action.csv": action, "second.csv": second, "approx_angle.csv": approx_angle}
+    if name in own:
+        return list(own[name].inputs())
     return list((family_inputs if name in family.FILES else elliptic_inputs).rows(name))
 
 
@@ -135,6 +140,8 @@ def main():
                     fail(name, "samples of the motion contradict", found, row)
             if not samples_route.wrong({**steady[0], "action_lo": steady[0]["action_hi"]}):
                 fail(name, "a spoiled action passes")
+        elif name == "approx_angle.csv":
+            approx_angle_route.main(fail, rng.sample(rows, len(rows)), chosen.all)
         elif name in family.FILES:
             for i, row in enumerate(sample):
                 if found := second_route.wrong(name, row):

@@ -4,17 +4,12 @@ matplotlib is needed only here (`pip install 'libration[plot]'`) and only its Fi
 state, no window.
 """
 
-import math
 from typing import Any
 
 import numpy as np
 
+from .approx import angle
 from .pendulum import Pendulum
-
-# The linear solution is the motion of a pendulum whose swings are smaller by a power of two, to about this size: the
-# period then differs by 2**-204, far below a digit of any phase that has digits.
-SMALLEST = -100
-EARLY = 2.0**-60
 
 
 def linear_theta(pendulum: Pendulum, t: Any) -> Any:
@@ -48,37 +43,7 @@ def linear_theta(pendulum: Pendulum, t: Any) -> Any:
     """
     if pendulum.omega2 < 0:
         raise ValueError(f"omega2 = {pendulum.omega2!r}: must not be negative for a linear solution that swings")
-    t = np.asarray(t, dtype=float)
-    # Time counts in units of about 1/omega0, a power of two, so that nothing leaves the range of the doubles.
-    unit = exponent(pendulum.omega0)
-    swings = [exponent(pendulum.theta0)] * (pendulum.theta0 != 0)
-    swings += [exponent(pendulum.velocity0) - unit] * (pendulum.velocity0 != 0)
-    shrink = SMALLEST - max(swings, default=0)
-    small = Pendulum(
-        math.ldexp(pendulum.theta0, shrink),
-        math.ldexp(pendulum.velocity0, shrink - unit),
-        **frequency(pendulum, unit),
-    )
-    # Long before the first swing the force has done nothing that a double shows, and the swing may be too small for one.
-    free = Pendulum(pendulum.theta0, pendulum.velocity0, omega0=0.0)
-    with np.errstate(over="ignore", under="ignore"):
-        phase = np.ldexp(t, unit)
-        swing = np.ldexp(small.theta(phase), -shrink)
-        return np.where(np.abs(phase) < EARLY, free.theta(t), swing)[()]
-
-
-def frequency(pendulum, unit):
-    """The frequency as the pendulum was given it, in units of 2**unit: powers of two round nothing."""
-    given = dict(pendulum._frequency)
-    powers = {"omega0": -unit, "omega2": -2 * unit, "length": unit, "gravity": -unit}
-    if "length" in given:
-        given.setdefault("gravity", 9.80665)
-    return {name: math.ldexp(value, powers[name]) for name, value in given.items()}
-
-
-def exponent(value):
-    """The power of two just above a number; 0 for 0."""
-    return math.frexp(value)[1]
+    return angle("linear").of(pendulum).theta(t)
 
 
 def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = None) -> None:

@@ -40,7 +40,6 @@ pub static ANGLES: [Entry; 10] = [
         stated: "below 180 deg",
         stated_range: Some([0.0, core::f64::consts::PI]),
         undefined: "where |k sn_N| > 1: from 131.55 deg with N = 1, nearer to 180 deg the larger N; rotation, separatrix",
-        ..PLAIN
     },
     Entry {
         name: "fourier-theta",

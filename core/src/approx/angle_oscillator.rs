@@ -8,7 +8,7 @@ use crate::domain::Domain;
 use crate::duffing::{CubicQuintic, Duffing};
 use crate::elliptic::phase::Phase;
 use crate::float::scaling::{exp2, ldexp};
-use crate::float::{Dd, PI, Wide};
+use crate::float::{Dd, PI, Td, Wide};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::{Elliptic, carried};
 
@@ -28,20 +28,22 @@ pub(super) struct Linear {
 /// Phases below this the cosine does not show, in any digit of a double-double.
 const EARLY: f64 = 1e-20;
 
+/// A power of omega0 to which every finite time is early: without a force.
+const NONE: i32 = -5000;
+
 impl Linear {
-    /// `None` without a force.
-    pub fn new(orbit: &Orbit) -> Option<Linear> {
-        let (root, power) = orbit.force.root()?;
+    pub fn new(orbit: &Orbit) -> Linear {
+        let (root, power) = orbit.force.root().unwrap_or((Td::ONE, NONE));
         let omega = Wide::new(root.to_dd(), power);
         let velocity = Wide::from(orbit.velocity0);
-        Some(Linear {
+        Linear {
             phase: Phase { rate: root.to_dd() / PI, start: Dd::ZERO },
             power,
             period: (Wide::from(PI.scale(2.0)) / omega).value(),
             start: Wide::from(orbit.theta0),
             velocity,
             swing: velocity / omega,
-        })
+        }
     }
 
     pub fn theta(&self, t: f64) -> f64 {

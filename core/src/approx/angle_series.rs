@@ -245,11 +245,16 @@ pub(super) struct Harmonic {
     top: Wide,
 }
 
-/// The turning angle of a libration.
+/// The turning angle of a libration, to all digits of a double-double.
 pub(super) fn turning_angle(orbit: &Orbit) -> Wide {
     match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
         Ok(State { k, power, .. }) if power != 0 => Wide::new(k, power + 1),
-        Ok(State { k, kc, .. }) => Wide::new(arctangent(k, kc), 1),
+        Ok(State { k, kc, .. }) => {
+            let near = arctangent(k, kc);
+            let (sine, cosine) = half_turn(near / PI);
+            // The sine of what is missing, which is below 2^-56.
+            Wide::new(near + (k * cosine - kc * sine), 1)
+        }
         Err(_) => Wide::ZERO,
     }
 }

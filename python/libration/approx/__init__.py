@@ -8,7 +8,7 @@ Examples
 >>> from libration import Pendulum, approx
 >>> series = approx.angle("fourier:2").of(Pendulum(1.0))
 >>> f"{series.theta(2.0):.6f} {series.difference(2.0):.1e}"
-'-0.306096 1.0e-04'
+'-0.305939 2.6e-04'
 >>> f"{approx.period('lima-arun').error(1.0):.1e}"
 '3.5e-04'
 """
