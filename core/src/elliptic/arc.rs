@@ -39,6 +39,9 @@ pub(crate) struct Layout {
     bend: f64,
 }
 
+/// Largest spread that is faithful: the sum of some such terms is off by a unit of the least value or two.
+const MOST_SPREAD: f64 = 4.0;
+
 /// Where an arc is interpolated.
 #[derive(Clone, Copy)]
 pub(crate) struct Place<L: Lane> {
@@ -85,7 +88,8 @@ impl Layout {
         let reach = |bend: f64| {
             let far = |reach: f64, f: &[f64; 2]| {
                 let [w, v, left, right] = terms(*f);
-                let axis = 0.5 * ((1.0 - bend) * right + (1.0 + bend) * left) / size(1.0 + bend * w, bend * v);
+                let axis =
+                    0.5 * ((1.0 - bend) * right + (1.0 + bend) * left) / size(1.0 + bend * w, bend * v);
                 reach.min(axis)
             };
             singularities.iter().fold(1.0 / bend.abs(), far)
@@ -108,12 +112,6 @@ impl Layout {
         let count = COUNTS.into_iter().find(|count| decay.powi(*count as i32 / 4) >= ENOUGH)?;
         Some(Layout { count, bend })
     }
-
-    /// How many terms.
-    #[inline(always)]
-    pub fn count(&self) -> usize {
-        self.count
-    }
 }
 
 impl Powers {
@@ -123,6 +121,13 @@ impl Powers {
             pairs[(i - 1) / 2][(i - 1) % 2] = coefficient.hi;
         }
         Powers { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
+    }
+
+    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of the
+    /// last place the sum may lose.
+    fn spread(&self, values: &[f64]) -> f64 {
+        let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
+        self.pairs.as_flattened().iter().fold(0.0, |sum, term| sum + term.abs()) / least
     }
 
     /// At t.
@@ -142,9 +147,21 @@ impl Powers {
 
 impl Arc {
     /// Through a curve.
+    pub fn new(layout: Layout, curve: &impl Curve) -> Arc {
+        Arc::through(layout, curve).0
+    }
+
+    /// Through a curve, if both functions keep some three bits less than a double has wherever they are.
+    pub fn faithful(layout: Layout, curve: &impl Curve) -> Option<Arc> {
+        let (arc, spread) = Arc::through(layout, curve);
+        // False for NaN as well.
+        (spread <= MOST_SPREAD).then_some(arc)
+    }
+
+    /// Through a curve, and the larger spread of both functions.
     #[cold]
     #[inline(never)]
-    pub fn new(layout: Layout, curve: &impl Curve) -> Arc {
+    fn through(layout: Layout, curve: &impl Curve) -> (Arc, f64) {
         let Layout { count, bend } = layout;
         let interpolation = Interpolation::of(count);
         let mut values = [[0.0; MOST]; 4];
@@ -152,7 +169,9 @@ impl Arc {
         let [first, first_rest, second, second_rest] = &values;
         let powers =
             |hi: &[f64], lo: &[f64]| Powers::new(&interpolation.coefficients([&hi[..count], &lo[..count]]));
-        Arc { layout, first: powers(first, first_rest), second: powers(second, second_rest) }
+        let arc = Arc { layout, first: powers(first, first_rest), second: powers(second, second_rest) };
+        let spreads = [arc.first.spread(&first[..count]), arc.second.spread(&second[..count])];
+        (arc, if spreads[0] < spreads[1] { spreads[1] } else { spreads[0] })
     }
 
     /// How many terms.
