@@ -2,7 +2,7 @@
 
 import math
 
-from libration import Pendulum, approx
+from libration import approx
 from libration.approx.chart import listed
 
 ANGLES = (30, 60, 90, 120, 150, 170)
@@ -36,8 +36,8 @@ def angles() -> str:
     lines = [row("name", *heads), "|---|" + "---:|" * len(heads)]
     for name in SHOWN:
         formula = approx.angle(name)
-        errors = [formula.of(Pendulum(math.radians(degrees))).error(1) for degrees in ANGLES]
-        cells = [percent(error.relative) if math.isnan(error.undefined_from) else "undefined" for error in errors]
+        errors = [formula.error(math.radians(degrees)) for degrees in ANGLES]
+        cells = ["undefined" if math.isnan(error) else percent(error) for error in errors]
         lines.append(row(f"`{name}`", *cells, reach(formula.ranges(0.01))))
     return table(lines)
 

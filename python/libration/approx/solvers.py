@@ -26,6 +26,7 @@ SCIPY = {
 }
 
 
+@dataclass(frozen=True)
 class NumericalFormula:
     """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `rk4:H` with a step of H seconds, `solve_ivp`, `odeint`.
 
@@ -47,32 +48,41 @@ class NumericalFormula:
     '0.0312'
     """
 
-    __slots__ = ("_scheme", "_step", "name")
-
     name: str
 
-    def __init__(self, name: str) -> None:
-        scheme, colon, step = name.partition(":")
-        if scheme not in SCHEMES and scheme not in SCIPY:
-            raise ValueError(
-                f"numerical solution = {name!r}: must be one of {', '.join(nearest(numerical.names, name))}"
-            )
-        if scheme in SCIPY and colon:
-            raise ValueError(f"numerical solution = {name!r}: must be {scheme} without a step")
-        self.name, self._scheme, self._step = name, scheme, step_of(name, step) if scheme in SCHEMES else math.nan
+    def __post_init__(self) -> None:
+        _, colon, _ = self.name.partition(":")
+        if self.scheme not in SCHEMES and self.scheme not in SCIPY:
+            near = ", ".join(nearest(numerical.names, self.name))
+            raise ValueError(f"numerical solution = {self.name!r}: must be one of {near}")
+        if self.scheme in SCIPY and colon:
+            raise ValueError(f"numerical solution = {self.name!r}: must be {self.scheme} without a step")
+        if self.scheme in SCHEMES and not 0 < self.step < math.inf:
+            allowed = f"{self.scheme}:H with a step H > 0 in s, as {self.scheme}:0.01"
+            raise ValueError(f"numerical solution = {self.name!r}: must be {allowed}")
 
-    def __repr__(self) -> str:
-        return f"NumericalFormula({self.name!r})"
+    @property
+    def scheme(self) -> str:
+        """The name without its step."""
+        return self.name.partition(":")[0]
+
+    @property
+    def step(self) -> float:
+        """The step in s; NaN where there is none."""
+        try:
+            return float(self.name.partition(":")[2])
+        except ValueError:
+            return math.nan
 
     @property
     def formula(self) -> str:
         """What it does, in one line."""
-        return SCHEMES[self._scheme][0] if self._scheme in SCHEMES else SCIPY[self._scheme]
+        return SCHEMES[self.scheme][0] if self.scheme in SCHEMES else SCIPY[self.scheme]
 
     @property
     def source(self) -> str:
         """Who says so, with the order of the scheme."""
-        return SCHEMES[self._scheme][1] if self._scheme in SCHEMES else f"SciPy, scipy.integrate.{self._scheme}"
+        return SCHEMES[self.scheme][1] if self.scheme in SCHEMES else f"SciPy, scipy.integrate.{self.scheme}"
 
     def of(self, pendulum: Pendulum) -> "NumericalSolution":
         """The numerical solution for one pendulum.
@@ -82,7 +92,7 @@ class NumericalFormula:
         ImportError
             For SciPy's, if SciPy is missing.
         """
-        if self._scheme in SCIPY and importlib.util.find_spec("scipy") is None:
+        if self.scheme in SCIPY and importlib.util.find_spec("scipy") is None:
             raise ImportError(f"{self.name}: needs SciPy: pip install 'libration[papers]'")
         return NumericalSolution(self, pendulum)
 
@@ -156,15 +166,15 @@ class NumericalSolution:
     def _instants(self, periods):
         """The instants at which it is compared."""
         last = checked_span(periods, self.pendulum)
-        if self.formula._scheme in SCIPY:
+        if self.formula.scheme in SCIPY:
             return np.linspace(0.0, last, math.ceil(INSTANTS * periods) + 1)
-        t = self.formula._step * np.arange(self._steps(last) + 1)
+        t = self.formula.step * np.arange(self._steps(last) + 1)
         # The last step may end beyond; a step longer than the span stands for itself.
         return t[: max(2, np.searchsorted(t, last, side="right"))]
 
     def _steps(self, last):
         """How many steps there are to a time."""
-        count = last / self.formula._step
+        count = last / self.formula.step
         if count > MOST_STEPS:
             raise ValueError(f"{self.formula.name} = {count:.3g} steps: must be at most {MOST_STEPS:,} steps")
         return max(math.ceil(count), 1)
@@ -173,10 +183,10 @@ class NumericalSolution:
         """Angle at times that rise."""
         pendulum = self.pendulum
         start = [pendulum.theta0, pendulum.velocity0]
-        if self.formula._scheme in SCIPY:
-            return scipy_solution(self.formula._scheme, start, pendulum.omega2, t)
-        step = self.formula._step
-        theta, velocity = _core.march(self.formula._scheme, tuple(start), pendulum.omega2, step, self._steps(t[-1]) + 1)
+        if self.formula.scheme in SCIPY:
+            return scipy_solution(self.formula.scheme, start, pendulum.omega2, t)
+        step = self.formula.step
+        theta, velocity = _core.march(self.formula.scheme, tuple(start), pendulum.omega2, step, self._steps(t[-1]) + 1)
         before = np.minimum((t / step).astype(np.int64), theta.size - 2)
         return between(theta, velocity, before, t / step - before, step)
 
@@ -192,18 +202,6 @@ def nearest(patterns, wanted):
 
     base = wanted.partition(":")[0].lower()
     return sorted(patterns, key=lambda each: -SequenceMatcher(None, each.partition(":")[0], base).ratio())
-
-
-def step_of(name, text):
-    """The step in s."""
-    try:
-        step = float(text)
-    except ValueError:
-        step = math.nan
-    if not (0 < step < math.inf):
-        scheme = name.partition(":")[0]
-        raise ValueError(f"numerical solution = {name!r}: must be {scheme}:H with a step H > 0 in s, as {scheme}:0.01")
-    return step
 
 
 def checked_span(periods, pendulum):
