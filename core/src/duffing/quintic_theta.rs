@@ -153,7 +153,7 @@ impl Theta {
         let place = Singular::new(factors, half);
         let drawn = match pole {
             Some(pole) => flight(form, half, omega, [start.base, start.pole, pole], way.turn),
-            None => swing(place, phase, ldexp(1.0, time)),
+            None => swing(place, &lattice, phase, ldexp(1.0, time)),
         };
         let poles = pole.map(|pole| Poles {
             rest: Phase { rate: -rate, start: (start.pole / half).to_dd() },
