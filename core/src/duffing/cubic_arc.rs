@@ -59,7 +59,7 @@ pub(super) fn drawing(
     let flight = |odd| Flight { pole: Pole::Simple, odd, phase, from_pole, time, u, velocity };
     Drawing::new(match shape {
         // From the turning point the poles are straight above the base.
-        Shape::Cn => Way::Swing(swing(Base::Zero).from_far_end(Base::Turn)),
+        Shape::Cn => Way::Swing(swing(Base::Zero).counted_from_far_end(Base::Turn)),
         Shape::Sn => Way::Swing(swing(Base::Zero)),
         Shape::Dn => Way::Swing(swing(Base::Well)),
         Shape::Nc | Shape::Dc => Way::Flight(flight(false)),

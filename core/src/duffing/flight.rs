@@ -37,7 +37,8 @@ pub(super) struct Flight {
     pub from_pole: bool,
     /// Power of two that times take.
     pub time: f64,
-    /// Factors of u and u', powers of two with signs: on the leg after the middle, or of the start where that is the pole's.
+    /// Factors of u and u', powers of two with signs: on the leg after the middle, or of the start where that is the
+    /// pole's.
     pub u: f64,
     pub velocity: f64,
 }

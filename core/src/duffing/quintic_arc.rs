@@ -1,8 +1,8 @@
 //! The polynomials of the cubic-quintic oscillator's elliptic motions: where their singularities are, and their values.
 //!
-//! u has a branch point wherever v = 1/u^2 = 0, at f = +-z + n + k tau half periods: tau = i K'/K, or (1 + i K'/K)/2 with a
-//! complex pair. For an escape z is real. Else z lies above a base, or above the side of the period's rectangle on
-//! which v goes on from there, at an integral of the first kind:
+//! u has a branch point wherever v = 1/u^2 = 0, at f = +-z + n + k tau half periods: tau = i K'/K, or (1 + i K'/K)/2
+//! with a complex pair. For an escape z is real. Else z lies above a base, or above the side of the period's rectangle
+//! on which v goes on from there, at an integral of the first kind:
 //!
 //! | form | case | z from the far turning point, in units of the argument |
 //! |---|---|---|
@@ -144,11 +144,11 @@ pub(super) fn swing(place: Singular, lattice: &Lattice, phase: Phase, time: f64)
     let (base, far) = place.base();
     let taken = place.taken(2.0 * lattice.quarter.hi, lattice.aspect);
     let near = Swing { base, taken, phase, time, u: 1.0, velocity: 1.0 };
-    Way::Swing(if far { near.from_far_end(base) } else { near })
+    Way::Swing(if far { near.counted_from_far_end(base) } else { near })
 }
 
-/// How an escape is drawn, likewise: from the argument per time, and those of the start from the middle, to the pole, and
-/// of the pole from the middle.
+/// How an escape is drawn, likewise: from the argument per time, and those of the start from the middle, to the pole,
+/// and of the pole from the middle.
 pub(super) fn flight(form: Form, half: Wide, omega: Wide, [base, rest, pole]: [Wide; 3], turn: f64) -> Way {
     let whole = pole.shift(1);
     let rate = omega / whole;

@@ -284,8 +284,8 @@ impl Theta {
         ]
     }
 
-    /// u and u' at half periods f in [0, 1/2] from the base, and to the poles ahead and behind, if there are; and whether
-    /// they are counted from K, but for the powers of two and signs that belong to that.
+    /// u and u' at half periods f in [0, 1/2] from the base, and to the poles ahead and behind, if there are; and
+    /// whether they are counted from K, but for the powers of two and signs that belong to that.
     #[inline(always)]
     pub fn quotients<const HYPERBOLIC: bool, L: Lane>(
         &self,

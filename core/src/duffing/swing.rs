@@ -1,7 +1,7 @@
 //! A libration or the motion in a well as polynomials of the squared phase (elliptic/arc.rs).
 //!
-//! With f in half periods from a base, e = 1/4 - f^2, P and R even in f, and (-1)^n for the whole half periods where the
-//! motion crosses 0:
+//! With f in half periods from a base, e = 1/4 - f^2, P and R even in f, and (-1)^n for the whole half periods where
+//! the motion crosses 0:
 //!
 //! | base | u | u' |
 //! |---|---|---|
@@ -9,9 +9,9 @@
 //! | turning point | e P | f R |
 //! | turning point of a well | P | f e R |
 //!
-//! The base is the one from which the singularities of the motion are furthest. Those on the imaginary axis of f, at i a and
-//! i b, are taken out where they are near: with y = (f^2 + a^2)(f^2 + b^2) u takes 1/sqrt y and u' 1/(y sqrt y); with
-//! a = b they are poles, and no root is left.
+//! The base is the one from which the singularities of the motion are furthest. Those on the imaginary axis of f, at i
+//! a and i b, are taken out where they are near: with y = (f^2 + a^2)(f^2 + b^2) u takes 1/sqrt y and u' 1/(y sqrt y);
+//! with a = b they are poles, and no root is left.
 
 use super::flight::{inverse, inverse_root};
 use crate::elliptic::arc::{Arc, Curve, Place, rounded_product, to_ends};
@@ -147,7 +147,7 @@ impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Swinging<'_, FIRST> {
 
 impl Swing {
     /// Counted from the far end of its leg, where the motion turns: there u' has the other sign.
-    pub fn from_far_end(self, base: Base) -> Swing {
+    pub fn counted_from_far_end(self, base: Base) -> Swing {
         let start = self.phase.start - Dd::from(0.5);
         let phase = Phase { start, ..self.phase };
         Swing { base, phase, velocity: -self.velocity, ..self }

@@ -1,10 +1,11 @@
 //! Half a period of a motion as polynomials: no sine, no theta function, no arctangent per sample.
 //!
-//! With f in [-1/2, 1/2] half periods from the base of the motion and x = f^2, a function that is even about the base is a
-//! polynomial in t = (w + b)/(1 + b w), w = 8 x - 1; an odd one takes a factor f, one that vanishes at the ends 1/4 - x.
-//! As functions of w they are analytic up to the nearest singularities, and the map with the best b sends these as far
-//! out as they will go: a third to a half of the terms are saved. The leading coefficient stands for most of the sum and is
-//! carried as hi + lo. Coefficients by interpolation, when the first sample is asked for: docs/decisions/0011.
+//! With f in [-1/2, 1/2] half periods from the base of the motion and x = f^2, a function that is even about the base
+//! is a polynomial in t = (w + b)/(1 + b w), w = 8 x - 1; an odd one takes a factor f, one that vanishes at the ends
+//! 1/4 - x. As functions of w they are analytic up to the nearest singularities, and the map with the best b sends
+//! these as far out as they will go: a third to a half of the terms are saved. The leading coefficient stands for most
+//! of the sum and is carried as hi + lo. Coefficients by interpolation, when the first sample is asked for:
+//! docs/decisions/0011.
 
 use super::theta::Lattice;
 use crate::float::Dd;
@@ -121,8 +122,8 @@ impl Powers {
         Powers { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
     }
 
-    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of the
-    /// last place the sum may lose.
+    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of
+    /// the last place the sum may lose.
     fn spread(&self, values: &[f64]) -> f64 {
         let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
         self.pairs.as_flattened().iter().fold(0.0, |sum, term| sum + term.abs()) / least
