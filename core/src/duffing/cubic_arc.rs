@@ -7,9 +7,10 @@ use super::cubic_course::{Elliptic, Scales, Shape};
 use super::cubic_motion::quotients;
 use super::drawing::{Drawing, Way};
 use super::flight::{self, Flight, Outwards, Pole};
-use super::swing::{self, Base, Leg, Swing};
+use super::swing::{self, Base, Leg, Swing, Taken};
 use crate::elliptic::arc::{Arc, Layout};
 use crate::elliptic::phase::Phase;
+use crate::elliptic::theta::Lattice;
 use crate::float::Dd;
 use crate::float::loose::Loose;
 use crate::lanes::Lane;
@@ -39,13 +40,26 @@ impl<const HYPERBOLIC: bool> Outwards for Along<'_, HYPERBOLIC> {
 }
 
 /// How the polynomials of a shape become its motion.
-pub(super) fn drawing(shape: Shape, phase: Phase, from_pole: bool, scales: Scales) -> Drawing {
+pub(super) fn drawing(
+    shape: Shape,
+    lattice: &Lattice,
+    phase: Phase,
+    from_pole: bool,
+    scales: Scales,
+) -> Drawing {
     let Scales { u, velocity, time } = scales;
-    let swing = |base| Swing { base, phase, time, u, velocity };
+    // On the other side of the theta functions they are far away, and not known to a double.
+    let taken = if lattice.hyperbolic() {
+        let pole = 0.5 * lattice.aspect;
+        Taken::Pole(pole * pole)
+    } else {
+        Taken::Nothing
+    };
+    let swing = |base| Swing { base, taken, phase, time, u, velocity };
     let flight = |odd| Flight { pole: Pole::Simple, odd, phase, from_pole, time, u, velocity };
     Drawing::new(match shape {
         // From the turning point the poles are straight above the base.
-        Shape::Cn => Way::Swing(swing(Base::Zero).from_far_end(Base::Turn)),
+        Shape::Cn => Way::Swing(swing(Base::Zero).counted_from_far_end(Base::Turn)),
         Shape::Sn => Way::Swing(swing(Base::Zero)),
         Shape::Dn => Way::Swing(swing(Base::Well)),
         Shape::Nc | Shape::Dc => Way::Flight(flight(false)),
@@ -71,9 +85,15 @@ impl Elliptic {
             return None;
         }
         match self.drawing.way {
-            Way::Swing(Swing { base, .. }) => {
-                let layout = Layout::of(&self.lattice)?;
-                Arc::faithful(layout, &swing::Drawn { leg: along, base, far: base == Base::Turn })
+            Way::Swing(Swing { base, taken, .. }) => {
+                let aspect = self.lattice.aspect;
+                let layout = if taken == Taken::Nothing {
+                    Layout::of(&self.lattice)
+                } else {
+                    Layout::around(&[[0.0, 1.5 * aspect], [1.0, 0.5 * aspect]])
+                }?;
+                let drawn = swing::Drawn { leg: along, base, far: base == Base::Turn, taken };
+                Arc::faithful(layout, &drawn, swing::SPREAD)
             }
             Way::Flight(Flight { pole, odd, .. }) => {
                 let aspect = self.lattice.aspect;
@@ -85,7 +105,7 @@ impl Elliptic {
                 } else {
                     Layout::around(&zeros)
                 }?;
-                Arc::faithful(layout, &flight::Drawn { way: along, odd, pole })
+                Arc::faithful(layout, &flight::Drawn { way: along, odd, pole }, flight::SPREAD)
             }
         }
     }

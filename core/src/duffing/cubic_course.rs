@@ -237,6 +237,7 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
     };
     let (phase, time) = phase(signed_rate, from);
     let scales = Scales { u: u_scale, velocity: velocity_scale, time };
+    let drawing = drawing(shape, &lattice, phase, from_pole, scales);
     set_up.course = Course::Elliptic(Box::new(Elliptic {
         shape,
         lattice,
@@ -247,7 +248,7 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
         other: other.map(Wide::to_dd),
         slope,
         scales,
-        drawing: drawing(shape, phase, from_pole, scales),
+        drawing,
     }));
     set_up
 }

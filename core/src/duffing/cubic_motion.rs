@@ -12,6 +12,7 @@
 //! | A sc | t1/t2 | t3 t4/t2^2 | |
 //! | A sn dn/cn | t1 t3/(t2 t4) | (t3^4 + m k'^2 A^4 t1^4)/(t2 t4)^2 | |
 //!
+//! Where polynomials serve (cubic_arc.rs) these are their values at some points, and not taken for each sample.
 //! An escape counts its phase from the pole or from the middle, whichever is next to the start: beyond the poles NaN.
 //! Source: DLMF 20.2, 22.2, 22.13(i).
 

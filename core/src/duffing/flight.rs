@@ -23,6 +23,9 @@ pub(super) enum Pole {
     Root(Dd),
 }
 
+/// Most that polynomials of a flight may spread: an error of a unit of |u| or two.
+pub(super) const SPREAD: f64 = 4.0;
+
 /// How a flight goes with time, and what its polynomials lack of u and u'.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Flight {
@@ -34,7 +37,8 @@ pub(super) struct Flight {
     pub from_pole: bool,
     /// Power of two that times take.
     pub time: f64,
-    /// Factors of u and u', powers of two with signs: on the leg after the middle, or of the start where that is the pole's.
+    /// Factors of u and u', powers of two with signs: on the leg after the middle, or of the start where that is the
+    /// pole's.
     pub u: f64,
     pub velocity: f64,
 }
@@ -82,7 +86,7 @@ pub(super) struct Flying<'a, const FIRST: bool> {
 
 /// 1/y, for y not below 1e-300.
 #[inline(always)]
-fn inverse<L: Lane>(y: Loose<L>) -> Loose<L> {
+pub(super) fn inverse<L: Lane>(y: Loose<L>) -> Loose<L> {
     let inverse = L::splat(1.0) / y.hi;
     let (back, error) = inverse.two_product(y.hi);
     // What the inverse lacks of itself.

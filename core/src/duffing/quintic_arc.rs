@@ -1,8 +1,8 @@
 //! The polynomials of the cubic-quintic oscillator's elliptic motions: where their singularities are, and their values.
 //!
-//! u has a branch point wherever v = 1/u^2 = 0, at f = +-z + n + k tau half periods: tau = i K'/K, or (1 + i K'/K)/2 with a
-//! complex pair. For an escape z is real. Else z lies above a base, or above the side of the period's rectangle on
-//! which v goes on from there, at an integral of the first kind:
+//! u has a branch point wherever v = 1/u^2 = 0, at f = +-z + n + k tau half periods: tau = i K'/K, or (1 + i K'/K)/2
+//! with a complex pair. For an escape z is real. Else z lies above a base, or above the side of the period's rectangle
+//! on which v goes on from there, at an integral of the first kind:
 //!
 //! | form | case | z from the far turning point, in units of the argument |
 //! |---|---|---|
@@ -20,10 +20,11 @@ use super::drawing::Way;
 use super::flight::{self, Flight, Outwards, Pole};
 use super::quintic_marks::Form;
 use super::quintic_theta::{Factors, Theta, pick_double, within};
-use super::swing::{self, Base, Leg, Swing};
+use super::swing::{self, Base, Leg, Swing, Taken};
 use crate::elliptic::arc::{Arc, Layout};
 use crate::elliptic::carlson_rf;
 use crate::elliptic::phase::Phase;
+use crate::elliptic::theta::Lattice;
 use crate::float::Dd;
 use crate::float::loose::Loose;
 use crate::float::scaling::ldexp;
@@ -93,8 +94,20 @@ impl Singular {
         }
     }
 
+    /// What is best taken out of a motion without poles.
+    fn taken(self, half: f64, aspect: f64) -> Taken {
+        let quarter = 0.5 * half;
+        let [re, im] = self.argument([quarter, aspect * quarter]).map(|z| z / half);
+        if re > 0.0 || im > NEAR {
+            return Taken::Nothing;
+        }
+        // A sum of the periods is i K'/K for a pair too.
+        let other = aspect - im;
+        Taken::Roots([im * im, other * other])
+    }
+
     /// How the polynomials are laid out on a lattice of that 2K and K'/K.
-    fn layout(self, half: f64, aspect: f64) -> Option<Layout> {
+    fn layout(self, half: f64, aspect: f64, taken: Taken) -> Option<Layout> {
         let [across, up] = if self.pair() { [0.5, 0.5 * aspect] } else { [0.0, aspect] };
         if self.pole > 0.0 {
             // In flights: the poles 1/2 and (1 - z)/2z are taken out.
@@ -110,19 +123,32 @@ impl Singular {
         let quarter = 0.5 * half;
         let [re, im] = self.argument([quarter, aspect * quarter]).map(|z| z / half);
         let beside = [across - re, up - im];
-        Layout::around(&[[re, im], [1.0 - re, im], beside, [1.0 - beside[0].abs(), beside[1]]])
+        if taken == Taken::Nothing {
+            return Layout::around(&[[re, im], [1.0 - re, im], beside, [1.0 - beside[0].abs(), beside[1]]]);
+        }
+        // Those at +-i im and +-i (K'/K - im) are taken out.
+        let above = [across, up + im];
+        if self.pair() {
+            Layout::around(&[beside, above, [1.0, im], [0.0, aspect + im]])
+        } else {
+            Layout::around(&[above, [1.0, im], [1.0, up - im], [0.0, 2.0 * aspect - im]])
+        }
     }
 }
 
-/// How a motion without poles is drawn, but for the factors of u and u'.
-pub(super) fn swing(place: Singular, phase: Phase, time: f64) -> Way {
+/// Singularities are taken out where they are nearer than this, in half periods.
+const NEAR: f64 = 0.4;
+
+/// How a motion without poles is drawn on a lattice, but for the factors of u and u'.
+pub(super) fn swing(place: Singular, lattice: &Lattice, phase: Phase, time: f64) -> Way {
     let (base, far) = place.base();
-    let near = Swing { base, phase, time, u: 1.0, velocity: 1.0 };
-    Way::Swing(if far { near.from_far_end(base) } else { near })
+    let taken = place.taken(2.0 * lattice.quarter.hi, lattice.aspect);
+    let near = Swing { base, taken, phase, time, u: 1.0, velocity: 1.0 };
+    Way::Swing(if far { near.counted_from_far_end(base) } else { near })
 }
 
-/// How an escape is drawn, likewise: from the argument per time, and those of the start from the middle, to the pole, and
-/// of the pole from the middle.
+/// How an escape is drawn, likewise: from the argument per time, and those of the start from the middle, to the pole,
+/// and of the pole from the middle.
 pub(super) fn flight(form: Form, half: Wide, omega: Wide, [base, rest, pole]: [Wide; 3], turn: f64) -> Way {
     let whole = pole.shift(1);
     let rate = omega / whole;
@@ -195,15 +221,17 @@ impl Theta {
         if steps.iter().any(|step| !(1.0 / STEPS..STEPS).contains(step)) {
             return None;
         }
-        let layout = self.place.layout(2.0 * self.lattice.quarter.hi, self.lattice.aspect)?;
         let along = Along::<HYPERBOLIC>(self, steps.map(|step| [1.0, step]));
+        let layout = |taken| self.place.layout(2.0 * self.lattice.quarter.hi, self.lattice.aspect, taken);
         match self.drawing.way {
-            Way::Swing(Swing { base, .. }) => {
+            Way::Swing(Swing { base, taken, .. }) => {
                 let far = base != Base::Zero;
-                Arc::faithful(layout, &swing::Drawn { leg: along, base, far })
+                let drawn = swing::Drawn { leg: along, base, far, taken };
+                Arc::faithful(layout(taken)?, &drawn, swing::SPREAD)
             }
             Way::Flight(Flight { pole, odd, .. }) => {
-                Arc::faithful(layout, &flight::Drawn { way: along, odd, pole })
+                let drawn = flight::Drawn { way: along, odd, pole };
+                Arc::faithful(layout(Taken::Nothing)?, &drawn, flight::SPREAD)
             }
         }
     }

@@ -153,7 +153,7 @@ impl Theta {
         let place = Singular::new(factors, half);
         let drawn = match pole {
             Some(pole) => flight(form, half, omega, [start.base, start.pole, pole], way.turn),
-            None => swing(place, phase, ldexp(1.0, time)),
+            None => swing(place, &lattice, phase, ldexp(1.0, time)),
         };
         let poles = pole.map(|pole| Poles {
             rest: Phase { rate: -rate, start: (start.pole / half).to_dd() },
@@ -284,8 +284,8 @@ impl Theta {
         ]
     }
 
-    /// u and u' at half periods f in [0, 1/2] from the base, and to the poles ahead and behind, if there are; and whether
-    /// they are counted from K, but for the powers of two and signs that belong to that.
+    /// u and u' at half periods f in [0, 1/2] from the base, and to the poles ahead and behind, if there are; and
+    /// whether they are counted from K, but for the powers of two and signs that belong to that.
     #[inline(always)]
     pub fn quotients<const HYPERBOLIC: bool, L: Lane>(
         &self,

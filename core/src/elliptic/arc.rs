@@ -1,10 +1,11 @@
 //! Half a period of a motion as polynomials: no sine, no theta function, no arctangent per sample.
 //!
-//! With f in [-1/2, 1/2] half periods from the base of the motion and x = f^2, a function that is even about the base is a
-//! polynomial in t = (w + b)/(1 + b w), w = 8 x - 1; an odd one takes a factor f, one that vanishes at the ends 1/4 - x.
-//! As functions of w they are analytic up to the nearest singularities, and the map with the best b sends these as far
-//! out as they will go: a third to a half of the terms are saved. The leading coefficient stands for most of the sum and is
-//! carried as hi + lo. Coefficients by interpolation, when the first sample is asked for: docs/decisions/0011.
+//! With f in [-1/2, 1/2] half periods from the base of the motion and x = f^2, a function that is even about the base
+//! is a polynomial in t = (w + b)/(1 + b w), w = 8 x - 1; an odd one takes a factor f, one that vanishes at the ends
+//! 1/4 - x. As functions of w they are analytic up to the nearest singularities, and the map with the best b sends
+//! these as far out as they will go: a third to a half of the terms are saved. The leading coefficient stands for most
+//! of the sum and is carried as hi + lo. Coefficients by interpolation, when the first sample is asked for:
+//! docs/decisions/0011.
 
 use super::theta::Lattice;
 use crate::float::Dd;
@@ -38,9 +39,6 @@ pub(crate) struct Layout {
     /// b of the map, a multiple of 2^-20, so that 1 - b is exact.
     bend: f64,
 }
-
-/// Largest spread that is faithful: the sum of some such terms is off by a unit of the least value or two.
-const MOST_SPREAD: f64 = 4.0;
 
 /// Where an arc is interpolated.
 #[derive(Clone, Copy)]
@@ -77,22 +75,20 @@ impl Layout {
     }
 
     /// For singularities at these complex f, with their negatives and conjugates.
-    pub fn around(singularities: &[[f64; 2]]) -> Option<Layout> {
-        // A term for each: its w, and its distances to -1 and 1.
+    pub fn around<const N: usize>(singularities: &[[f64; 2]; N]) -> Option<Layout> {
+        // Of each its w, and its distances to -1 and 1.
         let size = |re: f64, im: f64| (re * re + im * im).sqrt();
-        let terms = |[re, im]: [f64; 2]| {
+        let places = singularities.map(|[re, im]| {
             let (w, v) = (8.0 * (re * re - im * im) - 1.0, 16.0 * re * im);
             [w, v, size(w + 1.0, v), size(w - 1.0, v)]
-        };
+        });
         // Semi-major axis of the ellipse through the image of the nearest one, and of infinity, which is 1/b.
         let reach = |bend: f64| {
-            let far = |reach: f64, f: &[f64; 2]| {
-                let [w, v, left, right] = terms(*f);
-                let axis =
-                    0.5 * ((1.0 - bend) * right + (1.0 + bend) * left) / size(1.0 + bend * w, bend * v);
-                reach.min(axis)
+            let far = |reach: f64, [w, v, left, right]: &[f64; 4]| {
+                let axis = 0.5 * ((1.0 - bend) * right + (1.0 + bend) * left);
+                reach.min(axis / size(1.0 + bend * w, bend * v))
             };
-            singularities.iter().fold(1.0 / bend.abs(), far)
+            places.iter().fold(1.0 / bend.abs(), far)
         };
         // Each of these exceeds a bound where a linear function of b exceeds a convex one: on an interval. So does the
         // least of them, and the search that halves by thirds finds the best.
@@ -102,7 +98,10 @@ impl Layout {
             if reach(low + third) < reach(high - third) { low += third } else { high -= third }
         }
         let bend = rounded(0.5 * (low + high));
-        Layout::with(reach(bend), bend)
+        let best = Layout::with(reach(bend), bend)?;
+        // As many terms without a map are fewer operations.
+        let straight = Layout::with(reach(0.0), 0.0);
+        Some(straight.filter(|straight| straight.count <= best.count).unwrap_or(best))
     }
 
     fn with(foot: f64, bend: f64) -> Option<Layout> {
@@ -123,8 +122,8 @@ impl Powers {
         Powers { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
     }
 
-    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of the
-    /// last place the sum may lose.
+    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of
+    /// the last place the sum may lose.
     fn spread(&self, values: &[f64]) -> f64 {
         let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
         self.pairs.as_flattened().iter().fold(0.0, |sum, term| sum + term.abs()) / least
@@ -151,11 +150,12 @@ impl Arc {
         Arc::through(layout, curve).0
     }
 
-    /// Through a curve, if both functions keep some three bits less than a double has wherever they are.
-    pub fn faithful(layout: Layout, curve: &impl Curve) -> Option<Arc> {
+    /// Through a curve, if the terms after the leading one add up to at most that many times the least of the values:
+    /// a unit of the last place of it each is what the sum may lose.
+    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64) -> Option<Arc> {
         let (arc, spread) = Arc::through(layout, curve);
         // False for NaN as well.
-        (spread <= MOST_SPREAD).then_some(arc)
+        (spread <= most).then_some(arc)
     }
 
     /// Through a curve, and the larger spread of both functions.
@@ -185,6 +185,9 @@ impl Arc {
     fn mapped<L: Lane>(&self, f: Dd<L>) -> L {
         let x = f.hi * f.hi;
         let flat = L::splat(1.0 - self.layout.bend);
+        if self.layout.bend == 0.0 {
+            return L::splat(8.0).mul_add(x, -flat);
+        }
         L::splat(8.0).mul_add(x, -flat) / L::splat(8.0 * self.layout.bend).mul_add(x, flat)
     }
 
