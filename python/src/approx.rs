@@ -17,6 +17,22 @@ pub(crate) fn facts(entry: &'static Entry) -> Facts {
     (entry.pattern(), entry.formula, entry.source, entry.stated, range, entry.undefined)
 }
 
+/// One answer for each argument.
+pub(crate) fn each<'py>(
+    py: Python<'py>,
+    arguments: &PyReadonlyArray1<'py, f64>,
+    answer: impl Fn(f64) -> f64 + Send + Sync,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let arguments = arguments.as_slice()?;
+    let answers: Vec<f64> = py.detach(|| arguments.iter().map(|argument| answer(*argument)).collect());
+    Ok(answers.into_pyarray(py))
+}
+
+/// Pairs as Python's tuples.
+pub(crate) fn pairs(ranges: Vec<[f64; 2]>) -> Vec<(f64, f64)> {
+    ranges.into_iter().map(|[low, high]| (low, high)).collect()
+}
+
 /// A formula for the angle over time: what `libration.approx.AngleFormula` stands on.
 #[pyclass(frozen, module = "libration._core")]
 pub struct AngleFormula {
@@ -55,8 +71,7 @@ impl AngleFormula {
 
     /// Turning angles for which the error stays within a share of them.
     fn ranges(&self, py: Python<'_>, bound: f64, periods: f64) -> PyResult<Vec<(f64, f64)>> {
-        let found = py.detach(|| self.formula.ranges(bound, periods)).map_err(refused)?;
-        Ok(found.into_iter().map(|[low, high]| (low, high)).collect())
+        Ok(pairs(py.detach(|| self.formula.ranges(bound, periods)).map_err(refused)?))
     }
 }
 
@@ -74,10 +89,7 @@ impl AngleApproximation {
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let t = t.as_slice()?;
-        let mut theta = vec![f64::NAN; t.len()];
-        py.detach(|| self.approximation.theta_into(t, &mut theta));
-        Ok(theta.into_pyarray(py))
+        each(py, &t, |t| self.approximation.theta(t))
     }
 
     /// The approximate minus the exact angle at the times `t`.
@@ -86,10 +98,7 @@ impl AngleApproximation {
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let t = t.as_slice()?;
-        let mut difference = vec![f64::NAN; t.len()];
-        py.detach(|| self.approximation.difference_into(t, &mut difference));
-        Ok(difference.into_pyarray(py))
+        each(py, &t, |t| self.approximation.difference(t))
     }
 
     /// Period of the approximation.

@@ -4,24 +4,8 @@ use libration::approx::{Entry, PERIODS, PeriodFormula as Period, SINES, SineErro
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::approx::{Facts, facts};
+use crate::approx::{Facts, each, facts, pairs};
 use crate::orbit::{Orbit, refused};
-
-/// One answer for each argument.
-fn each<'py>(
-    py: Python<'py>,
-    arguments: &PyReadonlyArray1<'py, f64>,
-    answer: impl Fn(f64) -> f64 + Send + Sync,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let arguments = arguments.as_slice()?;
-    let answers: Vec<f64> = py.detach(|| arguments.iter().map(|argument| answer(*argument)).collect());
-    Ok(answers.into_pyarray(py))
-}
-
-/// Pairs as Python's tuples.
-fn pairs(ranges: Vec<[f64; 2]>) -> Vec<(f64, f64)> {
-    ranges.into_iter().map(|[low, high]| (low, high)).collect()
-}
 
 /// A formula of the period: what `libration.approx.PeriodFormula` stands on.
 #[pyclass(frozen, module = "libration._core")]
