@@ -14,7 +14,7 @@ export MPLBACKEND := Agg
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 unexport PYTHONPATH CONDA_PREFIX
 
-.PHONY: help run test bench bench-full bench-elliptic accuracy docs wheel format lint clean setup
+.PHONY: help run papers test bench bench-full bench-elliptic accuracy docs wheel format lint clean setup
 .NOTPARALLEL:
 
 help: ## this list
@@ -55,6 +55,9 @@ HORSLEY := --theta0 3 --length 1m --gravity 9.8 --until 10s --samples 500
 run: $(VENV)/.built ## solve Horsley's pendulum: out/motion.csv, out/motion.png
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot out/motion.png
+
+papers: $(VENV)/.built ## draw the figures of the three papers and measure their claims: out/
+	@libration papers
 
 accuracy: $(VENV)/.built ## errors of libration and of the SciPy recipe on every row of the truth
 	@$(PY) bench/accuracy.py

@@ -46,7 +46,8 @@ def root(tmp_path):
     }.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
-    shutil.copy(HERE.parent / "docs/generate.py", tmp_path / "docs/generate.py")
+    for script in ("generate.py", "approximations.py"):
+        shutil.copy(HERE.parent / "docs" / script, tmp_path / "docs" / script)
     for block, text in pages.runpy.run_path(str(tmp_path / "docs/generate.py"))["blocks"](tmp_path).items():
         if block != "accuracy":
             page = f"<!-- generated: {block} -->\n{text}<!-- end generated -->\n"

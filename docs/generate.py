@@ -1,15 +1,20 @@
 """Writes the generated blocks of the pages: nothing between two markers is typed by hand.
 
 A block stands between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from
-functions.toml, from docs/corners.toml or from a page that a run has written.
+functions.toml, from docs/corners.toml, from a page that a run has written, or from a run of libration now.
 """
 
+import math
 import re
+import runpy
 import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = ["README.md", "docs/functions.md", "docs/corners.md", "docs/duffing.md"]
+PAGES = [
+    "README.md",
+    *(f"docs/{name}.md" for name in ("functions", "corners", "duffing", "approximations", "errata")),
+]
 
 
 def functions(root: Path) -> str:
@@ -65,13 +70,52 @@ def forms(root: Path) -> str:
     return "\n" + "\n".join(lines) + "\n\n"
 
 
+def errata(root: Path) -> str:
+    """The errata of the papers, one table a paper, each row with the residual of both forms as measured now."""
+    from libration.papers import errata
+
+    lines = []
+    for work in dict.fromkeys(row.work for row in errata()):
+        lines += [f"## {work}", "", "| place | printed | corrected | why | kind | measured | printed | corrected |"]
+        lines.append("|---|---|---|---|---|---|---:|---:|")
+        for row in [row for row in errata() if row.work == work]:
+            corrected = row.corrected_residual
+            small = 0 < corrected <= row.tolerance < 1e-6
+            measured = f"below {row.tolerance:.0e}" if small else f"{corrected:.3g}"
+            failed = "no value" if math.isnan(row.printed_residual) else f"{row.printed_residual:.3g}"
+            told = [row.place, row.printed, row.corrected, row.why, row.kind, row.measure, failed, measured]
+            lines.append(f"| {' | '.join(each.replace('|', chr(92) + '|') for each in told)} |")
+        lines.append("")
+    return "\n" + "\n".join(lines) + "\n"
+
+
+def limits(root: Path) -> str:
+    """Where the exact forms of the papers fail, with what they give and the truth."""
+    from libration.papers import limits
+
+    lines = ["| form | θ₀ | θ̇₀ | t | gives | truth | modulo 2π | why |", "|---|---:|---:|---:|---:|---:|---|---|"]
+    for limit in limits():
+        state = f"{limit.theta0:.10g} | {limit.velocity0:g} | {limit.t:g}"
+        given = "no value" if math.isnan(limit.given) else f"{limit.given:.9f}"
+        right = "right" if limit.modulo else ("" if math.isnan(limit.given) else "wrong")
+        lines.append(f"| {limit.name} | {state} | {given} | {limit.truth:.9f} | {right} | {limit.why} |")
+    return "\n" + "\n".join(lines) + "\n\n"
+
+
 def blocks(root: Path) -> dict[str, str]:
     """Every block by its name."""
+    measured = runpy.run_path(str(root / "docs/approximations.py"))
     return {
+        "angle-sources": measured["sources"](),
+        "angle-errors": measured["angles"](),
+        "period-errors": measured["periods"](),
+        "sine-errors": measured["sines"](),
         "functions": functions(root),
         "accuracy": accuracy(root),
         "corners": corners(root),
         "forms": forms(root),
+        "errata": errata(root),
+        "limits": limits(root),
     }
 
 

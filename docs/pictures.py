@@ -1,4 +1,7 @@
-"""Draws docs/duffing.png: the phase portraits of the springs, with orbits of every regime. Run: python docs/pictures.py"""
+"""Draws docs/duffing.png, the phase portraits of the springs with orbits of every regime, and docs/periods.png.
+
+Run: python docs/pictures.py
+"""
 
 from pathlib import Path
 
@@ -6,8 +9,9 @@ import matplotlib
 import numpy as np
 
 from libration import Duffing
+from libration.approx.chart import plot_periods
 from libration.plot import EXACT, FAINT, SEPARATRIX, quiet
-from libration.portrait import along, barriers, equilibria, potential
+from libration.portrait import along, barriers, equilibria, polynomial, potential
 
 matplotlib.use("Agg")
 from matplotlib import pyplot
@@ -55,12 +59,11 @@ def draw(axes, title, p, q, width, height, orbits):
     grid, speed = np.linspace(-width, width, 601), np.linspace(-height, height, 601)
     springs = [(label, Duffing(u0, velocity0, p=p, q=q)) for label, u0, velocity0 in orbits]
     spring = springs[0][1]
-    energy = potential(spring, grid)[None, :] + speed[:, None] ** 2 / 2
+    stiffness, resting = polynomial(spring), [0.0, *equilibria(spring)]
+    energy = potential(stiffness, grid)[None, :] + speed[:, None] ** 2 / 2
     axes.contour(grid, speed, energy, levels=10, colors=FAINT, linewidths=0.8, linestyles="solid")
-    if barriers(spring):
-        axes.contour(
-            grid, speed, energy, levels=barriers(spring), colors=SEPARATRIX, linewidths=1.0, linestyles="dashed"
-        )
+    if tops := barriers(stiffness, resting):
+        axes.contour(grid, speed, energy, levels=tops, colors=SEPARATRIX, linewidths=1.0, linestyles="dashed")
     named = set()
     for label, each in springs:
         assert not label or each.regime == label, (title, label, each.regime)
@@ -79,18 +82,19 @@ def draw(axes, title, p, q, width, height, orbits):
                 fontsize=9,
                 color=EXACT,
             )
-    axes.plot([0.0, *equilibria(spring)], [0.0] * (1 + len(equilibria(spring))), "o", ms=4, color=SEPARATRIX)
+    axes.plot(resting, [0.0] * len(resting), "o", ms=4, color=SEPARATRIX)
     axes.set(xlim=(-width, width), ylim=(-height, height), xlabel="u", ylabel=r"$\dot u$")
     axes.set_title(title, fontsize=11, loc="left")
     quiet(axes)
 
 
 def main():
-    """Write the picture beside this file."""
+    """Write the pictures beside this file."""
     figure, panels = pyplot.subplots(2, 3, figsize=(12, 7), dpi=100, layout="constrained")
     for axes, panel in zip(panels.flat, PANELS, strict=True):
         draw(axes, *panel)
     figure.savefig(Path(__file__).with_name("duffing.png"))
+    plot_periods(Path(__file__).with_name("periods.png"))
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from collections import Counter
 import action
 import approx_angle
 import approx_angle_route
+import approx_check
 import balls
 import corners
 import elliptic
@@ -156,6 +157,7 @@ def main():
     import oscillator_check  # which imports this file
 
     oscillator_check.main(chosen.all, chosen.seed)
+    approx_check.main(chosen.all, chosen.seed)
 
 
 def is_exact(name, row):

@@ -2,7 +2,7 @@
 
 ``Pendulum`` is one orbit and answers at any time; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
-``libration.elliptic``. Angles are in radians, everything else in SI units.
+``libration.elliptic``; ``approx`` holds the approximations by name. Angles are in radians, everything else in SI units.
 
 Examples
 --------
@@ -11,6 +11,7 @@ Examples
 '2.922419'
 """
 
+from . import approx as approx
 from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity

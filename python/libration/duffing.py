@@ -75,7 +75,7 @@ class Duffing(Oscillator):
         Raises
         ------
         ValueError
-            If velocity0/(2 cos(theta0/2)**2) is beyond the doubles.
+            If p or q is beyond the doubles.
 
         Notes
         -----

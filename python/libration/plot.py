@@ -97,20 +97,44 @@ def finite(t: Any) -> np.ndarray:
 
 def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None:
     """Draw a panel over time beside a phase portrait, under one line, and save the picture."""
+
+    def draw(figure):
+        panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
+        left(panels[0])
+        right(panels[1])
+        head(figure, title())
+
+    save_figure({form: path}, (12, 5), draw)
+
+
+def head(figure, title):
+    """The line above a picture."""
+    figure.suptitle(title, x=0.012, ha="left", fontsize=13)
+
+
+def save_figure(
+    files: dict[Any, Any], size: tuple[float, float], draw: Any, *, dpi: int = 100, told: dict[str, str] | None = None
+) -> None:
+    """Draw a figure of a size in inches once, in the settings of the house, and save it in every form.
+
+    `files` are paths or binary files by form; without one (None) the ending of the path says it. `told` is what a file
+    says of itself.
+    """
     from matplotlib import rc_context, rcParamsDefault
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    # The settings of the house, not of a matplotlibrc that may ask for LaTeX or hide a line.
-    with rc_context({name: value for name, value in rcParamsDefault.items() if name != "backend"}):
-        figure = Figure(figsize=(12, 5), dpi=100, layout="constrained")
+    # Not those of a matplotlibrc, which may ask for LaTeX or hide a line; the salt makes the same file of the same picture.
+    settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
+    with rc_context(settings | {"svg.hashsalt": "libration"}):
+        figure = Figure(figsize=size, dpi=dpi, layout="constrained")
         FigureCanvasAgg(figure)
-        panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-            left(panels[0])
-            right(panels[1])
-            figure.suptitle(title(), x=0.012, ha="left", fontsize=13)
-            figure.savefig(path, format=form, metadata={"Date": None} if is_svg(path, form) else None)
+            draw(figure)
+            for form, file in files.items():
+                # A date would make another file of the same picture.
+                stamp = {"Date": None} if is_svg(file, form) else {"Software": "libration"}
+                figure.savefig(file, format=form, metadata=(told or {}) | stamp)
 
 
 EXACT = "#1f5fa8"
@@ -159,12 +183,10 @@ def draw_angle(axes, pendulum, t):
     if first == last:
         first, last = sorted((0.0, first))
     scale = time_scale(pendulum)
-    unit = "t [s]"
-    if last - first > MANY * scale:
-        # More swings than the picture has room for would be a solid band.
-        unit = f"t [s], the first {SHOWN * scale:.3g} of {last - first:.6g} s"
-        last = first + SHOWN * scale
-        t = t[t <= last]
+    end = last
+    last = first_swings(first, end, scale)
+    t = t[t <= last]
+    unit = part_of("t [s]", first, last, first, end)
     fine = np.linspace(first, last, int(np.clip(200 * (last - first) / scale, 600, 20_000)))
     theta = pendulum.theta(fine)
     if last > first:
@@ -180,6 +202,19 @@ def draw_angle(axes, pendulum, t):
     quiet(axes)
     angle_ticks(axes.yaxis, *axes.get_ylim())
     legend(axes)
+
+
+def first_swings(first, last, scale):
+    """Where the picture ends: more swings than it has room for would be a solid band."""
+    return first + SHOWN * scale if last - first > MANY * scale else last
+
+
+def part_of(unit, first, last, start, stop):
+    """What an axis from `first` to `last` shows of the instants asked for, `start` to `stop`."""
+    if last - first == stop - start:
+        return unit
+    which = "the first " if first == start else ""
+    return f"{unit}, {which}{last - first:.3g} of {stop - start:.6g} s"
 
 
 def time_scale(pendulum):

@@ -3,8 +3,10 @@
 //! No formula and no arithmetic on doubles: everything is handed to the core.
 
 mod approx;
+mod approx_period;
 mod elliptic;
 mod kernels;
+mod numerical;
 mod orbit;
 mod oscillator;
 mod pool;
@@ -20,6 +22,8 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", libration::VERSION)?;
     module.add_class::<orbit::Orbit>()?;
     approx::add_all(module)?;
+    approx_period::add_all(module)?;
     oscillator::add_all(module)?;
+    numerical::add_all(module)?;
     kernels::add_all(module)
 }

@@ -231,3 +231,12 @@ def test_periods():
             made = formula.of(pendulum)
             assert np.allclose(made.theta(t), made.theta(t + period), rtol=1e-12)
     assert math.isnan(approx.angle("cubic").of(Pendulum(2.6)).period)
+
+
+def test_errors_against_the_turning_angle():
+    angles = np.radians([[60.0, 90.0], [170.0, 0.0], [180.1, math.nan]])
+    found = approx.angle("fourier:2").error(angles)
+    assert found.shape == (3, 2)
+    assert found[0, 1] == error("fourier:2", Pendulum(angles[0, 1])).relative
+    assert np.isfinite(found).tolist() == [[True, True], [False, False], [False, False]]
+    assert isinstance(approx.angle("harmonic").error(1.0, periods=3), np.float64)

@@ -143,11 +143,11 @@ def test_every_example_of_the_help_runs(capsys, tmp_path, monkeypatch, columns):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "instants.csv").write_text("t [s]\n0\n1\n2\n")
     examples = []
-    for words in (["--help"], ["solve", "--help"], ["period", "--help"]):
+    for words in (["--help"], ["solve", "--help"], ["period", "--help"], ["compare", "--help"]):
         main(words)
         text = capsys.readouterr().out.partition("examples:\n")[2].replace("\\\n", "")
         examples += [line.split()[1:] for line in text.splitlines() if line.startswith("  libration ")]
-    assert len(examples) == 8
+    assert len(examples) == 12
     for words in examples:
         assert main(words) == 0, words
 
@@ -165,7 +165,7 @@ def test_help_is_quick_and_loads_no_matplotlib():
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 
-    for words in (["--help"], ["solve", "--help"], ["period", "--help"]):
+    for words in (["--help"], ["solve", "--help"], ["period", "--help"], ["compare", "--help"]):
         assert min(seconds(words) for _ in range(3)) <= 0.3
     code = (
         "import sys; from libration.cli import main; main(['solve', '--help']); sys.exit('matplotlib' in sys.modules)"

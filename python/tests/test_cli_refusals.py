@@ -40,9 +40,15 @@ def said(capsys, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        ([], "libration: missing command: one of solve, period, duffing; see libration --help"),
-        (["solv"], "libration: unknown command 'solv': commands are solve, period, duffing; did you mean solve?"),
-        ([""], "libration: unknown command '': commands are solve, period, duffing; see libration --help"),
+        ([], "libration: missing command: one of solve, period, compare, duffing, papers; see libration --help"),
+        (
+            ["solv"],
+            "libration: unknown command 'solv': commands are solve, period, compare, duffing, papers; did you mean solve?",
+        ),
+        (
+            [""],
+            "libration: unknown command '': commands are solve, period, compare, duffing, papers; see libration --help",
+        ),
         ([*SOLVE, " "], "libration solve: unknown word ' '; see libration solve --help"),
         (["--theta0", "3"], "libration: unknown option '--theta0'; see libration --help"),
         (["--versio"], "libration: unknown option '--versio'; did you mean --version?"),

@@ -10,10 +10,12 @@ import dask.array
 import numpy as np
 import pytest
 from bits import same
+from matplotlib.figure import Figure
 
 import libration
 from libration import Duffing, DuffingForm, Pendulum
 from libration.cli import main
+from libration.portrait import draw_displacement, draw_portrait
 
 ROOT = Path(__file__).resolve().parents[2]
 with (ROOT / "reference/vectors/duffing.csv").open(newline="") as file:
@@ -165,3 +167,50 @@ def test_command(capsys, tmp_path):
     ]:
         assert main(bad.split()) == 2
         assert capsys.readouterr().err == message
+
+
+def test_samples_that_are_too_far_are_counted(capsys):
+    far = "--until 1e20s --samples 5".split()
+    for words in (["duffing", *"--p 1 --q 1 --u0 1".split()], ["solve", *"--theta0 1 --omega0 1".split()]):
+        assert main([*words, *far]) == 0
+        assert "of them too far to be known" in (said := capsys.readouterr().out)
+        assert "4, more than 2^53 half periods away: nan in a table" in said
+        assert main([*words, *far, "--json"]) == 0
+        assert json.loads(capsys.readouterr().out)["samples_nan"] == 4
+        assert main(words) == 0
+        assert "too far" not in capsys.readouterr().out
+
+
+def test_an_energy_beyond_the_doubles_is_said_in_words(capsys):
+    assert main("duffing --p 1 --q 1 --u0 1e200".split()) == 0
+    assert "beyond the largest double, 1.8e308, per unit mass" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("spring", "t", "label"),
+    [
+        (Duffing(1.0, p=1.0, q=1.0), (0.0, 1e6), "t [s], the first 95.4 of 1e+06 s"),
+        (Duffing(1.0, p=-1.0, q=0.0), (0.0, 1000.0), "t [s], the first 3 of 1000 s"),
+        (Duffing(1.1, p=1.0, q=-1.0), (-1000.0, 1000.0), "t [s], 8.5 of 2000 s"),
+        (Duffing(1e-200, p=1.0, q=1.0), (0.0, 10.0), "t [s]"),
+        (Duffing(1e100, p=1.0, q=1.0), (0.0, 1e-99), "t [s]"),
+    ],
+)
+def test_pictures_show_the_motion_however_long_or_small(spring, t, label):
+    figure = Figure()
+    over_time, phases = figure.subplots(1, 2)
+    draw_displacement(over_time, spring, np.array(t))
+    draw_portrait(phases, spring)
+    assert over_time.get_xlabel() == label
+    for axes in (over_time, phases):
+        x, y = axes.lines[0].get_data()
+        seen = np.isfinite(y)
+        assert np.ptp(x[seen]) > 0.2 * np.ptp(axes.get_xlim())
+        assert np.ptp(y[seen]) > 0.2 * np.ptp(axes.get_ylim())
+
+
+@pytest.mark.parametrize("pendulum", [Pendulum(0.0, 1e200), Pendulum(math.pi, 1e300)])
+def test_pendulums_too_fast_for_a_spring(pendulum):
+    with pytest.raises(ValueError) as caught:
+        Duffing.of_pendulum(pendulum)
+    assert str(caught.value) == "omega0^2 (1 - 2 m) = -inf: must be finite"

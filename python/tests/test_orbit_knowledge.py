@@ -40,7 +40,7 @@ def test_turning_times():
     [
         (("x", 0.0, 1.0), "theta = 'x': must be one real number, a Python or NumPy scalar"),
         ((math.inf, 0.0, 1.0), "theta = inf: must be finite"),
-        ((0.5, 1.0, 0.0), "stop = 0.0: must be a number, and not before start"),
+        ((0.5, 1.0, 0.0), "stop = 0.0: must be not before start, 1.0"),
         ((0.5, math.nan, 0.0), "start = NaN: must be a number"),
         ((0.5, 0.0, 1e9), f"passages from start to stop = {2e9 / Pendulum(1.0).period:.0f}: must be at most 10000000"),
     ],

@@ -10,8 +10,18 @@ mod angle_small;
 mod angle_taylor;
 pub mod entry;
 pub mod measure;
+pub mod period;
+mod period_rules;
+mod remez;
+mod search;
+pub mod sine;
+pub mod steps;
+mod swing;
 
 pub use angle::{AngleApproximation, AngleFormula};
 pub use angle_entries::ANGLES;
 pub use entry::{Entry, Named};
 pub use measure::LargestError;
+pub use period::{PERIODS, PeriodFormula};
+pub use sine::{SINES, SineError, SineFormula};
+pub use steps::Scheme;

@@ -1,7 +1,10 @@
 //! Which formula an orbit follows, with its factors and the phase of its start.
 
 use super::cubic::{Constants, Place};
-use super::cubic_phase::{Canonical, artanh, escape_phase, half_periods, minus_ln, sign, signed};
+use super::cubic_arc::drawing;
+use super::cubic_limits::{separatrix, unbounded_linear};
+use super::cubic_phase::{Canonical, escape_phase, half_periods, minus_ln, sign, signed};
+use super::drawing::Drawing;
 use super::regime::Regime;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::Lattice;
@@ -69,6 +72,8 @@ pub(super) struct Elliptic {
     pub other: [Dd; 2],
     pub slope: Dd,
     pub scales: Scales,
+    /// The polynomials of the motion.
+    pub drawing: Drawing,
 }
 
 /// A motion by hyperbolic functions of y = start + rate t.
@@ -105,14 +110,14 @@ pub(super) const CARRIED: i32 = 300;
 const OUTSIDE: i32 = 1000;
 
 /// The parts that a factor of two values shares: the values over 2^power, and 2^power as far as a double holds it.
-fn factors<const N: usize>(values: [Wide; N]) -> ([Dd; N], f64) {
+pub(super) fn factors<const N: usize>(values: [Wide; N]) -> ([Dd; N], f64) {
     let power = values.iter().filter(|value| !value.is_zero()).map(|value| value.power()).max().unwrap_or(0);
     let outside = power.clamp(-OUTSIDE, OUTSIDE);
     (values.map(|value| value.shift(-outside).to_dd()), ldexp(1.0, outside))
 }
 
 /// Rate and start of a phase, and the power of two that times take.
-fn phase(rate: Wide, start: Wide) -> (Phase, f64) {
+pub(super) fn phase(rate: Wide, start: Wide) -> (Phase, f64) {
     let outside = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
     (Phase { rate: rate.shift(-outside).to_dd(), start: start.to_dd() }, ldexp(1.0, outside))
 }
@@ -161,7 +166,7 @@ fn reversed<T: Copy>([a, b]: [T; 2], yes: bool) -> [T; 2] {
 }
 
 /// Lowest and highest of two values, on the side of a sign.
-fn on_side(inner: Wide, outer: Wide, side: f64) -> [Wide; 2] {
+pub(super) fn on_side(inner: Wide, outer: Wide, side: f64) -> [Wide; 2] {
     if side < 0.0 { [-outer, -inner] } else { [inner, outer] }
 }
 
@@ -231,6 +236,8 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
         (velocity, Dd::ONE, scale)
     };
     let (phase, time) = phase(signed_rate, from);
+    let scales = Scales { u: u_scale, velocity: velocity_scale, time };
+    let drawing = drawing(shape, &lattice, phase, from_pole, scales);
     set_up.course = Course::Elliptic(Box::new(Elliptic {
         shape,
         lattice,
@@ -240,106 +247,9 @@ fn elliptic(c: &Constants, start: &Place, shape: Shape) -> SetUp {
         velocity,
         other: other.map(Wide::to_dd),
         slope,
-        scales: Scales { u: u_scale, velocity: velocity_scale, time },
+        scales,
+        drawing,
     }));
-    set_up
-}
-
-/// A motion by hyperbolic functions: amplitude with its sign, rate with its sign, phase of the start.
-fn simple(plain: Plain, amplitude: Wide, rate: Wide, from: Wide) -> Course {
-    let ([u], u_scale) = factors([amplitude]);
-    let ([velocity], velocity_scale) = factors([amplitude * rate]);
-    let (phase, time) = phase(rate, from);
-    Course::Simple(Simple {
-        plain,
-        phase,
-        u,
-        velocity,
-        scales: Scales { u: u_scale, velocity: velocity_scale, time },
-    })
-}
-
-fn separatrix(c: &Constants, start: &Place, regime: Regime) -> SetUp {
-    let infinite = Wide::from(f64::INFINITY);
-    let (u, velocity) = (start.u, start.velocity);
-    let mut set_up = SetUp {
-        course: Course::Still,
-        regime,
-        period: infinite,
-        range: [Wide::ZERO; 2],
-        escapes: [-infinite, infinite],
-    };
-    let side = sign(u);
-    let inwards = sign(u) != sign(velocity);
-    match regime {
-        Regime::Homoclinic => {
-            let rate = (-c.p).sqrt();
-            let a = (-c.p.shift(1) / c.q).sqrt();
-            let tanh = velocity.abs() / (rate * u.abs());
-            // Falling from the top before 0, after it.
-            let from = signed(artanh(tanh, u.abs() / a), if inwards { 1.0 } else { -1.0 });
-            set_up.course = simple(Plain::Sech, signed(a, side), rate, from);
-            set_up.range = on_side(Wide::ZERO, a, side);
-        }
-        Regime::Heteroclinic => {
-            let rate = c.p.shift(-1).sqrt();
-            let a = (c.p / c.q.abs()).sqrt();
-            let way = sign(velocity);
-            let from = signed(artanh(u.abs() / a, (start.stiffness / c.p).sqrt()), way * side);
-            set_up.course = simple(Plain::Tanh, signed(a, way), rate, from);
-            set_up.range = [-a, a];
-        }
-        _ => {
-            // The pole is the one that the motion comes from or goes to; it reaches the equilibrium on the other way.
-            let time = c.until_pole(start);
-            let (plain, rate, a) = if c.p.is_negative() {
-                let rate = (-c.p).sqrt();
-                (Plain::Csch, rate, (-c.p.shift(1) / c.q.abs()).sqrt())
-            } else if c.p.is_positive() {
-                (Plain::Coth, c.p.shift(-1).sqrt(), (c.p / c.q.abs()).sqrt())
-            } else {
-                (Plain::Inverse, Wide::ONE / time, (Wide::ONE.shift(1) / c.q.abs()).sqrt() / time)
-            };
-            let away = if inwards { 1.0 } else { -1.0 };
-            set_up.course = simple(plain, signed(a, side), signed(rate, away), rate * time);
-            set_up.escapes = if inwards { [-time, infinite] } else { [-infinite, time] };
-            let inner = if plain == Plain::Coth { a } else { Wide::ZERO };
-            set_up.range = on_side(inner, infinite, side);
-        }
-    }
-    set_up
-}
-
-/// q = 0 and p < 0, or no force at all.
-fn unbounded_linear(c: &Constants, start: &Place) -> SetUp {
-    let infinite = Wide::from(f64::INFINITY);
-    let (u, velocity) = (start.u, start.velocity);
-    let mut set_up = SetUp {
-        course: Course::Straight,
-        regime: Regime::Linear,
-        period: infinite,
-        range: [-infinite, infinite],
-        escapes: [-infinite, infinite],
-    };
-    if c.p.is_zero() {
-        return set_up;
-    }
-    let rate = (-c.p).sqrt();
-    let a = (c.energy.abs().shift(-1) / c.p.abs()).sqrt();
-    let along = sign(u) * sign(velocity);
-    let speed = velocity.abs() / rate;
-    if c.energy.is_zero() {
-        set_up.course = simple(Plain::Exp, u, signed(rate, along), Wide::ZERO);
-        set_up.range = on_side(Wide::ZERO, infinite, sign(u));
-    } else if c.energy.is_negative() {
-        // u = A cosh y: tanh y = u'/(w u), 1/cosh y = A/u.
-        let from = artanh(speed / u.abs(), a / u.abs());
-        set_up.course = simple(Plain::Cosh, signed(a, sign(u)), rate, signed(from, along));
-        set_up.range = on_side(a, infinite, sign(u));
-    } else {
-        let from = artanh(u.abs() / speed, a / speed);
-        set_up.course = simple(Plain::Sinh, signed(a, sign(velocity)), rate, signed(from, along));
-    }
     set_up
 }
 

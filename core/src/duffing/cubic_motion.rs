@@ -12,12 +12,16 @@
 //! | A sc | t1/t2 | t3 t4/t2^2 | |
 //! | A sn dn/cn | t1 t3/(t2 t4) | (t3^4 + m k'^2 A^4 t1^4)/(t2 t4)^2 | |
 //!
+//! Where polynomials serve (cubic_arc.rs) these are their values at some points, and not taken for each sample.
 //! An escape counts its phase from the pole or from the middle, whichever is next to the start: beyond the poles NaN.
 //! Source: DLMF 20.2, 22.2, 22.13(i).
 
 use super::cubic::Duffing;
 use super::cubic_course::{Course, Elliptic, Shape};
 use super::cubic_plain::{Plainly, Straight};
+use super::drawing::Way;
+use super::flight::Flying;
+use super::swing::{Swinging, begun};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
@@ -75,7 +79,7 @@ fn letters<L: Lane>(shape: Shape, [t1, t2, t3, t4]: [Dd<L>; 4]) -> [Dd<L>; 4] {
 
 /// Numerators and denominators of u and u', but for their signs.
 #[inline(always)]
-fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd<L>; 2]; 2] {
+pub(super) fn quotients<const HYPERBOLIC: bool, L: Lane>(e: &Elliptic, size: Dd<L>) -> [[Dd<L>; 2]; 2] {
     let (thetas, folded) = thetas::<HYPERBOLIC, L>(e, size);
     let (u_factor, factor) = (pick::<L>(folded, &e.u), pick::<L>(folded, &e.velocity));
     if e.shape == Shape::SdOverC {
@@ -122,10 +126,7 @@ struct Escape<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Duffing, &'a El
 /// The start as it was given, at t = 0; what is wanted first.
 #[inline(always)]
 pub(super) fn finished<const FIRST: bool, L: Lane>(orbit: &Duffing, t: L, u: L, velocity: L) -> [L; 2] {
-    let start = t.equal(L::splat(0.0));
-    let u = L::select(start, L::splat(orbit.u0), u);
-    let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
-    if FIRST { [u, velocity] } else { [velocity, u] }
+    begun::<FIRST, L>([orbit.u0, orbit.velocity0], t, [u, velocity])
 }
 
 impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Bounded<'_, HYPERBOLIC, FIRST> {
@@ -193,6 +194,17 @@ impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
         let (orbit, t, results) = (self.orbit, [self.t], &mut self.results);
         match &orbit.course {
             Course::Elliptic(e) => {
+                let start = [orbit.u0, orbit.velocity0];
+                if let Some(arc) = e.arc() {
+                    return match &e.drawing.way {
+                        Way::Swing(swing) => {
+                            sweep::<L, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
+                        }
+                        Way::Flight(flight) => {
+                            sweep::<L, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
+                        }
+                    };
+                }
                 let bounded = matches!(e.shape, Shape::Cn | Shape::Sn | Shape::Dn);
                 match (bounded, e.lattice.hyperbolic()) {
                     (true, true) => sweep::<L, _, _, _>(&Bounded::<true, FIRST>(orbit, e), t, results),

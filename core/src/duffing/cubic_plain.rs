@@ -52,6 +52,19 @@ fn half_exponential<L: Lane>(y: Dd<L>, amplitude: Dd, scale: f64) -> L {
     L::select(plain.abs().less(L::splat(f64::MAX)), value, plain)
 }
 
+/// A e^y scale for any y of that size.
+#[inline(always)]
+fn exponential<L: Lane>(y: Dd<L>, size: Dd<L>, amplitude: Dd, scale: f64) -> L {
+    let near = size.hi.less(L::splat(LEVEL));
+    let small = exp(Dd::select(near, y, Dd::from_double(L::splat(0.0))));
+    let value = (small * Dd::splat(amplitude)).value() * L::splat(scale);
+    let far = half_exponential(size, amplitude, scale) * L::splat(2.0);
+    // Far below, e^-y is half of sech y.
+    let (falling, power) = sech(size);
+    let low = (falling * Dd::splat(amplitude)).value() * L::splat(0.5) * L::splat(scale) * power;
+    L::select(near, value, L::select(L::splat(0.0).less(y.hi), far, low))
+}
+
 impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
     #[inline(always)]
     fn at(&self, [t]: [L; 1]) -> [L; 2] {
@@ -100,35 +113,21 @@ impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
             Plain::Cosh | Plain::Sinh => {
                 let (sinh, cosh) = saturated_sinh_cosh(size);
                 let near = size.hi.less(L::splat(LEVEL));
-                let grown = |amplitude, scale| half_exponential(size, amplitude, scale);
-                let (far_u, far_v) =
-                    (grown(simple.u, simple.scales.u), grown(simple.velocity, simple.scales.velocity));
+                let far_u = half_exponential(size, simple.u, simple.scales.u);
+                let far_v = half_exponential(size, simple.velocity, simple.scales.velocity);
                 let (u, velocity) = if simple.plain == Plain::Cosh { (cosh, sinh) } else { (sinh, cosh) };
                 let u = L::select(near, (u * a).value() * u_scale, far_u);
                 let velocity = L::select(near, (velocity * b).value() * velocity_scale, far_v);
                 if simple.plain == Plain::Cosh { (u, velocity * sign) } else { (u * sign, velocity) }
             }
-            Plain::Exp => {
-                let rises = L::splat(0.0).less(y.hi);
-                let two = L::splat(2.0);
-                let (falling, power) = sech(size);
-                let near = size.hi.less(L::splat(LEVEL));
-                let small = exp(Dd::select(near, y, Dd::from_double(L::splat(0.0))));
-                // Far below, e^-y is half of sech y.
-                let fallen = |amplitude: Dd<L>, scale: L| {
-                    (falling * amplitude).value() * L::splat(0.5) * scale * power
-                };
-                let both = |amplitude: Dd, scale: f64| {
-                    let far = half_exponential(size, amplitude, scale) * two;
-                    let low = fallen(Dd::splat(amplitude), L::splat(scale));
-                    let value = (small * Dd::splat(amplitude)).value() * L::splat(scale);
-                    L::select(near, value, L::select(rises, far, low))
-                };
-                (both(simple.u, simple.scales.u), both(simple.velocity, simple.scales.velocity))
-            }
+            Plain::Exp => (
+                exponential(y, size, simple.u, simple.scales.u),
+                exponential(y, size, simple.velocity, simple.scales.velocity),
+            ),
         };
         let number = y.hi.equal(y.hi);
-        let [u, velocity] = [u, velocity].map(|value| L::select(number, value, L::splat(f64::NAN)));
+        let nan = L::splat(f64::NAN);
+        let (u, velocity) = (L::select(number, u, nan), L::select(number, velocity, nan));
         finished::<FIRST, L>(orbit, t, u, velocity)
     }
 }

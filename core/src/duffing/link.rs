@@ -35,7 +35,7 @@ impl Duffing {
     /// | argument | domain |
     /// |---|---|
     /// | `theta0` | finite; u is infinite at odd multiples of pi, which no double is |
-    /// | `velocity0` | finite, and so is velocity0/2 cos^2(theta0/2) |
+    /// | `velocity0` | finite, and so are p and q: up to about 1e154 |
     /// | `frequency` | any |
     pub fn of_pendulum(theta0: f64, velocity0: f64, frequency: Frequency) -> Result<Duffing, Domain> {
         Domain::check("theta0", theta0, theta0.is_finite(), "finite")?;
@@ -57,7 +57,10 @@ impl Duffing {
         let (rising, falling) = (square * sine.square() + speed, square * cosine.square() - speed);
         let u0 = (sine / cosine).value() * reduced.side;
         let velocity = (Wide::from(velocity0).shift(-1) / cosine.square()).value();
-        Duffing::new(u0, velocity, (falling - rising).value(), falling.shift(1).value())
+        let (p, q) = ((falling - rising).value(), falling.shift(1).value());
+        Domain::check("omega0^2 (1 - 2 m)", p, p.is_finite(), "finite")?;
+        Domain::check("2 omega0^2 (1 - m)", q, q.is_finite(), "finite")?;
+        Duffing::new(u0, velocity, p, q)
     }
 
     /// The pendulum whose theta is 2 arctan(u/scale), each of its four numbers rounded once.

@@ -2,17 +2,23 @@
 //! twelve forms of the first one's solution, and its link to the pendulum.
 
 pub mod cubic;
+mod cubic_arc;
 mod cubic_course;
+mod cubic_limits;
 pub mod cubic_motion;
 mod cubic_phase;
 mod cubic_plain;
 pub mod cubic_quintic;
 pub mod cubic_states;
 pub mod cubic_time;
+mod drawing;
+mod flight;
 pub mod forms;
 pub mod link;
+mod quintic_arc;
 mod quintic_course;
 mod quintic_exact;
+mod quintic_hyperbolic;
 mod quintic_level;
 mod quintic_marks;
 pub mod quintic_motion;
@@ -21,6 +27,7 @@ mod quintic_roots;
 mod quintic_theta;
 pub mod quintic_time;
 pub mod regime;
+mod swing;
 
 pub use cubic::Duffing;
 pub use cubic_quintic::CubicQuintic;

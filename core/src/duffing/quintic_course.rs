@@ -17,6 +17,7 @@
 
 use super::cubic_phase::sign;
 use super::quintic_exact::Exact;
+use super::quintic_hyperbolic::Hyperbolic;
 use super::quintic_level::{Level, level};
 use super::quintic_marks::{Form, Mark, Marks};
 use super::quintic_plain::{Plain, plain};
@@ -56,7 +57,7 @@ pub(super) enum Marker {
 pub(super) enum Course {
     Still,
     Theta(Box<Theta>),
-    Plain(Box<Plain>),
+    Plain(Box<Plain>, Option<Box<Hyperbolic>>),
 }
 
 /// All that does not depend on time.
@@ -247,6 +248,11 @@ fn still(u: f64, y: &Exact, [alpha, beta, gamma]: [f64; 3]) -> SetUp {
     }
 }
 
+fn without_thetas(plain: Plain) -> Course {
+    let hyperbolic = Hyperbolic::new(&plain).map(Box::new);
+    Course::Plain(Box::new(plain), hyperbolic)
+}
+
 /// The regime by exact signs, and the formula it asks for.
 pub(super) fn course(spring: &Spring, u: f64, velocity: f64, force: [f64; 3]) -> SetUp {
     let y = Exact::from(u).square();
@@ -299,12 +305,12 @@ pub(super) fn course(spring: &Spring, u: f64, velocity: f64, force: [f64; 3]) ->
             let (theta, half) = theta(marks, &outline, start, way);
             (Course::Theta(Box::new(theta)), half)
         }
-        Marker::Energy(marks) => (Course::Plain(Box::new(plain(marks, start, way))), infinite),
+        Marker::Energy(marks) => (without_thetas(plain(marks, start, way)), infinite),
         Marker::Level(level) if level.circular() => {
             let (theta, half) = level.theta(start, way);
             (Course::Theta(Box::new(theta)), half)
         }
-        Marker::Level(level) => (Course::Plain(Box::new(level.plain(start, way))), infinite),
+        Marker::Level(level) => (without_thetas(level.plain(start, way)), infinite),
     };
     let period = match (outline.periodic, outline.crosses) {
         (true, true) => half.shift(1) / outline.omega,

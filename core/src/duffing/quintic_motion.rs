@@ -1,33 +1,32 @@
 //! u and u' of an orbit of the cubic-quintic oscillator at any time, over lanes where theta functions serve.
 
 use super::cubic_quintic::CubicQuintic;
+use super::drawing::Way;
+use super::flight::Flying;
 use super::quintic_course::Course;
+use super::quintic_hyperbolic::Along as Hyperbolically;
 use super::quintic_plain::Plain;
 use super::quintic_theta::Theta;
+use super::swing::{Swinging, begun};
 use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
 
-/// What an evaluation returns first.
+/// What an evaluation returns first; where it returns no more, the rest is not computed.
 const U: bool = true;
 const VELOCITY: bool = false;
 
 /// A motion on one side of the theta functions.
-struct Along<'a, const HYPERBOLIC: bool>(&'a CubicQuintic, &'a Theta, bool);
+struct Along<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Theta, [f64; 2]);
 
-impl<L: Lane, const HYPERBOLIC: bool> Sampler<L, 1, 2> for Along<'_, HYPERBOLIC> {
+impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Along<'_, HYPERBOLIC, FIRST> {
     #[inline(always)]
     fn at(&self, [t]: [L; 1]) -> [L; 2] {
-        let [u, velocity] = self.1.at::<HYPERBOLIC, L>(t);
-        // The start as it was given.
-        let start = t.equal(L::splat(0.0));
-        let u = L::select(start, L::splat(self.0.u0), u);
-        let velocity = L::select(start, L::splat(self.0.velocity0), velocity);
-        if self.2 == U { [u, velocity] } else { [velocity, u] }
+        let Along(theta, start) = self;
+        begun::<FIRST, L>(*start, t, theta.at::<HYPERBOLIC, L>(t))
     }
 }
 
 /// Times into slices of the R results wanted, each of the length of the times.
-struct Fill<'a, 'b, const R: usize> {
-    first: bool,
+struct Fill<'a, 'b, const FIRST: bool, const R: usize> {
     orbit: &'a CubicQuintic,
     t: &'a [f64],
     results: [&'b mut [f64]; R],
@@ -43,25 +42,37 @@ fn plainly(orbit: &CubicQuintic, plain: Option<&Plain>, t: f64) -> (f64, f64) {
     }
 }
 
-impl<const R: usize> Kernel for Fill<'_, '_, R> {
+impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
     type Output = ();
     #[inline(always)]
     fn run<L: Lane>(mut self) {
-        let (orbit, first, t, results) = (self.orbit, self.first, [self.t], &mut self.results);
+        let (orbit, t, results) = (self.orbit, [self.t], &mut self.results);
         let plain = match &orbit.course {
             Course::Theta(theta) => {
-                return if theta.lattice.hyperbolic() {
-                    sweep::<L, _, _, _>(&Along::<true>(orbit, theta, first), t, results)
-                } else {
-                    sweep::<L, _, _, _>(&Along::<false>(orbit, theta, first), t, results)
+                let start = [orbit.u0, orbit.velocity0];
+                return match (theta.arc(), &theta.drawing.way) {
+                    (Some(arc), Way::Swing(swing)) => {
+                        sweep::<L, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
+                    }
+                    (Some(arc), Way::Flight(flight)) => {
+                        sweep::<L, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
+                    }
+                    _ if theta.lattice.hyperbolic() => {
+                        sweep::<L, _, _, _>(&Along::<true, FIRST>(theta, start), t, results)
+                    }
+                    _ => sweep::<L, _, _, _>(&Along::<false, FIRST>(theta, start), t, results),
                 };
             }
-            Course::Plain(plain) => Some(&**plain),
+            Course::Plain(_, Some(motion)) => {
+                let start = [orbit.u0, orbit.velocity0];
+                return sweep::<L, _, _, _>(&Hyperbolically::<FIRST>(motion, start), t, results);
+            }
+            Course::Plain(plain, None) => Some(&**plain),
             Course::Still => None,
         };
         for (i, t) in self.t.iter().enumerate() {
             let (u, velocity) = plainly(orbit, plain, *t);
-            let both = if first == U { [u, velocity] } else { [velocity, u] };
+            let both = if FIRST { [u, velocity] } else { [velocity, u] };
             for (result, value) in self.results.iter_mut().zip(both) {
                 result[i] = value;
             }
@@ -70,17 +81,16 @@ impl<const R: usize> Kernel for Fill<'_, '_, R> {
 }
 
 impl CubicQuintic {
-    fn fill<'a, 'b, const R: usize>(
+    fn fill<'a, 'b, const FIRST: bool, const R: usize>(
         &'a self,
-        first: bool,
         t: &'a [f64],
         results: [&'b mut [f64]; R],
-    ) -> Fill<'a, 'b, R> {
+    ) -> Fill<'a, 'b, FIRST, R> {
         assert!(
             results.iter().all(|result| result.len() == t.len()),
             "results of another length than the times"
         );
-        Fill { first, orbit: self, t, results }
+        Fill { orbit: self, t, results }
     }
 
     /// u at t.
@@ -90,36 +100,36 @@ impl CubicQuintic {
     /// 2^-100 of the condition.
     pub fn u(&self, t: f64) -> f64 {
         let mut u = [0.0];
-        single(self.fill(U, &[t], [&mut u]));
+        single(self.fill::<U, 1>(&[t], [&mut u]));
         u[0]
     }
 
     /// u' at t; domain and error as for [`CubicQuintic::u`].
     pub fn velocity(&self, t: f64) -> f64 {
         let mut velocity = [0.0];
-        single(self.fill(VELOCITY, &[t], [&mut velocity]));
+        single(self.fill::<VELOCITY, 1>(&[t], [&mut velocity]));
         velocity[0]
     }
 
     /// u and u' at t, bit for bit those of [`CubicQuintic::u`] and [`CubicQuintic::velocity`].
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let (mut u, mut velocity) = ([0.0], [0.0]);
-        single(self.fill(U, &[t], [&mut u, &mut velocity]));
+        single(self.fill::<U, 2>(&[t], [&mut u, &mut velocity]));
         (u[0], velocity[0])
     }
 
     /// [`CubicQuintic::u`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
-        wide(self.fill(U, t, [u]));
+        wide(self.fill::<U, 1>(t, [u]));
     }
 
     /// [`CubicQuintic::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        wide(self.fill(VELOCITY, t, [velocity]));
+        wide(self.fill::<VELOCITY, 1>(t, [velocity]));
     }
 
     /// [`CubicQuintic::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
-        wide(self.fill(U, t, [u, velocity]));
+        wide(self.fill::<U, 2>(t, [u, velocity]));
     }
 }

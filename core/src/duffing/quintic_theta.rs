@@ -15,13 +15,16 @@
 //! Source: DLMF 20.2, 22.2, 22.13(i).
 
 use super::cubic_course::lattice;
+use super::cubic_motion::counted;
+use super::drawing::Drawing;
+use super::flight::inverse_root;
+use super::quintic_arc::{Singular, flight, swing};
 use super::quintic_course::{Outline, Way};
 use super::quintic_marks::{Form, Mark, Marks};
 use super::quintic_roots::Distances;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::{Lattice, Thetas};
 use crate::float::Dd;
-use crate::float::double_double::two_sum;
 use crate::float::elementary::quotient;
 use crate::float::loose::Loose;
 use crate::float::scaling::ldexp;
@@ -56,6 +59,9 @@ pub(super) struct Theta {
     time: f64,
     /// 2K.
     half: Wide,
+    /// The polynomials of the motion, and what tells where its singularities are.
+    pub drawing: Drawing,
+    pub place: Singular,
 }
 
 /// Powers of two that a double-double can carry beside its digits, and those a factor can.
@@ -141,13 +147,21 @@ impl Theta {
         let rate = omega / half;
         let time = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
         let rate = rate.shift(-time).to_dd() * way.turn;
+        let phase = Phase { rate, start: (start.base / half).to_dd() };
+        let u_scale = u_powers.map(|power| way.side * ldexp(1.0, power));
+        let velocity_scale = velocity_powers.map(|power| way.side * way.turn * ldexp(1.0, power));
+        let place = Singular::new(factors, half);
+        let drawn = match pole {
+            Some(pole) => flight(form, half, omega, [start.base, start.pole, pole], way.turn),
+            None => swing(place, &lattice, phase, ldexp(1.0, time)),
+        };
         let poles = pole.map(|pole| Poles {
             rest: Phase { rate: -rate, start: (start.pole / half).to_dd() },
             at: (pole / half).to_dd(),
         });
         let theta = Theta {
             form,
-            phase: Phase { rate, start: (start.base / half).to_dd() },
+            phase,
             poles,
             n: carried(n, u_powers),
             l: l.map(Wide::to_dd),
@@ -155,10 +169,12 @@ impl Theta {
             w: carried(w, velocity_powers),
             fourth,
             mc: mc.to_dd(),
-            u_scale: u_powers.map(|power| way.side * ldexp(1.0, power)),
-            velocity_scale: velocity_powers.map(|power| way.side * way.turn * ldexp(1.0, power)),
+            u_scale,
+            velocity_scale,
             time: ldexp(1.0, time),
             half,
+            drawing: Drawing::new(drawn.scaled([u_scale[0], velocity_scale[0]])),
+            place,
             lattice,
         };
         (theta, half)
@@ -261,11 +277,26 @@ impl Theta {
                 (f.scale(sign), [within(ahead), within(at + f)], u_sign, velocity_sign)
             }
         };
+        let (u, velocity, folded) = self.quotients::<HYPERBOLIC, L>([f, ahead, behind]);
+        [
+            (u.hi + u.lo) * (u_sign * pick_double(folded, &self.u_scale)),
+            (velocity.hi + velocity.lo) * (velocity_sign * pick_double(folded, &self.velocity_scale)),
+        ]
+    }
+
+    /// u and u' at half periods f in [0, 1/2] from the base, and to the poles ahead and behind, if there are; and
+    /// whether they are counted from K, but for the powers of two and signs that belong to that.
+    #[inline(always)]
+    pub fn quotients<const HYPERBOLIC: bool, L: Lane>(
+        &self,
+        arguments: [Dd<L>; 3],
+    ) -> (Loose<L>, Loose<L>, L::Mask) {
+        let (zero, one) = (Dd::from_double(L::splat(0.0)), L::splat(1.0));
         // A loop, so that the theta functions, which are long, stand here once.
         let mut found = [zero; 3];
         let mut folded = one.less(one);
         let (mut product, mut below, mut dn_factor) = (Dd::from_double(one), zero, zero);
-        let (arguments, count) = ([f, ahead, behind], if self.poles.is_some() { 3 } else { 1 });
+        let count = if self.poles.is_some() { 3 } else { 1 };
         let mut k = 0;
         while k < count {
             let thetas = self.lattice.thetas_on::<HYPERBOLIC, L>(arguments[k]);
@@ -291,11 +322,18 @@ impl Theta {
                 sum = quotient(sum, below);
             }
         }
-        let root = Loose::from(sum).root().tight();
-        let u = quotient(n, root).value() * (u_sign * pick_double(folded, &self.u_scale));
-        let velocity =
-            quotient(w, root * sum).value() * (velocity_sign * pick_double(folded, &self.velocity_scale));
-        [u, velocity]
+        let root = inverse_root(sum.into());
+        (Loose::from(n) * root, Loose::from(w) * (root * root * root), folded)
+    }
+
+    /// Half periods from pole to pole.
+    pub fn flight(&self) -> Dd {
+        self.poles.as_ref().map_or(Dd::ONE, |poles| poles.at.scale(2.0))
+    }
+
+    /// Powers of two by which u and u' differ where they are counted from K.
+    pub fn steps(&self) -> [f64; 2] {
+        [&self.u_scale, &self.velocity_scale].map(|scale| scale[1] / scale[0])
     }
 }
 
@@ -306,24 +344,15 @@ fn pick<L: Lane>(folded: L::Mask, pair: &[Dd; 2]) -> Dd<L> {
 }
 
 #[inline(always)]
-fn pick_double<L: Lane>(folded: L::Mask, pair: &[f64; 2]) -> L {
+pub(super) fn pick_double<L: Lane>(folded: L::Mask, pair: &[f64; 2]) -> L {
     L::select(folded, L::splat(pair[1]), L::splat(pair[0]))
 }
 
 /// An argument to a pole, in half periods: folded into [0, 1/2], NaN where it is not positive.
 #[inline(always)]
-fn within<L: Lane>(f: Dd<L>) -> Dd<L> {
+pub(super) fn within<L: Lane>(f: Dd<L>) -> Dd<L> {
     let beyond = L::splat(0.5).less(f.hi);
     let rest = Dd::sum(L::splat(1.0), -f.hi).plain_sum(Dd::from_double(-f.lo));
     let inside = L::splat(0.0).less(f.hi);
     Dd::select(inside, Dd::select(beyond, rest, f), Dd::from_double(L::splat(f64::NAN)))
-}
-
-/// t rate + start, without reduction.
-#[inline(always)]
-fn counted<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
-    let (passed, error) = t.two_product(L::splat(phase.rate.hi));
-    let error = t.mul_add(L::splat(phase.rate.lo), error);
-    let (y, rest) = two_sum(passed, L::splat(phase.start.hi));
-    Dd::ordered_sum(y, rest + (error + L::splat(phase.start.lo)))
 }

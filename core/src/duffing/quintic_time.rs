@@ -20,7 +20,7 @@ impl CubicQuintic {
         let (low, high) = self.range();
         let turns = match &self.course {
             Course::Theta(_) => u == low || u == high,
-            Course::Plain(plain) => plain.turn() == Some(u.abs()),
+            Course::Plain(plain, _) => plain.turn() == Some(u.abs()),
             Course::Still => false,
         };
         let square_speed = if u.abs() == self.u0.abs() {
@@ -70,7 +70,7 @@ impl CubicQuintic {
             Course::Theta(theta) => {
                 passages(theta.in_half_periods(mark), crosses, mirrored, turns, theta.rates())
             }
-            Course::Plain(plain) => {
+            Course::Plain(plain, _) => {
                 let once = turns || plain.turn().is_none();
                 passages(mark, crosses, mirrored, once, [plain.base, plain.rest])
             }

@@ -18,7 +18,10 @@ impl Interval {
     /// An error for a NaN, and for a start after the stop.
     pub fn new(start: f64, stop: f64) -> Result<Interval, Domain> {
         Domain::check("start", start, !start.is_nan(), "a number")?;
-        Domain::check("stop", stop, stop >= start, "a number, and not before start")?;
+        Domain::check("stop", stop, !stop.is_nan(), "a number")?;
+        if stop < start {
+            return Err(Domain::new("stop", format!("{stop:?}"), format!("not before start, {start:?}")));
+        }
         Ok(Interval { start, stop })
     }
 

@@ -1,6 +1,7 @@
 //! Legendre's integrals and Jacobi's functions of a parameter m carried with its complement mc = 1 - m.
 
 pub mod agm;
+pub(crate) mod arc;
 pub mod carlson;
 pub mod complete;
 pub mod complex;

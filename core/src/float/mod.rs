@@ -4,6 +4,7 @@ pub mod circle;
 pub mod double_double;
 pub mod elementary;
 pub(crate) mod exact;
+pub mod exponential;
 pub(crate) mod interpolation;
 pub(crate) mod loose;
 pub mod scaling;

@@ -1,7 +1,9 @@
 //! Sine and cosine, circular and hyperbolic, to triple-double, by Taylor's series: for set-ups and for steps whose
 //! errors would add up.
 
+use super::TWO_PI_LONG;
 use super::double_double::Dd;
+use super::elementary::arctangent;
 use super::loose::Loose;
 use super::triple_double::Td;
 use crate::lanes::Lane;
@@ -14,6 +16,19 @@ pub fn sin_cos(angle: Td) -> (Td, Td) {
 /// Hyperbolic sine and cosine of a number in [0, 0.8], to triple-double.
 pub fn sinh_cosh(y: Td) -> (Td, Td) {
     doubled_series(y, -1.0)
+}
+
+/// Angle in [0, pi/2] of a point on the unit circle, to triple-double: what a double leaves of it is so small that its
+/// sine is the rest.
+pub fn angle(sine: Td, cosine: Td) -> Td {
+    let near = arctangent(sine.to_dd(), cosine.to_dd()).value();
+    let (s, c) = if near <= core::f64::consts::FRAC_PI_4 {
+        sin_cos(Td::from(near))
+    } else {
+        let (c, s) = sin_cos(TWO_PI_LONG.scale(0.25) - Td::from(near));
+        (s, c)
+    };
+    Td::from(near) + (sine * c - cosine * s)
 }
 
 /// Sine of |z| <= pi/4 (a little beyond does no harm) to all digits of a double-double, over lanes.

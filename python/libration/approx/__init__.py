@@ -1,6 +1,7 @@
 """Approximations of the pendulum by name, with their sources, domains and measured errors.
 
-`angle` holds formulas for theta(t): ask it for one by name, or go through all of them.
+`angle` holds formulas for theta(t), `period` formulas for the period of a swing, `sine` polynomials for the sine of the
+force, and `numerical` the schemes that march through theta(t): ask each for one by name, or go through all of them.
 
 Examples
 --------
@@ -8,9 +9,28 @@ Examples
 >>> series = approx.angle("fourier:2").of(Pendulum(1.0))
 >>> f"{series.theta(2.0):.6f} {series.difference(2.0):.1e}"
 '-0.305939 2.6e-04'
+>>> f"{approx.period('lima-arun').error(1.0):.1e}"
+'3.5e-04'
 """
 
 from .angle import AngleApproximation, AngleError, AngleFormula, angle
+from .period import PeriodFormula, period
 from .registry import Registry
+from .sine import SineError, SineFormula, sine
+from .solvers import NumericalFormula, NumericalSolution, numerical
 
-__all__ = ["AngleApproximation", "AngleError", "AngleFormula", "Registry", "angle"]
+__all__ = [
+    "AngleApproximation",
+    "AngleError",
+    "AngleFormula",
+    "NumericalFormula",
+    "NumericalSolution",
+    "PeriodFormula",
+    "Registry",
+    "SineError",
+    "SineFormula",
+    "angle",
+    "numerical",
+    "period",
+    "sine",
+]

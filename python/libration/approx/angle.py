@@ -3,6 +3,7 @@
 Each is set up for one pendulum, answers at any time, and knows how far it is from the exact angle.
 """
 
+import math
 from typing import Any, NamedTuple, Self
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from .. import _core
 from ..fixed import Fixed, real
 from ..pendulum import Pendulum
+from .named import Named, each
 from .registry import Registry
 
 
@@ -34,7 +36,7 @@ class AngleError(NamedTuple):
     """The first time at which the approximation is undefined, s; NaN if it is always defined."""
 
 
-class AngleFormula(Fixed):
+class AngleFormula(Named):
     """A formula for the angle over time, by its name: an entry of `libration.approx.angle`.
 
     Parameters
@@ -56,7 +58,7 @@ class AngleFormula(Fixed):
     the exact motion with sin θ ≈ θ − 40θ³/243 | Salas 2019 (2) | up to 70 deg
     """
 
-    __slots__ = ("_formula",)
+    __slots__ = ()
 
     _formula: _core.AngleFormula
 
@@ -64,41 +66,6 @@ class AngleFormula(Fixed):
         self = super().__new__(cls)
         object.__setattr__(self, "_formula", _core.AngleFormula(str(name)))
         return self
-
-    @property
-    def name(self) -> str:
-        """The name that finds it again, with its N."""
-        return self._formula.name
-
-    @property
-    def pattern(self) -> str:
-        """Its entry: the name, with ``:N`` if it takes a number."""
-        return self._formula.facts[0]
-
-    @property
-    def formula(self) -> str:
-        """The formula in one line."""
-        return self._formula.facts[1]
-
-    @property
-    def source(self) -> str:
-        """Author, year and equation."""
-        return self._formula.facts[2]
-
-    @property
-    def stated(self) -> str:
-        """The range its author offers it for, in words; empty where none is stated."""
-        return self._formula.facts[3]
-
-    @property
-    def stated_range(self) -> tuple[float, float] | None:
-        """The same as turning angles in rad."""
-        return self._formula.facts[4]
-
-    @property
-    def undefined(self) -> str:
-        """Where it has no value, in words."""
-        return self._formula.facts[5]
 
     def of(self, pendulum: Pendulum) -> "AngleApproximation":
         """The formula for one pendulum.
@@ -127,6 +94,42 @@ class AngleFormula(Fixed):
         """
         return AngleApproximation(self, pendulum)
 
+    def error(self, theta_max: Any, periods: float = 1) -> Any:
+        """Largest error of releases from rest, as a share of their turning angles.
+
+        Parameters
+        ----------
+        theta_max : scalar or array
+            Turning angles in rad, between 0 and pi; else NaN.
+        periods : scalar, default 1
+            For so many exact periods, above 0 and at most 10 000.
+
+        Returns
+        -------
+        float64 or array of the shape of `theta_max`
+            NaN where the approximation is undefined at some time.
+
+        Notes
+        -----
+        Error promised: that of `AngleApproximation.error`. Source: Lima 2018, section 4, counts like this.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from libration import approx
+        >>> (100 * approx.angle("fourier:2").error(np.radians([60, 90, 170]))).round(4)
+        array([0.035 , 0.2269,    nan])
+        """
+        periods = real("periods", periods)
+
+        def released(angle: float) -> float:
+            if not 0 < angle < math.pi:
+                return math.nan
+            found = self.of(Pendulum(angle)).error(periods)
+            return found.relative if math.isnan(found.undefined_from) else math.nan
+
+        return each(lambda angles: np.array([released(angle) for angle in angles.tolist()]), theta_max)
+
     def ranges(self, bound: float, periods: float = 1) -> tuple[tuple[float, float], ...]:
         """The turning angles for which the largest error stays within a share of them.
 
@@ -152,18 +155,6 @@ class AngleFormula(Fixed):
         array([[ 0.  , 61.71]])
         """
         return tuple(self._formula.ranges(real("bound", bound), real("periods", periods)))
-
-    def __eq__(self, other: object) -> bool:
-        return self.name == other.name if isinstance(other, AngleFormula) else NotImplemented
-
-    def __hash__(self) -> int:
-        return hash(self.name)
-
-    def __repr__(self) -> str:
-        return f"AngleFormula({self.name!r})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return AngleFormula, (self.name,)
 
 
 class AngleApproximation(Fixed):
@@ -208,7 +199,7 @@ class AngleApproximation(Fixed):
         NaN where the formula has no value, for times that are not finite and more than 2**53 half periods away.
         Error promised: 8 ulp of its scale, plus the condition of its phase. Source: that of the formula.
         """
-        return self._at(self._approximation.theta, t)
+        return each(self._approximation.theta, t)
 
     def difference(self, t: Any) -> Any:
         """The approximate minus the exact angle in rad at the times `t`, an array of their shape or a float64.
@@ -216,12 +207,7 @@ class AngleApproximation(Fixed):
         Error promised: of `harmonic` and of both Fourier series 1e-10 of the difference itself, however small; of the
         others that of the two angles. Source: the terms that the series leave out.
         """
-        return self._at(self._approximation.difference, t)
-
-    @staticmethod
-    def _at(answer: Any, t: Any) -> Any:
-        times = np.asarray(t, dtype=float)
-        return answer(np.ascontiguousarray(times).ravel()).reshape(times.shape)[()]
+        return each(self._approximation.difference, t)
 
     @property
     def period(self) -> float:

@@ -41,7 +41,7 @@ class Registry(Generic[Formula]):
         return self._patterns
 
     def __call__(self, name: str, **options: Any) -> Formula:
-        return self._make(name, **options)
+        return self._make(str(name), **options)
 
     def __iter__(self) -> Iterator[Formula]:
         for pattern in self._patterns:

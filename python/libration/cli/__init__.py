@@ -1,5 +1,5 @@
 # argparse: in the standard library, maintained, and fast to start; its errors are re-worded in parser.py.
-"""The command `libration`: the exact motion and period of a pendulum, and of a Duffing oscillator, from the shell.
+"""The command `libration`: pendulums, Duffing oscillators and the papers about them, from the shell.
 
 One function, `main`. Every refusal is one line on the standard error and exit code 2; nothing is left half
 written. NumPy and matplotlib are loaded by the commands that need them, so that `--help` is quick.
@@ -9,10 +9,10 @@ import contextlib
 import importlib
 import sys
 
-from libration.cli.parser import Refusal, top_parser
+from libration.cli.parser import Finding, Refusal, top_parser
 from libration.cli.streams import Ended, drop, ending, printable, refused
 
-COMMANDS = ("solve", "period", "duffing")
+COMMANDS = ("solve", "period", "compare", "duffing", "papers")
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -26,8 +26,8 @@ def main(arguments: list[str] | None = None) -> int:
     Returns
     -------
     int
-        The exit code: 0 done, 2 refused (one line on the standard error says why), 130 interrupted,
-        141 when the reader of the standard output has gone, 143 terminated.
+        The exit code: 0 done, 1 what was checked does not hold, 2 refused (one line on the standard error says
+        why), 130 interrupted, 141 when the reader of the standard output has gone, 143 terminated.
 
     Examples
     --------
@@ -56,6 +56,8 @@ def answered(words):
         return 0
     except Refusal as refusal:
         return refused(prog, str(refusal))
+    except Finding as finding:
+        return refused(prog, str(finding), 1)
     except KeyboardInterrupt:
         return 130
     except Ended as ended:

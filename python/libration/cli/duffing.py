@@ -16,10 +16,12 @@ from libration.cli.sampling import (
     draw,
     instant_options,
     instants,
+    nans,
     plotter,
     result_options,
     sampled,
     targets,
+    valueless,
     written,
 )
 
@@ -74,7 +76,7 @@ def run(words):
     check_targets(options)
     motion = Duffing(**given)
     with targets(options) as (table, picture):
-        plot = plotter("libration.portrait", "plot_oscillator", options.plot)
+        plot = plotter("libration.portrait", "plot_oscillator", "--plot", options.plot)
         times, source = instants(options)
         u, velocity = motion.motion(times)
         if table:
@@ -85,10 +87,11 @@ def run(words):
     files = written(options)
     if options.json:
         answer = keyed(parameters(given, motion)[1:])
-        answer |= {"samples": len(times), "first_t_s": float(times[0]), "last_t_s": float(times[-1]), "files": files}
+        answer |= {"samples": len(times), "samples_nan": nans(u)}
+        answer |= {"first_t_s": float(times[0]), "last_t_s": float(times[-1]), "files": files}
         print(strict(answer))
     else:
-        print_text(motion, times, source, files)
+        print_text(motion, times, u, source, files)
 
 
 def parameters(given, motion):
@@ -112,7 +115,7 @@ def parameters(given, motion):
     ]
 
 
-def print_text(motion, times, source, files):
+def print_text(motion, times, u, source, files):
     """The summary for people."""
     import numpy as np
 
@@ -124,12 +127,15 @@ def print_text(motion, times, source, files):
     def bound(value):
         return digits(value) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
 
+    def size(value):
+        return digits(value) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
+
     low, high = motion.range
     lines = [
         ("regime", str(motion.regime)),
         ("period", time(motion.period, "none, it does not repeat")),
         ("range of u", f"{bound(low)} to {bound(high)}"),
-        ("energy", f"{digits(motion.energy)} per unit mass, 0 at rest at u = 0"),
+        ("energy", f"{size(motion.energy)} per unit mass, 0 at rest at u = 0"),
         ("escapes at", time(motion.escape_time, "never")),
         ("came from infinity at", time(motion.escape_time_backward, "never")),
         ("sampled", sampled(times, source)),
@@ -137,4 +143,5 @@ def print_text(motion, times, source, files):
     beyond = int(np.count_nonzero((times > motion.escape_time) | (times < motion.escape_time_backward)))
     if beyond:
         lines.append(("of them beyond an escape", f"{beyond}, nan in a table"))
+    lines += valueless(nans(u) - beyond)
     print_lines(lines + [("written", path) for path in files])

@@ -19,6 +19,10 @@ class Refusal(Exception):
     """Bad input: the text is the one line that the user reads."""
 
 
+class Finding(Exception):
+    """A check that does not hold: the text is the one line that the user reads."""
+
+
 def refusal(option, value, reason):
     """A Refusal that names the option, its value and what is allowed."""
     return Refusal(f"{option} = {shown(value)}: {reason}")
@@ -120,7 +124,9 @@ TOP_EPILOG = """\
 commands:
   solve       angle and velocity at many instants, as a table and as a plot
   period      the period, and how much longer it is than that of small swings
+  compare     approximations and numerical solutions beside the exact motion
   duffing     the nonlinear spring u'' + p u + q u^3 = 0, as solve
+  papers      every figure of three papers about the pendulum, and what became of their numbers
 
 examples:
   libration period --theta0 150deg

@@ -71,6 +71,19 @@ def sampled(times, source):
     return span + (f", {source}" if source else "")
 
 
+def nans(values):
+    """How many values are NaN."""
+    import numpy as np
+
+    return int(np.count_nonzero(np.isnan(values)))
+
+
+def valueless(count):
+    """The line on samples that lie beyond 2**53 half periods, as lines of a summary."""
+    text = f"{count}, more than 2^53 half periods away: nan in a table"
+    return [("of them too far to be known", text)] if count else []
+
+
 def check_instants(options):
     """Refuse options about instants that contradict each other."""
     for name in ("until", "samples"):
@@ -103,20 +116,30 @@ def instants(options):
     return times, f"column {quoted(column)} of {shown(options.times)}"
 
 
-def plotter(module, name, path):
+def plotter(module, name, option, path):
     """A function that draws, or a Refusal if matplotlib is missing, before anything is computed; None without a path."""
     if path is None:
         return None
-    try:
-        import matplotlib.backends.backend_agg
-        import matplotlib.figure  # noqa: F401
-    except ModuleNotFoundError as error:
-        raise refusal("--plot", path, "needs matplotlib: pip install 'libration[plot]'") from error
-    except Exception as error:
-        # Its settings are read now, and a bad one may raise anything.
-        reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
-        raise refusal("--plot", path, f"matplotlib does not start: {reason}") from error
+    check_matplotlib(option, path, "plot")
     return getattr(importlib.import_module(module), name)
+
+
+def check_matplotlib(option, path, extra):
+    """Refuse to draw if matplotlib is missing or does not start; `extra` is what installs it with libration."""
+    check_package("matplotlib", ("matplotlib.backends.backend_agg", "matplotlib.figure"), option, path, extra)
+
+
+def check_package(package, modules, option, path, extra):
+    """Refuse an option whose package is missing or does not start."""
+    try:
+        for module in modules:
+            importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        raise refusal(option, path, f"needs {package}: pip install 'libration[{extra}]'") from error
+    except Exception as error:
+        # Settings are read now, and a bad one may raise anything.
+        reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
+        raise refusal(option, path, f"{package} does not start: {reason}") from error
 
 
 def draw(plot, motion, times, picture, path):

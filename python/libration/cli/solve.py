@@ -13,10 +13,12 @@ from libration.cli.sampling import (
     draw,
     instant_options,
     instants,
+    nans,
     plotter,
     result_options,
     sampled,
     targets,
+    valueless,
     written,
 )
 from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
@@ -61,7 +63,7 @@ def run(words):
     check_targets(options)
     motion = pendulum(given)
     with targets(options) as (table, picture):
-        plot_motion = plotter("libration.plot", "plot_motion", options.plot)
+        plot_motion = plotter("libration.plot", "plot_motion", "--plot", options.plot)
         times, source = instants(options)
         columns, largest, at = motion_columns(motion, times)
         if table:
@@ -71,11 +73,12 @@ def run(words):
     files = written(options)
     if options.json:
         answer = keyed(given_parameters(given, motion) + found_parameters(motion))
-        answer |= {"samples": len(times), "first_t_s": float(times[0]), "last_t_s": float(times[-1])}
+        answer |= {"samples": len(times), "samples_nan": nans(columns[1][2])}
+        answer |= {"first_t_s": float(times[0]), "last_t_s": float(times[-1])}
         answer |= {"linear_difference_rad": largest, "linear_difference_t_s": at, "files": files}
         print(strict(answer))
     else:
-        print_text(motion, times, source, largest, at, files)
+        print_text(motion, times, columns[1][2], source, largest, at, files)
 
 
 def motion_columns(motion, times):
@@ -103,7 +106,7 @@ def table_parameters(given, motion):
     return [("libration", __version__, ""), *given_parameters(given, motion), *found_parameters(motion)]
 
 
-def print_text(motion, times, source, largest, at, files):
+def print_text(motion, times, theta, source, largest, at, files):
     """The summary for people."""
     from libration.cli.summary import angle_text, digits, period_text, print_lines
 
@@ -116,6 +119,7 @@ def print_text(motion, times, source, largest, at, files):
         ("energy ratio", digits(motion.energy_ratio)),
         ("1 - energy ratio", digits(motion.energy_ratio_c)),
         ("sampled", sampled(times, source)),
+        *valueless(nans(theta)),
         (
             "largest difference from linear",
             "not known" if largest is None else f"{largest:.6g} rad, at t = {at:.6g} s",

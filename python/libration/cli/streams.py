@@ -62,14 +62,14 @@ def occupy():
         os.close(number)
 
 
-def refused(prog, reason):
+def refused(prog, reason, code=2):
     """One line on the standard error, if there is one, and the exit code."""
     if sys.stderr is not None:
         try:
             print(f"{prog}: {' '.join(reason.split())}", file=sys.stderr, flush=True)
         except (OSError, ValueError):
             drop(sys.stderr)
-    return 2
+    return code
 
 
 def drop(stream):

@@ -1,0 +1,329 @@
+//! The period of a swing by every named formula, as its ratio to the period of small swings, and how far each is off.
+//!
+//! Each formula is evaluated to triple-double (period_rules.rs), so that its error against 2K/pi is right to its own
+//! last digits even where it is 1e-30.
+
+use super::entry::{Entry, Named};
+use super::period_rules::{RULES, Rule, exact};
+use super::search::{crossing, peak};
+use super::swing::Swing;
+use crate::domain::Domain;
+use crate::float::scaling::ldexp;
+use crate::float::{TWO_PI_LONG, Td};
+use crate::pendulum::{Orbit, Regime};
+use core::f64::consts::PI;
+
+/// A formula that takes no N and whose author states no range.
+const fn entry(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
+    Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
+}
+
+/// A formula of the angle itself.
+const fn of_angle(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
+    Entry { undefined: "m < 0", ..entry(name, formula, source) }
+}
+
+/// Every formula of T/T0, where T0 = 2 pi/omega0 is the period of small swings.
+pub static PERIODS: [Entry; 16] = [
+    entry("linear", "1", "small swings"),
+    of_angle("bernoulli", "1 + θ_max²/16", "Bernoulli"),
+    Entry {
+        orders: Some([2, 200]),
+        ..of_angle(
+            "series",
+            "1 + θ_max²/16 + 11 θ_max⁴/3072 + … to θ_max^N, N even",
+            "Taylor series of 2K/π in θ_max; DLMF 19.5.1",
+        )
+    },
+    of_angle("denman", "1/(1 − θ_max²/16)", "Denman 1959"),
+    entry("kidd-fogg", "1/√a, a = cos(θ_max/2)", "Kidd & Fogg 2002"),
+    of_angle("molina", "(sin θ_max/θ_max)^(−3/8)", "Molina 1997"),
+    Entry {
+        stated: "to 0.001 up to 100 deg, to 5 % up to 160 deg",
+        stated_range: Some([0.0, 100.0 / 180.0 * PI]),
+        ..of_angle("ganley-parwani", "√(s/sin s), s = √3 θ_max/2", "Ganley 1985; Parwani 2004")
+    },
+    entry("lima-arun", "−ln a/(1 − a), a = cos(θ_max/2)", "Lima & Arun 2006"),
+    Entry {
+        orders: Some([1, 8]),
+        ..entry(
+            "agm",
+            "1/a_N with a₀ = 1, b₀ = cos(θ_max/2), a_(n+1) = (a_n + b_n)/2, b_(n+1) = √(a_n b_n)",
+            "N steps of DLMF 19.8.1; N = 1 Carvalhaes & Suppes",
+        )
+    },
+    entry("belendez", "4/(1 + √a)², a = cos(θ_max/2)", "Beléndez et al. 2009"),
+    Entry { stated: "near 180 deg", ..entry("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995") },
+    Entry {
+        stated: "all swings",
+        stated_range: Some([0.0, PI]),
+        ..entry(
+            "chachiyo",
+            "(2/(nπ)) ln((4/a)ⁿ + b), a = cos(θ_max/2), n = ln(4/π)/(π/2 − ln 4), b = e^(nπ/2) − 4ⁿ",
+            "Chachiyo 2025, arXiv:2505.17159",
+        )
+    },
+    Entry {
+        stated: "|m| ≤ 1/3",
+        stated_range: Some([0.0, 1.2309594173407747]),
+        ..entry("salas-26", "(5m − 16)/(9m − 16), m = sin²(θ_max/2)", "Salas 2019 (26)")
+    },
+    Entry {
+        stated: "|m| ≤ 3/4",
+        stated_range: Some([0.0, 2.0 / 3.0 * PI]),
+        ..entry(
+            "salas-27",
+            "(409m² − 3984m + 4864)/(1025m² − 5200m + 4864), m = sin²(θ_max/2)",
+            "Salas 2019 (27)",
+        )
+    },
+    Entry {
+        stated: "|m| < 1",
+        stated_range: Some([0.0, PI]),
+        ..entry(
+            "salas-28",
+            "(540191m³ − 10617024m² + 32584960m − 24653824)/(1708091m³ − 16837184m² + 38748416m − 24653824), \
+             m = sin²(θ_max/2)",
+            "Salas 2019 (28)",
+        )
+    },
+    entry(
+        "exact",
+        "2K(m)/π = 1/agm(1, cos(θ_max/2)), m = sin²(θ_max/2)",
+        "Gauss; DLMF 19.8.5; four times Salas 2019 (25)",
+    ),
+];
+
+/// Errors are differences of numbers next to 1 with 46 digits: what is below is not told from 0.
+const LEAST: f64 = 1e-44;
+
+/// One formula of the period.
+///
+/// ```
+/// use libration::approx::PeriodFormula;
+/// let formula = PeriodFormula::named("agm:2")?;
+/// assert_eq!(format!("{:.6} {:.2e}", formula.ratio(1.5), formula.error(1.5)), "1.161958 -9.23e-6");
+/// # Ok::<(), libration::Domain>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct PeriodFormula {
+    named: Named,
+    rule: &'static Rule,
+}
+
+impl PeriodFormula {
+    /// By its name, `name` or `name:N`.
+    pub fn named(name: &str) -> Result<PeriodFormula, Domain> {
+        let named = Named::find("period", &PERIODS, name)?;
+        if named.entry.name == "series" && named.order % 2 == 1 {
+            return Err(Domain::new("period", format!("{name:?}"), "series:N with an even N from 2 to 200"));
+        }
+        let place = PERIODS.iter().position(|entry| entry.name == named.entry.name).unwrap_or(0);
+        Ok(PeriodFormula { named, rule: &RULES[place] })
+    }
+    /// What is known of it.
+    pub fn entry(&self) -> &'static Entry {
+        self.named.entry
+    }
+    /// The name that finds it again.
+    pub fn name(&self) -> String {
+        self.named.name()
+    }
+
+    /// T/T0 of a release from rest at `theta_max` in [0, pi]; NaN outside.
+    ///
+    /// **Error** at most 1 ulp. The double next to pi is not pi: there the exact ratio is 24.6, not infinite.
+    pub fn ratio(&self, theta_max: f64) -> f64 {
+        value(self.of(Swing::of_angle(theta_max)))
+    }
+    /// T/T0 of the parameter m = sin^2(theta_max/2) <= 1; negative ones too where it is a formula of m or of a.
+    ///
+    /// **Error** at most 1 ulp.
+    pub fn ratio_of_m(&self, m: f64) -> f64 {
+        value(self.of(Swing::of_parameter(m)))
+    }
+    /// The formula over 2K/pi, minus 1, at `theta_max` in [0, pi]; -1 where only the exact one is infinite, NaN where
+    /// the formula has no value.
+    ///
+    /// **Error** at most 1 ulp plus 1e-45; below 1e-44 it is given as 0.
+    pub fn error(&self, theta_max: f64) -> f64 {
+        self.compared(Swing::of_angle(theta_max))
+    }
+    /// Likewise by the parameter.
+    pub fn error_of_m(&self, m: f64) -> f64 {
+        self.compared(Swing::of_parameter(m))
+    }
+
+    /// The period in s that it gives a pendulum that swings; NaN in rotation.
+    ///
+    /// **Error** at most 4 ulp.
+    pub fn period(&self, orbit: &Orbit) -> f64 {
+        if orbit.regime() == Regime::Rotation {
+            return f64::NAN;
+        }
+        let Some((root, power)) = orbit.force.root() else { return f64::INFINITY };
+        let ratio = self.of(Swing::of_both(orbit.energy_ratio(), orbit.energy_ratio_c()));
+        if !ratio.hi.is_finite() {
+            return ratio.hi;
+        }
+        ldexp(value(TWO_PI_LONG * ratio / root), -power)
+    }
+    /// A quarter of it: the time from the bottom to the turning point, which is what Salas calls T.
+    pub fn quarter_period(&self, orbit: &Orbit) -> f64 {
+        ldexp(self.period(orbit), -2)
+    }
+
+    /// The intervals of turning angles in [0, pi] where the error stays within a bound, to the last double.
+    ///
+    /// | argument | domain |
+    /// |---|---|
+    /// | `bound` | at least 1e-30, finite |
+    pub fn ranges(&self, bound: f64) -> Result<Vec<[f64; 2]>, Domain> {
+        Domain::check("bound", bound, (1e-30..f64::INFINITY).contains(&bound), "finite and at least 1e-30")?;
+        let within = |theta: f64| self.error(theta).abs() <= bound;
+        let points = self.marks();
+        let mut ranges = Vec::new();
+        let mut start = within(points[0]).then_some(points[0]);
+        for pair in points.windows(2) {
+            match (start, within(pair[1])) {
+                (None, true) => start = Some(crossing(within, pair[1], pair[0])),
+                (Some(from), false) => {
+                    ranges.push([from, crossing(within, pair[0], pair[1])]);
+                    start = None;
+                }
+                _ => {}
+            }
+        }
+        ranges.extend(start.map(|from| [from, PI]));
+        Ok(ranges)
+    }
+
+    /// Angles so dense, with the zeros and the extremes of the error among them, that it crosses no bound twice
+    /// between two.
+    fn marks(&self) -> Vec<f64> {
+        let mut near = vec![1e-16];
+        while near[near.len() - 1] < 0.1 {
+            near.push(near[near.len() - 1] * 1.25);
+        }
+        let uniform = (1..150).map(|i| 0.1 + f64::from(i) * (PI - 0.2) / 150.0);
+        let mut points = vec![0.0];
+        points.extend(near.iter().copied().chain(uniform));
+        points.extend(near.iter().rev().map(|distance| PI - distance));
+        points.push(PI);
+        points.dedup();
+        let sizes: Vec<f64> = points.iter().map(|theta| self.error(*theta)).collect();
+        let mut marks = Vec::new();
+        for i in 1..points.len() - 1 {
+            let [before, here, after] = [sizes[i - 1], sizes[i], sizes[i + 1]];
+            let sign = f64::signum(here);
+            if here * after < 0.0 {
+                marks.push(crossing(|theta| self.error(theta) * sign > 0.0, points[i], points[i + 1]));
+                marks.push(crossing(|theta| self.error(theta) * sign <= 0.0, points[i + 1], points[i]));
+            }
+            if (here - before) * (here - after) > 0.0 {
+                let up = f64::signum(here - before);
+                marks.push(peak(|theta| self.error(theta) * up, points[i - 1], points[i + 1]));
+            }
+        }
+        points.extend(marks);
+        points.sort_by(f64::total_cmp);
+        points
+    }
+
+    fn of(&self, swing: Option<Swing>) -> Td {
+        match swing {
+            None => Td::from(f64::NAN),
+            Some(swing) if swing.a.hi == 0.0 && self.rule.diverges => Td::from(f64::INFINITY),
+            Some(swing) => (self.rule.ratio)(&swing, self.named.order),
+        }
+    }
+
+    fn compared(&self, swing: Option<Swing>) -> f64 {
+        let ratio = self.of(swing);
+        let Some(swing) = swing else { return f64::NAN };
+        if swing.a.hi == 0.0 {
+            return if ratio.hi.is_finite() { -1.0 } else { f64::NAN };
+        }
+        let exact = exact(&swing, 0);
+        let error = value((ratio - exact) / exact);
+        if error.abs() < LEAST { 0.0 } else { error }
+    }
+}
+
+/// The nearest double; infinities and NaN have no rest.
+fn value(of: Td) -> f64 {
+    of.hi
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::period_rules::coefficients;
+    use super::*;
+    use crate::Frequency;
+
+    fn formula(name: &str) -> PeriodFormula {
+        PeriodFormula::named(name).unwrap()
+    }
+
+    #[test]
+    fn the_series_begins_as_printed() {
+        let printed = [(1.0, 16.0), (11.0, 3072.0), (173.0, 737_280.0), (22931.0, 1_321_205_760.0)]
+            .map(|(a, b)| Td::from(a) / Td::from(b));
+        for (k, printed) in printed.into_iter().enumerate() {
+            let apart = (coefficients()[k + 1] - printed).hi / printed.hi;
+            assert!(apart.abs() < 1e-45, "{k} {apart:e}");
+        }
+    }
+
+    #[test]
+    fn names_and_refusals() {
+        for entry in &PERIODS {
+            let name =
+                if entry.orders.is_some() { format!("{}:4", entry.name) } else { entry.name.to_string() };
+            assert_eq!(formula(&name).name(), name);
+        }
+        let refused = |name| PeriodFormula::named(name).err().map(|error| error.to_string());
+        assert_eq!(
+            refused("series:3").unwrap(),
+            "period = \"series:3\": must be series:N with an even N from 2 to 200"
+        );
+        assert_eq!(refused("agm:0").unwrap(), "period = \"agm:0\": must be agm:N with a whole N from 1 to 8");
+        assert!(refused("kid-fog").unwrap().starts_with("period = \"kid-fog\": must be one of kidd-fogg, "));
+    }
+
+    #[test]
+    fn the_period_of_a_pendulum_is_the_ratio_of_its_swing() {
+        let frequency = Frequency::from_gravity_length(9.8, 0.3).unwrap();
+        for (theta0, velocity0) in
+            [(3.0, 0.0), (1.0, 2.0), (1e-200, 0.0), (core::f64::consts::PI, 0.0), (-0.4, 11.0)]
+        {
+            let orbit = Orbit::new(theta0, velocity0, frequency).unwrap();
+            let ours = formula("exact").period(&orbit);
+            assert!((ours / orbit.period() - 1.0).abs() < 1e-15, "{theta0} {ours} {}", orbit.period());
+            let linear = formula("linear").period(&orbit);
+            assert!((linear * orbit.omega0() - 2.0 * PI).abs() < 1e-14);
+        }
+        let orbit = |velocity0| Orbit::new(0.0, velocity0, Frequency::from_omega0(1.0).unwrap()).unwrap();
+        assert!(formula("exact").period(&orbit(2.1)).is_nan());
+        assert_eq!(formula("exact").period(&orbit(2.0)), f64::INFINITY);
+        assert_eq!(formula("agm:1").quarter_period(&orbit(2.0)), PI);
+    }
+
+    #[test]
+    fn ranges_find_both_sides_of_a_zero_and_of_a_hump() {
+        let denman = formula("denman").ranges(1e-4).unwrap();
+        assert_eq!(denman.len(), 2);
+        let [[from, to], [again, last]] = denman[..] else { unreachable!() };
+        assert!(from == 0.0 && to < again && again < last && last < PI);
+        for end in [to, again, last] {
+            assert!((formula("denman").error(end).abs() - 1e-4).abs() < 1e-15);
+        }
+        assert_eq!(formula("exact").ranges(1e-30).unwrap(), [[0.0, PI]]);
+        assert_eq!(formula("chachiyo").ranges(0.002).unwrap(), [[0.0, PI]]);
+        // The hump of 0.17 % parts the range.
+        assert_eq!(formula("chachiyo").ranges(1e-3).unwrap().len(), 2);
+        let cromer = formula("cromer").ranges(1e-3).unwrap();
+        assert!(cromer.len() == 1 && cromer[0][0] > 2.98 && cromer[0][1] == PI);
+        assert!(formula("exact").ranges(0.0).is_err() && formula("exact").ranges(f64::NAN).is_err());
+    }
+}

@@ -1,0 +1,161 @@
+//! An escape as polynomials of the squared phase (elliptic/arc.rs), with its poles taken out.
+//!
+//! With f in flights, -1/2 and 1/2 at the poles, e = 1/4 - f^2, and P and R even in f:
+//!   a simple pole                     u = P/e,  u' = R/e^2,
+//!   a root of one, y = e (e + gap)    u = P/sqrt y,  u' = R/(y sqrt y),
+//! where gap + 1/4 is the square of the f of the next real poles, which close in on these where the root goes; times f
+//! whichever is odd about the middle.
+
+use super::cubic_motion::counted;
+use super::swing::begun;
+use crate::elliptic::arc::{Arc, Curve, Place, rounded_product};
+use crate::elliptic::phase::Phase;
+use crate::float::Dd;
+use crate::float::double_double::{fast_two_sum, two_sum};
+use crate::float::loose::Loose;
+use crate::lanes::{Lane, Sampler};
+
+/// What the poles of u are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Pole {
+    Simple,
+    /// With the gap.
+    Root(Dd),
+}
+
+/// Most that polynomials of a flight may spread: an error of a unit of |u| or two.
+pub(super) const SPREAD: f64 = 4.0;
+
+/// How a flight goes with time, and what its polynomials lack of u and u'.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Flight {
+    pub pole: Pole,
+    /// Whether u is odd about the middle, or u'.
+    pub odd: bool,
+    /// Flights from the middle, or from the pole next to the start.
+    pub phase: Phase,
+    pub from_pole: bool,
+    /// Power of two that times take.
+    pub time: f64,
+    /// Factors of u and u', powers of two with signs: on the leg after the middle, or of the start where that is the
+    /// pole's.
+    pub u: f64,
+    pub velocity: f64,
+}
+
+/// u and u' between the middle and a pole, but for the factors of its flight.
+pub(super) trait Outwards {
+    /// At f and 1/2 - f flights from the middle, in (0, 1/2); `#[inline(always)]`.
+    fn at<L: Lane>(&self, f: Loose<L>, rest: Loose<L>) -> [Loose<L>; 2];
+}
+
+/// The way out as a curve.
+pub(super) struct Drawn<M> {
+    pub way: M,
+    pub odd: bool,
+    pub pole: Pole,
+}
+
+impl<M: Outwards> Curve for Drawn<M> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, Place { f, to_ends }: Place<L>) -> [Loose<L>; 2] {
+        let rest = to_ends.over(f + Loose::from_double(L::splat(0.5)));
+        let [u, velocity] = self.way.at(f, rest);
+        let (first, square) = match self.pole {
+            Pole::Simple => (to_ends, to_ends * to_ends),
+            Pole::Root(gap) => {
+                let y = to_ends * (to_ends + Loose::splat(gap));
+                (y.root(), y)
+            }
+        };
+        let (u, velocity) = match self.pole {
+            Pole::Simple => (u * first, velocity * square),
+            Pole::Root(_) => (u * first, velocity * first * square),
+        };
+        if self.odd { [u.over(f), velocity] } else { [u, velocity.over(f)] }
+    }
+}
+
+/// A flight at any time, with its start as it was given; what is wanted first. NaN beyond the poles.
+pub(super) struct Flying<'a, const FIRST: bool> {
+    pub flight: &'a Flight,
+    pub arc: &'a Arc,
+    /// u and u' at t = 0.
+    pub start: [f64; 2],
+}
+
+/// 1/y, for y not below 1e-300.
+#[inline(always)]
+pub(super) fn inverse<L: Lane>(y: Loose<L>) -> Loose<L> {
+    let inverse = L::splat(1.0) / y.hi;
+    let (back, error) = inverse.two_product(y.hi);
+    // What the inverse lacks of itself.
+    let rest = ((L::splat(1.0) - back) - error) - inverse * y.lo;
+    Loose::new(inverse, inverse * rest)
+}
+
+/// 1/sqrt y, for y not far below 1e-200.
+#[inline(always)]
+pub(super) fn inverse_root<L: Lane>(y: Loose<L>) -> Loose<L> {
+    let one = L::splat(1.0);
+    let first = one / y.hi.sqrt();
+    let (square, error) = first.two_product(first);
+    let (whole, whole_error) = square.two_product(y.hi);
+    // What y first^2 lacks of 1: half of that is what the root lacks.
+    let rest = (one - whole) - (whole_error + square.mul_add(y.lo, error * y.hi));
+    Loose::new(first, first * L::splat(0.5) * rest)
+}
+
+impl Flight {
+    /// Whether the squares of its distances to the poles are in range.
+    pub fn starts_in_range(&self) -> bool {
+        !self.from_pole || self.phase.start.hi > 1e-60
+    }
+}
+
+impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Flying<'_, FIRST> {
+    #[inline(always)]
+    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+        let Flight { pole, odd, phase, from_pole, time, u: u_scale, velocity: velocity_scale } = self.flight;
+        let passed = counted(phase, t * L::splat(*time));
+        let half = L::splat(0.5);
+        let one = L::splat(1.0);
+        let f = if *from_pole {
+            let (hi, lo) = two_sum(half, -passed.hi);
+            Dd::ordered_sum(hi, lo - passed.lo)
+        } else {
+            passed
+        };
+        let sign = one.copysign(f.hi);
+        let size = f.scale(sign);
+        // To the pole on this side: its own count is exact while it is near.
+        let (hi, lo) = fast_two_sum(half, -size.hi);
+        let rest = Dd::ordered_sum(hi, lo - size.lo);
+        let rest = if *from_pole { Dd::select(passed.hi.less(half), passed, rest) } else { rest };
+        // False for NaN as well.
+        let inside = L::splat(0.0).less(rest.hi);
+        let rest = Loose::select(inside, rest.into(), Loose::from_double(half));
+        let (other, error) = fast_two_sum(one, -rest.hi);
+        let ends = rest * Loose::new(other, error - rest.lo);
+        let (p, r) = (self.arc.first(f), self.arc.second(f));
+        let along = Loose::from(size);
+        let (p, r) = if *odd { (p * along, r) } else { (p, r * along) };
+        let (u, velocity) = match pole {
+            Pole::Simple => {
+                let inverse = inverse(ends);
+                (rounded_product(p, inverse), rounded_product(r * inverse, inverse))
+            }
+            Pole::Root(gap) => {
+                let y = ends * (ends + Loose::splat(*gap));
+                let inverse = inverse_root(y);
+                (rounded_product(p, inverse), rounded_product(r * inverse, inverse * inverse))
+            }
+        };
+        let (u_sign, velocity_sign) = if *odd { (sign, one) } else { (one, sign) };
+        let u = u * (u_sign * L::splat(*u_scale));
+        let velocity = velocity * (velocity_sign * L::splat(*velocity_scale));
+        let nan = L::splat(f64::NAN);
+        let both = [L::select(inside, u, nan), L::select(inside, velocity, nan)];
+        begun::<FIRST, L>(self.start, t, both)
+    }
+}

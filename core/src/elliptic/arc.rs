@@ -1,0 +1,262 @@
+//! Half a period of a motion as polynomials: no sine, no theta function, no arctangent per sample.
+//!
+//! With f in [-1/2, 1/2] half periods from the base of the motion and x = f^2, a function that is even about the base
+//! is a polynomial in t = (w + b)/(1 + b w), w = 8 x - 1; an odd one takes a factor f, one that vanishes at the ends
+//! 1/4 - x. As functions of w they are analytic up to the nearest singularities, and the map with the best b sends
+//! these as far out as they will go: a third to a half of the terms are saved. The leading coefficient stands for most
+//! of the sum and is carried as hi + lo. Coefficients by interpolation, when the first sample is asked for:
+//! docs/decisions/0011.
+
+use super::theta::Lattice;
+use crate::float::Dd;
+use crate::float::double_double::fast_two_sum;
+use crate::float::interpolation::{COUNTS, Interpolation, MOST};
+use crate::float::loose::Loose;
+use crate::lanes::{Kernel, Lane, Sampler, sweep, wide};
+
+/// A polynomial in t, its first two coefficients to double-double.
+#[derive(Clone, Debug)]
+struct Powers {
+    lead: Dd,
+    first_rest: f64,
+    /// Coefficients of t and t^2, t^3 and t^4, ...: as many as the layout counts.
+    pairs: [[f64; 2]; MOST / 2],
+}
+
+/// The polynomials of two functions of one motion.
+#[derive(Clone, Debug)]
+pub(crate) struct Arc {
+    layout: Layout,
+    first: Powers,
+    second: Powers,
+}
+
+/// How the arc of a motion is laid out.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layout {
+    /// Terms, one of [`COUNTS`].
+    count: usize,
+    /// b of the map, a multiple of 2^-20, so that 1 - b is exact.
+    bend: f64,
+}
+
+/// Where an arc is interpolated.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<L: Lane> {
+    /// Half periods from the base, in (0, 1/2).
+    pub f: Loose<L>,
+    /// 1/4 - f^2, not by subtraction.
+    pub to_ends: Loose<L>,
+}
+
+/// Two functions of f, even about the base and with the factors that a sample takes again divided out.
+pub(crate) trait Curve {
+    /// At a place; `#[inline(always)]`.
+    fn at<L: Lane>(&self, place: Place<L>) -> [Loose<L>; 2];
+}
+
+/// The sum of the semi-axes of the ellipse with foci -1 and 1 through that foot.
+fn semi_axes(foot: f64) -> f64 {
+    foot + (foot * foot - 1.0).sqrt()
+}
+
+/// Finest step of b.
+fn rounded(bend: f64) -> f64 {
+    (1_048_576.0 * bend).round() / 1_048_576.0
+}
+
+impl Layout {
+    /// For functions whose nearest singularity is f = i K'/2K, if few enough terms serve: up to about 170 degrees.
+    pub fn of(lattice: &Lattice) -> Option<Layout> {
+        let ellipse = semi_axes(1.0 + 2.0 * lattice.aspect * lattice.aspect);
+        // 1/b = the sum of the semi-axes of the ellipse through it: as far out to the left as infinity to the right.
+        let bend = rounded(1.0 / ellipse);
+        Layout::with(ellipse, bend)
+    }
+
+    /// For singularities at these complex f, with their negatives and conjugates.
+    pub fn around<const N: usize>(singularities: &[[f64; 2]; N]) -> Option<Layout> {
+        // Of each its w, and its distances to -1 and 1.
+        let size = |re: f64, im: f64| (re * re + im * im).sqrt();
+        let places = singularities.map(|[re, im]| {
+            let (w, v) = (8.0 * (re * re - im * im) - 1.0, 16.0 * re * im);
+            [w, v, size(w + 1.0, v), size(w - 1.0, v)]
+        });
+        // Semi-major axis of the ellipse through the image of the nearest one, and of infinity, which is 1/b.
+        let reach = |bend: f64| {
+            let far = |reach: f64, [w, v, left, right]: &[f64; 4]| {
+                let axis = 0.5 * ((1.0 - bend) * right + (1.0 + bend) * left);
+                reach.min(axis / size(1.0 + bend * w, bend * v))
+            };
+            places.iter().fold(1.0 / bend.abs(), far)
+        };
+        // Each of these exceeds a bound where a linear function of b exceeds a convex one: on an interval. So does the
+        // least of them, and the search that halves by thirds finds the best.
+        let (mut low, mut high) = (-0.5, 0.5);
+        while high - low > 0.01 {
+            let third = (high - low) / 3.0;
+            if reach(low + third) < reach(high - third) { low += third } else { high -= third }
+        }
+        let bend = rounded(0.5 * (low + high));
+        let best = Layout::with(reach(bend), bend)?;
+        // As many terms without a map are fewer operations.
+        let straight = Layout::with(reach(0.0), 0.0);
+        Some(straight.filter(|straight| straight.count <= best.count).unwrap_or(best))
+    }
+
+    fn with(foot: f64, bend: f64) -> Option<Layout> {
+        let decay = semi_axes(foot).min(1e6).powi(4);
+        // The error of n terms is some decay^(-n/4).
+        const ENOUGH: f64 = 3.7e19; // 2^65
+        let count = COUNTS.into_iter().find(|count| decay.powi(*count as i32 / 4) >= ENOUGH)?;
+        Some(Layout { count, bend })
+    }
+}
+
+impl Powers {
+    fn new(coefficients: &[Dd; MOST]) -> Powers {
+        let mut pairs = [[0.0; 2]; MOST / 2];
+        for (i, coefficient) in coefficients.iter().enumerate().skip(1) {
+            pairs[(i - 1) / 2][(i - 1) % 2] = coefficient.hi;
+        }
+        Powers { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
+    }
+
+    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of
+    /// the last place the sum may lose.
+    fn spread(&self, values: &[f64]) -> f64 {
+        let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
+        self.pairs.as_flattened().iter().fold(0.0, |sum, term| sum + term.abs()) / least
+    }
+
+    /// At t.
+    #[inline(always)]
+    fn at<L: Lane>(&self, count: usize, t: L) -> Dd<L> {
+        // Odd and even powers apart: two chains, half as long.
+        let square = t * t;
+        let (mut odd, mut even) = (L::splat(0.0), L::splat(0.0));
+        for [a, b] in self.pairs[..count / 2].iter().rev() {
+            odd = odd.mul_add(square, L::splat(*a));
+            even = even.mul_add(square, L::splat(*b));
+        }
+        let (hi, error) = fast_two_sum(L::splat(self.lead.hi), t * even.mul_add(t, odd));
+        Dd::new(hi, error + t.mul_add(L::splat(self.first_rest), L::splat(self.lead.lo)))
+    }
+}
+
+impl Arc {
+    /// Through a curve.
+    pub fn new(layout: Layout, curve: &impl Curve) -> Arc {
+        Arc::through(layout, curve).0
+    }
+
+    /// Through a curve, if the terms after the leading one add up to at most that many times the least of the values:
+    /// a unit of the last place of it each is what the sum may lose.
+    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64) -> Option<Arc> {
+        let (arc, spread) = Arc::through(layout, curve);
+        // False for NaN as well.
+        (spread <= most).then_some(arc)
+    }
+
+    /// Through a curve, and the larger spread of both functions.
+    #[cold]
+    #[inline(never)]
+    fn through(layout: Layout, curve: &impl Curve) -> (Arc, f64) {
+        let Layout { count, bend } = layout;
+        let interpolation = Interpolation::of(count);
+        let mut values = [[0.0; MOST]; 4];
+        wide(Measure { curve, bend, points: &interpolation.points, values: &mut values });
+        let [first, first_rest, second, second_rest] = &values;
+        let powers =
+            |hi: &[f64], lo: &[f64]| Powers::new(&interpolation.coefficients([&hi[..count], &lo[..count]]));
+        let arc = Arc { layout, first: powers(first, first_rest), second: powers(second, second_rest) };
+        let spreads = [arc.first.spread(&first[..count]), arc.second.spread(&second[..count])];
+        (arc, if spreads[0] < spreads[1] { spreads[1] } else { spreads[0] })
+    }
+
+    /// How many terms.
+    #[inline(always)]
+    pub fn count(&self) -> usize {
+        self.layout.count
+    }
+
+    /// t of half periods f, |f| up to about 1/2.
+    #[inline(always)]
+    fn mapped<L: Lane>(&self, f: Dd<L>) -> L {
+        let x = f.hi * f.hi;
+        let flat = L::splat(1.0 - self.layout.bend);
+        if self.layout.bend == 0.0 {
+            return L::splat(8.0).mul_add(x, -flat);
+        }
+        L::splat(8.0).mul_add(x, -flat) / L::splat(8.0 * self.layout.bend).mul_add(x, flat)
+    }
+
+    /// The first function, |f| up to about 1/2; hi + lo not normalised.
+    #[inline(always)]
+    pub fn first<L: Lane>(&self, f: Dd<L>) -> Loose<L> {
+        self.first.at(self.layout.count, self.mapped(f)).into()
+    }
+
+    /// The second, likewise.
+    #[inline(always)]
+    pub fn second<L: Lane>(&self, f: Dd<L>) -> Loose<L> {
+        self.second.at(self.layout.count, self.mapped(f)).into()
+    }
+}
+
+/// 1/4 - f^2, also next to the ends.
+#[inline(always)]
+pub(crate) fn to_ends<L: Lane>(f: Dd<L>) -> Loose<L> {
+    let half = L::splat(0.5);
+    let size = f.scale(L::splat(1.0).copysign(f.hi));
+    let (above, above_error) = fast_two_sum(half, size.hi);
+    let below = (half - size.hi) - size.lo;
+    let (factor, error) = above.two_product(below);
+    let below_error = ((half - size.hi) - below) - size.lo;
+    Loose::new(factor, above.mul_add(below_error, (above_error + size.lo).mul_add(below, error)))
+}
+
+/// A product, rounded.
+#[inline(always)]
+pub(crate) fn rounded_product<L: Lane>(a: Loose<L>, b: Loose<L>) -> L {
+    a.hi.mul_add(b.hi, a.hi.mul_add(b.lo, a.lo * b.hi))
+}
+
+/// A curve at the points of the interpolation.
+struct Measure<'a, C> {
+    curve: &'a C,
+    bend: f64,
+    points: &'a [Vec<f64>; 2],
+    values: &'a mut [[f64; MOST]; 4],
+}
+
+/// The same at one of them.
+struct Point<'a, C>(&'a C, f64);
+
+impl<L: Lane, C: Curve> Sampler<L, 2, 4> for Point<'_, C> {
+    #[inline(always)]
+    fn at(&self, [hi, lo]: [L; 2]) -> [L; 4] {
+        let Point(curve, bend) = self;
+        let one = Loose::from_double(L::splat(1.0));
+        let bend = Loose::from_double(L::splat(*bend));
+        let t = Loose::new(hi, lo);
+        // x = (1 - b)(1 + t)/8(1 - b t), and 1/4 - x = (1 + b)(1 - t)/8(1 - b t).
+        let scale = (one - bend * t).scale(L::splat(8.0));
+        let x = ((one - bend) * (one + t)).over(scale);
+        let to_ends = ((one + bend) * (one - t)).over(scale);
+        let [first, second] = curve.at(Place { f: x.root(), to_ends });
+        [first.hi, first.lo, second.hi, second.lo]
+    }
+}
+
+impl<C: Curve> Kernel for Measure<'_, C> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let [hi, lo] = self.points;
+        let count = hi.len();
+        let [a, b, c, d] = self.values;
+        let mut values = [&mut a[..count], &mut b[..count], &mut c[..count], &mut d[..count]];
+        sweep::<L, _, _, _>(&Point(self.curve, self.bend), [hi, lo], &mut values)
+    }
+}

@@ -1,0 +1,71 @@
+//! Every formula of the period and its error against the truth, and the spoiled siblings that must go red.
+
+mod ruler;
+
+use libration::approx::PeriodFormula;
+use ruler::{Row, distance, rows, ulp};
+
+const VECTORS: &str = include_str!("../../reference/vectors/approx_period.csv");
+const ROWS: usize = 1566;
+
+/// The formula of a row at its argument: ratio and error.
+fn measured(row: &Row) -> [f64; 2] {
+    let formula = PeriodFormula::named(row.text("formula")).unwrap();
+    let argument = row.hex("argument");
+    match row.text("given") {
+        "theta_max" => [formula.ratio(argument), formula.error(argument)],
+        _ => [formula.ratio_of_m(argument), formula.error_of_m(argument)],
+    }
+}
+
+/// The worst distances in ulps; that of the error is eased by what is not told from 0.
+fn worst(rows: &[Row], measured: impl Fn(&Row) -> [f64; 2]) -> [f64; 2] {
+    let mut worst = [0.0_f64; 2];
+    for row in rows {
+        let [ratio, error] = measured(row);
+        let truth = [row.truth("ratio"), row.truth("error")];
+        let floor = if truth[1][0].abs() < 1.1e-44 { 1.1e-44 } else { 1e-45 };
+        let found = [
+            distance(ratio, truth[0], ulp(truth[0][0])),
+            distance(error, truth[1], ulp(truth[1][0]) + floor),
+        ];
+        for (i, name) in ["ratio", "error"].into_iter().enumerate() {
+            if found[i] > 1.0 {
+                println!(
+                    "{name} {} {} {} {found:?}",
+                    row.text("formula"),
+                    row.text("given"),
+                    row.text("argument")
+                );
+            }
+            worst[i] = worst[i].max(found[i]);
+        }
+    }
+    println!("worst {worst:.3?}");
+    worst
+}
+
+fn holds(rows: &[Row], measured: impl Fn(&Row) -> [f64; 2]) -> bool {
+    worst(rows, measured).iter().all(|error| *error <= 1.0)
+}
+
+#[test]
+fn every_formula_keeps_its_last_digits() {
+    assert!(holds(&rows(VECTORS, ROWS), measured));
+}
+
+#[test]
+fn spoiled_siblings_are_found() {
+    let rows = rows(VECTORS, ROWS);
+    assert!(!holds(&rows, |row| measured(row).map(|value| value * (1.0 + 3.0 * f64::EPSILON))));
+    assert!(!holds(&rows, |row| measured(row).map(|value| -value)));
+    // The error as a difference of doubles, and a value where the formula has none.
+    assert!(!holds(&rows, |row| {
+        let [ratio, _] = measured(row);
+        let exact = PeriodFormula::named("exact").unwrap();
+        let argument = row.hex("argument");
+        let truth = if row.text("given") == "m" { exact.ratio_of_m(argument) } else { exact.ratio(argument) };
+        [ratio, ratio / truth - 1.0]
+    }));
+    assert!(!holds(&rows, |row| measured(row).map(|value| if value.is_nan() { 1.0 } else { value })));
+}

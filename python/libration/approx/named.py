@@ -1,0 +1,78 @@
+"""What every named formula knows of itself before it is asked anything."""
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..fixed import Fixed
+
+
+class Core(Protocol):
+    """The compiled formula behind a named one."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def facts(self) -> tuple[str, str, str, str, tuple[float, float] | None, str]: ...
+
+
+class Named(Fixed):
+    """A formula of a registry: its name, its source, and where it is meant to hold."""
+
+    __slots__ = ("_formula",)
+
+    _formula: Core
+
+    @property
+    def name(self) -> str:
+        """The name that finds it again, with its N."""
+        return self._formula.name
+
+    @property
+    def pattern(self) -> str:
+        """Its entry: the name, with ``:N`` if it takes a number."""
+        return self._formula.facts[0]
+
+    @property
+    def formula(self) -> str:
+        """The formula in one line."""
+        return self._formula.facts[1]
+
+    @property
+    def source(self) -> str:
+        """Author, year and equation."""
+        return self._formula.facts[2]
+
+    @property
+    def stated(self) -> str:
+        """The range its author offers it for, in words; empty where none is stated."""
+        return self._formula.facts[3]
+
+    @property
+    def stated_range(self) -> tuple[float, float] | None:
+        """The same as angles in rad."""
+        return self._formula.facts[4]
+
+    @property
+    def undefined(self) -> str:
+        """Where it has no value, in words."""
+        return self._formula.facts[5]
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash(self.__reduce__())
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.name!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.name,)
+
+
+def each(answer: Callable[[np.ndarray], np.ndarray], argument: Any) -> Any:
+    """The answers to an argument, a float64 or an array of its shape."""
+    values = np.asarray(argument, dtype=float)
+    return answer(np.ascontiguousarray(values).ravel()).reshape(values.shape)[()]

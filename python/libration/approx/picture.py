@@ -1,0 +1,113 @@
+"""Pictures of approximations: the angle over time above their errors, as Lima draws them."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..pendulum import Pendulum
+from ..plot import head, legend, number, quiet, save_figure
+
+# Colour, dash and order: told apart in grey too.
+EXACT = "#1a1a1a"
+STYLES = (
+    ("#c0392b", (0, (1, 1.2))),
+    ("#1f5fa8", (0, (5, 2))),
+    ("#2e7d32", (0, (6, 2, 1, 2))),
+    ("#8e44ad", (0, (3, 1))),
+    ("#b9770e", (0, (8, 2))),
+    ("#0e7c7b", (0, (2, 2))),
+)
+INSTANTS = 2000
+# More periods than this would be a solid band: the first are drawn.
+MOST_PERIODS = 12
+
+
+def plot_comparison(
+    pendulum: Pendulum, solutions: Any, path: Any, *, periods: float = 1.0, form: str | None = None
+) -> None:
+    """Draw approximations beside the exact angle, and below their errors in percent of the turning angle.
+
+    Parameters
+    ----------
+    pendulum : Pendulum
+        The motion; it repeats.
+    solutions : sequence of (str, AngleApproximation or NumericalSolution)
+        What is compared, with its name.
+    path : str, path or binary file
+        Where to save.
+    periods : float, default 1
+        How many periods; of more than twelve the first twelve.
+    form : str, optional
+        `png` or `svg`; by default the ending of `path`.
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is missing.
+
+    Examples
+    --------
+    >>> from io import BytesIO
+    >>> from libration import Pendulum, approx
+    >>> from libration.approx.picture import plot_comparison
+    >>> pendulum, picture = Pendulum(2.0), BytesIO()
+    >>> plot_comparison(pendulum, [("harmonic", approx.angle("harmonic").of(pendulum))], picture, form="png")
+    >>> picture.getvalue()[1:4]
+    b'PNG'
+    """
+    save_figure({form: path}, (9, 6.5), lambda figure: draw_comparison(figure, pendulum, solutions, periods))
+
+
+def draw_comparison(figure, pendulum, solutions, periods):
+    """Both panels, over time in periods."""
+    shown = min(periods, MOST_PERIODS)
+    part = np.linspace(0.0, shown, INSTANTS + 1)
+    t = part * pendulum.period
+    exact = pendulum.theta(t)
+    curves = [(name, solution.theta(t), style) for (name, solution), style in zip(solutions, styles(), strict=False)]
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
+    upper.plot(part, exact, color=EXACT, lw=1.8, label="exact")
+    swings = math.isfinite(pendulum.theta_max)
+    for name, theta, (color, dash) in curves:
+        upper.plot(part, theta, color=color, ls=dash, lw=1.6, label=name)
+        difference = theta - exact
+        lower.plot(part, 100 * difference / pendulum.theta_max if swings else difference, color=color, ls=dash, lw=1.6)
+        hatch_gaps((upper, lower), part, np.isnan(theta), color)
+    # What runs away leaves the picture, so that the others can be told apart.
+    room = np.ptp(exact)
+    within(upper, exact.min() - room, exact.max() + room)
+    within(lower, *((-100 * room / pendulum.theta_max, 100 * room / pendulum.theta_max) if swings else (-room, room)))
+    upper.set_ylabel(r"$\theta$ [rad]")
+    lower.set_ylabel(r"error [% of $\theta_{max}$]" if swings else "error [rad]")
+    lower.axhline(0.0, color=EXACT, lw=0.8)
+    lower.set_xlim(0.0, shown)
+    lower.set_xlabel("t / T" if shown == periods else f"t / T, the first {shown} of {periods:.6g} periods")
+    for axes in (upper, lower):
+        quiet(axes)
+    legend(upper)
+    state = rf"$\theta_0$ = {number(math.degrees(pendulum.theta0), 7)}°"
+    if pendulum.velocity0:
+        state += rf", $\dot\theta_0$ = {number(pendulum.velocity0)} rad/s"
+    head(figure, f"{state}: {pendulum.regime}, T = {number(pendulum.period)} s")
+
+
+def within(axes, low, high):
+    """Keeps the limits that the curves ask for within others."""
+    bottom, top = axes.get_ylim()
+    axes.set_ylim(max(bottom, low), min(top, high))
+
+
+def styles():
+    """Colours and dashes without end."""
+    while True:
+        yield from STYLES
+
+
+def hatch_gaps(panels, part, gap, color):
+    """Where an approximation is undefined, hatched in its colour."""
+    for axes in panels if gap.any() else ():
+        axes.fill_between(
+            part, 0, 1, where=gap, transform=axes.get_xaxis_transform(), hatch="///", facecolor="none",
+            edgecolor=color, lw=0, alpha=0.35,
+        )  # fmt: skip

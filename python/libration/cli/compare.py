@@ -1,0 +1,262 @@
+"""`libration compare`: approximations and numerical solutions beside the exact motion, with their largest errors.
+
+Everything that can be refused is refused before anything is evaluated; files appear whole or not at all.
+"""
+
+import contextlib
+import math
+
+from libration.cli.files import staged, strict, write_table
+from libration.cli.parameters import found_parameters, given_parameters, keyed
+from libration.cli.parser import Parser, Refusal, refusal
+from libration.cli.quantities import plain
+from libration.cli.sampling import PICTURES, TABLES, check_targets, plotter, written
+from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
+
+DESCRIPTION = """\
+How far approximations and numerical solutions are from the exact motion: the largest
+error of each, in rad and in percent of the turning angle (as Lima 2018 counts), over one
+period and over a hundred."""
+
+EPILOG = f"""\
+approximations:
+  linear                theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t)
+  harmonic              a cosine with the exact period (Lima 17)
+  fourier:N             N terms of sn, under the arcsine (Lima 22); undefined where that is
+  fourier-theta:N       N terms of the series of theta itself
+  trigonometric         cosine over root, for a release from rest (Salas 35)
+  small-m               first order in m, any start; its error grows with time (Salas)
+  small-m-bounded       the same without that growth
+  cubic, cubic-quintic  sin(theta) as a polynomial (Salas 2, 3), solved exactly
+  taylor:N              N-th Taylor polynomial in t about t = 0
+numerical solutions, with steps of H seconds, or SciPy's with their defaults:
+  euler:H, euler-cromer:H, rk4:H, solve_ivp, odeint
+
+Without --length or --omega0 time is in units of 1/omega0.
+
+{UNITS}
+
+files:
+  --out writes t, the exact theta and that of each solution at 1,001 instants a period to a
+  .csv, .npz or .json file, nan (in JSON null) where one is undefined. --plot draws the
+  angles above their errors to a .png or .svg file.
+
+examples:
+  libration compare --theta0 157.5deg --with harmonic,fourier:4,fourier-theta:4
+  libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png
+  libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025"""
+
+MOST_PERIODS = 10_000
+LONG = 100.0
+
+
+def parser():
+    """The options of `libration compare`."""
+    made = Parser("libration compare", DESCRIPTION, EPILOG)
+    made.usage = "libration compare --theta0 ANGLE --with NAMES [options]"
+    state_options(made, "(gives the time in seconds)")
+    group = made.add_argument_group("the comparison")
+    made.value(group, "--with", "NAMES", "what to compare, separated by commas (required)")
+    made.value(group, "--periods", "N", "periods of the first error, the table and the picture (default 1)")
+    group = made.add_argument_group("the results")
+    made.value(group, "--out", "FILE", "write the angles to a .csv, .npz or .json file")
+    made.value(group, "--plot", "FILE", "draw the angles and their errors to a .png or .svg file")
+    group.add_argument("--json", action="store_true", help="print the errors as one JSON object")
+    return made
+
+
+def run(words):
+    """Compare what the words ask for, write the files, print the errors."""
+    options = parser().options(words)
+    given = state(options)
+    wanted = names(getattr(options, "with"))
+    periods = span(options.periods)
+    check_targets(options)
+    motion = moving(options, pendulum(given))
+    solutions = [(name, solution(name, motion)) for name in wanted]
+    with contextlib.ExitStack() as stack:
+        targets = {}
+        for option, suffixes in (("out", TABLES), ("plot", PICTURES)):
+            if (path := getattr(options, option)) is not None:
+                targets[option] = stack.enter_context(staged(f"--{option}", path, suffixes))
+        draw = plotter("libration.approx.picture", "plot_comparison", "--plot", options.plot)
+        spans = [periods] if periods == LONG else [periods, LONG]
+        rows = [(name, made, [measured(name, made, each) for each in spans]) for name, made in solutions]
+        if "out" in targets:
+            columns = sampled_angles(motion, solutions, periods)
+            write_table(targets["out"], options.out, parameters(given, motion), columns)
+        if "plot" in targets:
+            form = options.plot.rpartition(".")[2].lower()
+            draw(motion, solutions, targets["plot"], periods=periods, form=form)
+    files = written(options)
+    if options.json:
+        print_json(given, motion, spans, rows, files)
+    else:
+        print_text(motion, "s" if has_frequency(given) else "/ omega0", spans, rows, files)
+
+
+def names(text):
+    """The names asked for, each once."""
+    if text is None:
+        raise Refusal("missing --with, what to compare, such as --with harmonic,fourier:4")
+    wanted = [name.strip() for name in text.split(",")]
+    for name in wanted:
+        if not name:
+            raise refusal("--with", text, "has an empty name; separate names by single commas")
+        if wanted.count(name) > 1:
+            raise refusal("--with", text, f"names {name} twice")
+    return wanted
+
+
+def span(text):
+    """How many periods."""
+    if text is None:
+        return 1.0
+    periods = plain("--periods", text)
+    if not 0 < periods <= MOST_PERIODS:
+        raise refusal("--periods", text, f"must be greater than 0 and at most {MOST_PERIODS}")
+    return periods
+
+
+def moving(options, motion):
+    """A motion with a period, or a Refusal."""
+    regime = str(motion.regime)
+    if regime == "rest":
+        raise refusal("--theta0", options.theta0, "is at rest: nothing moves, so there is nothing to compare")
+    if regime == "separatrix":
+        raise refusal("--velocity0", options.velocity0, "is on the separatrix: it has no period to compare over")
+    upright = abs(abs(motion.theta0) - math.pi) < 1e-15 and motion.velocity0 == 0
+    if upright:
+        reason = "is the upright balance, whose period is infinite; give less, such as 179.9deg"
+        raise refusal("--theta0", options.theta0, reason)
+    return motion
+
+
+def solution(name, motion):
+    """One solution by its name, or a Refusal with the nearest names first."""
+    from libration import approx
+    from libration.approx.solvers import nearest
+
+    base = name.partition(":")[0]
+    patterns = (*approx.angle.names, *approx.numerical.names)
+    if base not in [each.partition(":")[0] for each in patterns]:
+        raise refusal("--with", name, f"is not known; there are {', '.join(nearest(patterns, name))}")
+    makes = approx.numerical if base in [each.partition(":")[0] for each in approx.numerical.names] else approx.angle
+    try:
+        return makes(name).of(motion)
+    except (ValueError, ImportError) as error:
+        raise refusal("--with", name, str(error)) from error
+
+
+def measured(name, made, periods):
+    """The largest error over so many periods, or a Refusal."""
+    try:
+        return made.error(periods)
+    except ValueError as error:
+        raise refusal("--with", name, str(error)) from error
+
+
+def sampled_angles(motion, solutions, periods):
+    """The columns of the table."""
+    import numpy as np
+
+    t = np.linspace(0.0, periods * motion.period, math.ceil(1000 * periods) + 1)
+    angles = [(key_of(name), "rad", made.theta(t)) for name, made in solutions]
+    return [("t", "s", t), ("theta", "rad", motion.theta(t)), *angles]
+
+
+def key_of(name):
+    """`fourier:4` as the name of a column, `theta_fourier_4`."""
+    return "theta_" + name.replace(":", "_").replace("-", "_")
+
+
+def parameters(given, motion):
+    """The parameters that the table carries."""
+    from libration import __version__
+
+    return [("libration", __version__, ""), *given_parameters(given, motion), *found_parameters(motion)]
+
+
+def print_json(given, motion, spans, rows, files):
+    """One JSON object."""
+    answer = keyed(parameters(given, motion)[1:])
+    answer["errors"] = [
+        {
+            "name": name,
+            "periods": periods,
+            "largest_error_rad": error.difference,
+            "largest_error_percent": 100 * error.relative,
+            "t_s": error.t,
+            "t_per_period": error.t / motion.period,
+            "undefined_from_s": error.undefined_from,
+            "over_the_top_s": over_the_top(made, periods),
+        }
+        for name, made, errors in rows
+        for periods, error in zip(spans, errors, strict=True)
+    ]
+    print(strict(answer | {"files": files}))
+
+
+def over_the_top(made, periods):
+    """When a numerical swing goes over the top; NaN for the others."""
+    return made.over_the_top(periods) if hasattr(made, "over_the_top") else math.nan
+
+
+def print_text(motion, unit, spans, rows, files):
+    """A table for people."""
+    from libration.cli.summary import angle_text, digits, print_lines
+
+    regime = str(motion.regime)
+    print_lines(
+        [
+            (
+                "exact motion",
+                f"{regime}, {'one turn' if regime == 'rotation' else 'period'} {digits(motion.period)} {unit}",
+            ),
+            ("turning angle", angle_text(regime, motion.theta_max)),
+        ]
+    )
+    percent = math.isfinite(motion.theta_max)
+    heads = ["      rad", *(["        %"] if percent else []), " at t/T"]
+    width = max(len("largest error"), *(len(name) for name, *_ in rows))
+    block = sum(map(len, heads)) + 2 * (len(heads) - 1)
+    print()
+    print(f"{'largest error':{width}}", *(f"  {over(periods):>{block}}" for periods in spans), sep="")
+    print(" " * width, *(f"  {'  '.join(heads)}" for _ in spans), sep="")
+    for name, made, errors in rows:
+        cells = [
+            f"  {cell:>{len(head)}}"
+            for error in errors
+            for head, cell in zip(heads, texts(error, motion, percent), strict=True)
+        ]
+        print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, unit, max(spans), errors)}".rstrip())
+    if percent:
+        print("\n% of the turning angle; t/T is when the error is largest, in periods")
+    if files:
+        print()
+        print_lines([("written", path) for path in files])
+
+
+def over(periods):
+    """`over 1 period`, as the head of a block."""
+    return f"over {periods:g} {'period' if periods == 1 else 'periods'}"
+
+
+def texts(error, motion, percent):
+    """The cells of one error."""
+    if math.isnan(error.difference):
+        return ["undefined", *(["-"] if percent else []), "-"]
+    shown = [f"{error.difference:.4g}", *([f"{100 * error.relative:.4g}"] if percent else [])]
+    return [*shown, f"{error.t / motion.period:.5g}"]
+
+
+def remarks(made, motion, unit, longest, errors):
+    """What else a reader should know of one row."""
+    said = []
+    gaps = [error.undefined_from for error in errors if not math.isnan(error.undefined_from)]
+    if gaps:
+        said.append(f"undefined from t/T = {gaps[0] / motion.period:.5g}")
+    top = over_the_top(made, longest)
+    if not math.isnan(top):
+        said.append(f"goes over the top at t = {top:.4g} {unit}")
+    return "  " + "; ".join(said) if said else ""

@@ -1,0 +1,142 @@
+"""`libration papers`: every figure of the three papers, and every number they claim beside the one measured here.
+
+All files are opened before anything is drawn, and take their places together at the end.
+"""
+
+import contextlib
+import csv
+import io
+import os
+import shutil
+import textwrap
+
+from libration.cli.files import staged
+from libration.cli.parser import Finding, Parser, Refusal, refusal
+from libration.cli.sampling import check_matplotlib, check_package
+
+DESCRIPTION = """\
+Three papers about the pendulum, worked through: Salas 2019, Lima 2019 and Horsley 2025. Draws
+each of their figures anew, and puts each number that they claim beside the one measured here."""
+
+EPILOG = """\
+files in DIR:
+  salas-1 to salas-7, lima-1 to lima-4, horsley-1 to horsley-3, horsley-phase-space and
+  horsley-ellipse, each as .svg and .png with source and choices in the caption; claims.csv
+  with the rows of the table. Files that exist are replaced; all of them appear, or none.
+
+A claim is `reproduced`, `corrected` (ours is the right value), or `not reproducible` for the
+reason given. The exit code is 0 if what is measured supports every verdict, else 1. The wrong
+lines of the papers are listed in docs/errata.md.
+
+examples:
+  libration papers
+  libration papers lima --out figures"""
+
+FORMS = ("svg", "png")
+COLUMNS = ("work", "place", "claim", "printed", "ours", "value", "verdict", "reason")
+
+
+def parser():
+    """The options of `libration papers`."""
+    made = Parser("libration papers", DESCRIPTION, EPILOG)
+    made.usage = "libration papers [salas | lima | horsley] [--out DIR]"
+    group = made.add_argument_group("the paper")
+    group.add_argument("paper", nargs="?", help="salas, lima or horsley (default all three)")
+    group = made.add_argument_group("the results")
+    made.value(group, "--out", "DIR", "directory of the files (default out); made if the one above it exists")
+    return made
+
+
+def run(words):
+    """Draw the figures, write and print the claims; a Finding if one does not stand."""
+    options = parser().options(words)
+    folder = "out" if options.out is None else options.out
+    works = chosen_works(options.paper)
+    check_folder(folder)
+    check_matplotlib("--out", folder, "papers")
+    if works != ("lima",):
+        check_package("SciPy", ("scipy.integrate",), "--out", folder, "papers")
+
+    from libration.papers import claims, pictures
+
+    drawn = [picture for work in works for picture in pictures(work)]
+    with contextlib.ExitStack() as stack:
+        files = {}
+        for picture in drawn:
+            for form in FORMS:
+                path = os.path.join(folder, f"{picture.name}.{form}")
+                files[picture.name, form] = stack.enter_context(staged("--out", path, (".svg", ".png")))
+        table = stack.enter_context(staged("--out", os.path.join(folder, "claims.csv"), (".csv", ".csv")))
+        rows = [row for work in works for row in claims(work)]
+        table.write(csv_text(rows).encode())
+        for picture in drawn:
+            picture.save({form: files[picture.name, form] for form in FORMS})
+    print_table(rows)
+    names = f"{len(drawn)} figures as .svg and .png, and claims.csv"
+    print(f"{summary(rows)}\nwritten to {folder}: {names}")
+    fallen = next((row for row in rows if not row.stands), None)
+    if fallen is not None:
+        raise Finding(f"{fallen.work}, {fallen.place}: {fallen.claim}: {fallen.ours} does not support {fallen.verdict}")
+
+
+def chosen_works(paper):
+    """The papers asked for, or a Refusal."""
+    from libration.papers.work import chosen
+
+    try:
+        return chosen(paper)
+    except ValueError as error:
+        raise Refusal(str(error)) from error
+
+
+def check_folder(folder):
+    """Refuse what can be no directory."""
+    if not folder or not folder.isprintable():
+        raise refusal("--out", folder, "must be a directory")
+    if os.path.exists(folder) and not os.path.isdir(folder):
+        raise refusal("--out", folder, "is not a directory")
+
+
+def csv_text(rows):
+    """The claims as comma-separated text; the measured value reads back to the same double."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for row in rows:
+        value = "" if row.measured is None else repr(row.value)
+        writer.writerow((row.work, row.place, row.claim, row.printed, row.ours, value, verdict_text(row), row.reason))
+    return text.getvalue()
+
+
+def verdict_text(row):
+    """The verdict; with its reason in brackets if the claim cannot be reproduced."""
+    return f"{row.verdict} ({row.reason})" if row.measured is None else str(row.verdict)
+
+
+def print_table(rows):
+    """Verdict, place and claim, and below it the printed and the measured value."""
+    width = max(shutil.get_terminal_size((100, 24)).columns, 60)
+    work = None
+    for row in rows:
+        if row.work != work:
+            work = row.work
+            print(f"{work}\n")
+        head = f"  {row.verdict:16}  "
+        text = textwrap.wrap(f"{row.place}: {row.claim}".replace(" = ", "\u00a0=\u00a0"), width - len(head))
+        print("\n".join([head + text[0]] + [" " * len(head) + line for line in text[1:]]))
+        print("\n".join(textwrap.wrap(values(row), width, initial_indent=" " * 22, subsequent_indent=" " * 22)) + "\n")
+
+
+def values(row):
+    """The printed and the measured value in words."""
+    if row.measured is None:
+        return row.reason
+    note = f" ({row.reason})" if row.reason else ""
+    return f"printed: {row.printed}; measured: {row.ours}{note}"
+
+
+def summary(rows):
+    """How many claims, and what became of them."""
+    verdicts = [str(row.verdict) for row in rows]
+    counts = ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in dict.fromkeys(verdicts))
+    return f"{len(rows)} claims: {counts}"

@@ -1,0 +1,35 @@
+"""Three papers about the pendulum, worked through: Salas 2019, Lima 2019, Horsley 2025.
+
+Their exact forms, corrected (`salas_22`, `salas_23`, `salas_24`, `juchem_neto`), and where each fails (`limits`); every
+wrong line with its correction and a check that tells the two apart (`errata`); every numerical claim beside what is
+measured here (`claims`); every figure drawn anew (`pictures`). Their approximations are in `libration.approx`.
+
+Examples
+--------
+>>> from libration import papers
+>>> f"{papers.salas_23(1.0, 1.0):.9f} {papers.salas_23(7.0, 1.0, 3.0):.9f}"
+'0.600085366 1.634282841'
+"""
+
+from .claim import Claim, Verdict, claims
+from .erratum import Erratum, Kind, errata
+from .exact import juchem_neto, salas_22, salas_23, salas_24
+from .limit import Limit, limits
+from .picture import Picture, pictures
+
+__all__ = [
+    "Claim",
+    "Erratum",
+    "Kind",
+    "Limit",
+    "Picture",
+    "Verdict",
+    "claims",
+    "errata",
+    "juchem_neto",
+    "limits",
+    "pictures",
+    "salas_22",
+    "salas_23",
+    "salas_24",
+]

@@ -1,0 +1,139 @@
+"""One row of the claims: a number a paper prints, the number measured here, and whether the two agree.
+
+The verdict of a row is stated, and its measured value must support it: `reproduced` if the value lies where the printed
+one allows, `corrected` if it does not, and lies where the correction says. What is not reproducible names the reason.
+"""
+
+import functools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Verdict(StrEnum):
+    """What became of a claim; a member compares equal to its string.
+
+    Examples
+    --------
+    >>> from libration.papers import Verdict
+    >>> Verdict.CORRECTED == "corrected"
+    True
+    """
+
+    REPRODUCED = "reproduced"
+    CORRECTED = "corrected"
+    NOT_REPRODUCIBLE = "not reproducible"
+
+
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A numerical claim of a paper, with what is measured here.
+
+    Parameters
+    ----------
+    work, place : str
+        Paper, and where in it.
+    claim : str
+        The claim in our words.
+    printed : str
+        The printed value.
+    allows : pair of float, optional
+        The measured values with which the printed one is right.
+    measured : callable, optional
+        The measured value; none for what cannot be reproduced.
+    shown : str
+        Format of the measured value, with its unit.
+    corrected : pair of float, optional
+        The measured values that the correction stands for; none for what is reproduced.
+    reason : str
+        Why a claim cannot be reproduced, or what is to be known beside the number.
+
+    Examples
+    --------
+    >>> from libration.papers import claims
+    >>> row = next(row for row in claims("lima") if row.printed == "0.6 %")
+    >>> print(row.ours, row.verdict, row.stands)
+    0.6069 % reproduced True
+    """
+
+    work: str
+    place: str
+    claim: str
+    printed: str
+    allows: Interval | None = None
+    measured: Callable[[], float] | None = None
+    shown: str = "{:.4g}"
+    corrected: Interval | None = None
+    reason: str = ""
+
+    @functools.cached_property
+    def value(self) -> float:
+        """The measured value; NaN if there is none."""
+        return math.nan if self.measured is None else float(self.measured())
+
+    @property
+    def ours(self) -> str:
+        """The measured value in words; empty if there is none."""
+        return "" if self.measured is None else self.shown.format(self.value)
+
+    @property
+    def verdict(self) -> Verdict:
+        """What the row states of its claim."""
+        if self.measured is None:
+            return Verdict.NOT_REPRODUCIBLE
+        return Verdict.REPRODUCED if self.corrected is None else Verdict.CORRECTED
+
+    @property
+    def stands(self) -> bool:
+        """Whether the row is accounted for: its measured value supports its verdict, or a reason is given."""
+        if self.measured is None:
+            return bool(self.reason)
+        if self.allows is None:
+            return False
+        right = within(self.value, self.allows)
+        return right if self.corrected is None else not right and within(self.value, self.corrected)
+
+
+def within(value: float, interval: Interval) -> bool:
+    """Whether a value lies in a closed interval; NaN lies in none."""
+    return interval[0] <= value <= interval[1]
+
+
+def rounded(text: str) -> Interval:
+    """The values that round to a printed decimal number: half a unit of its last place to both sides."""
+    half = 0.5 * 10.0 ** -len(text.partition(".")[2])
+    return float(text) - half, float(text) + half
+
+
+def claims(work: str | None = None) -> tuple[Claim, ...]:
+    """The numerical claims of the three papers, each with its measured value.
+
+    Parameters
+    ----------
+    work : str, optional
+        `salas`, `lima` or `horsley`; by default all three.
+
+    Returns
+    -------
+    tuple of Claim
+
+    Raises
+    ------
+    ValueError
+        For another name.
+
+    Examples
+    --------
+    >>> from libration.papers import claims
+    >>> all(row.stands for row in claims())
+    True
+    """
+    from . import claims_horsley, claims_lima, claims_salas
+    from .work import chosen
+
+    parts = {"salas": claims_salas.ROWS, "lima": claims_lima.ROWS, "horsley": claims_horsley.ROWS}
+    return tuple(row for name in chosen(work) for row in parts[name])

@@ -1,0 +1,150 @@
+"""One row of the errata: what a paper prints, what it should print, and a measurement that tells the two apart.
+
+A check takes a form (a function, a number, a text, as the row has it) and returns its residual: how far it is from
+what the row's equation claims. The corrected form keeps the tolerance, the printed one in its place does not.
+"""
+
+import functools
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+
+
+class Kind(StrEnum):
+    """Where an erratum comes from; a member compares equal to its string.
+
+    Examples
+    --------
+    >>> from libration.papers import Kind
+    >>> Kind.PAPER == "error of the paper"
+    True
+    """
+
+    TEXT = "slip of the text at hand"
+    PAPER = "error of the paper"
+    OPEN = "cannot be told apart"
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """One wrong line of a paper, with its correction and the check that holds for one of the two.
+
+    Parameters
+    ----------
+    work, place : str
+        Paper and equation.
+    printed, corrected : str
+        The line in both versions.
+    why : str
+        The reason in words.
+    kind : Kind
+        A slip of the text at hand, an error of the paper, or what cannot be told apart from this text.
+    measure : str
+        What the residual is, in words, with its unit.
+    tolerance : float
+        The largest residual that passes.
+    check : callable
+        Takes a form and returns its residual; NaN if the form has no value.
+    printed_form, corrected_form : object
+        What the check takes, in both versions.
+
+    Examples
+    --------
+    >>> from libration.papers import errata
+    >>> row = next(row for row in errata() if row.place == "(25)")
+    >>> print(row.holds(row.corrected_form), row.holds(row.printed_form), f"{row.printed_residual:.4f}")
+    True False 0.7500
+    """
+
+    work: str
+    place: str
+    printed: str
+    corrected: str
+    why: str
+    kind: Kind
+    measure: str
+    tolerance: float
+    check: Callable[[Any], float]
+    printed_form: Any
+    corrected_form: Any
+
+    def residual(self, form: Any) -> float:
+        """How far a form is from what the equation claims; NaN if it has no value."""
+        with np.errstate(all="ignore"):
+            return float(self.check(form))
+
+    @functools.cached_property
+    def printed_residual(self) -> float:
+        """The residual of the printed form."""
+        return self.residual(self.printed_form)
+
+    @functools.cached_property
+    def corrected_residual(self) -> float:
+        """The residual of the corrected form."""
+        return self.residual(self.corrected_form)
+
+    def holds(self, form: Any) -> bool:
+        """Whether a form passes the check."""
+        return self.residual(form) <= self.tolerance
+
+
+@functools.cache
+def errata() -> tuple[Erratum, ...]:
+    """The errata of the three papers, each with a check that its printed form fails and its corrected form passes.
+
+    Returns
+    -------
+    tuple of Erratum
+
+    Examples
+    --------
+    >>> from libration.papers import errata
+    >>> all(row.holds(row.corrected_form) and not row.holds(row.printed_form) for row in errata())
+    True
+    """
+    from . import errata_horsley, errata_lima, errata_salas, errata_salas_periods
+
+    parts = (errata_salas, errata_salas_periods, errata_lima, errata_horsley)
+    return tuple(row for part in parts for row in part.ROWS)
+
+
+# Central difference of eighth order for a second derivative (Fornberg 1988, table 1), and its step: with rates near 1
+# the formula errs by 1e-15 and the rounding of the doubles by 1e-12.
+WEIGHTS = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
+STEP = 0.02
+# States of the pendulum with omega0 = 1 that the checks start from: theta0 in rad, velocity0 in rad/s.
+SWINGS = ((1.0, 0.5), (0.3, -0.9), (2.2, 0.2))
+
+
+def largest(values: Any) -> float:
+    """The largest absolute value; NaN if there is one."""
+    return float(np.max(np.abs(np.asarray(values, dtype=float))))
+
+
+def second_derivative(u: Callable[[Any], Any], t: Any) -> Any:
+    """u''(t) from values of u alone."""
+    return u(np.asarray(t)[:, None] + STEP * np.arange(-4, 5)) @ WEIGHTS / STEP**2
+
+
+def motion_residual(u: Callable[[Any], Any], force: Callable[[Any], Any], t: Any) -> float:
+    """The largest |u'' + force(u)| over the instants t."""
+    return largest(second_derivative(u, t) + force(u(np.asarray(t))))
+
+
+def swing_residual(form: Callable[..., Any], states: Sequence[tuple[float, float]] = SWINGS) -> float:
+    """The largest |theta'' + sin(theta)| of form(t, theta0, velocity0), or the largest miss of its initial state."""
+    t = np.linspace(0.1, 3.0, 30)
+    beside = STEP * np.array([-1.0, 1.0])
+    found = []
+    for theta0, velocity0 in states:
+        motion = functools.partial(form, theta0=theta0, velocity0=velocity0)
+        found.append(motion_residual(motion, np.sin, t))
+        # The velocity at 0 by the central difference, whose own error is a sixth of the jerk times the step squared.
+        slope = (motion(beside)[1] - motion(beside)[0]) / (2 * STEP)
+        jerk = -math.cos(theta0) * velocity0
+        found += [motion(np.zeros(1))[0] - theta0, (slope - jerk * STEP**2 / 6 - velocity0) * STEP]
+    return largest(found)

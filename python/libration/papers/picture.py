@@ -1,0 +1,143 @@
+"""The style of the papers' figures: one picture with title, caption and metadata, saved as SVG or PNG.
+
+matplotlib is needed only here and in what draws; its Figure is used without pyplot, as in ../plot.py, whose quiet
+style is kept. The caption stands below the picture and in the metadata of the file.
+"""
+
+import textwrap
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet, save_figure
+from .work import chosen
+
+# The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
+BLACK, RED, BLUE, GREY = "#1a1a1a", SEPARATRIX, EXACT, LINEAR
+DOTTED, DASHED = (0, (1, 1.4)), (0, (4.5, 3.2))
+# Characters of the caption to an inch of the picture.
+CHARACTERS = 16
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One figure of a paper, drawn anew.
+
+    Parameters
+    ----------
+    name : str
+        File name without its ending: the paper, and the number of the printed figure.
+    title : str
+        What is seen, in one line.
+    caption : str
+        Source, and what was chosen where the paper does not say.
+    size : pair of float
+        Width and height, inches.
+    draw : callable
+        Draws into a matplotlib Figure.
+
+    Examples
+    --------
+    >>> from io import BytesIO
+    >>> from libration.papers import pictures
+    >>> picture = pictures("lima")[0]
+    >>> print(picture.name, picture.size)
+    lima-1 (6.2, 5.3)
+    >>> file = BytesIO()
+    >>> picture.save({"png": file})
+    >>> file.getvalue()[1:4]
+    b'PNG'
+    """
+
+    name: str
+    title: str
+    caption: str
+    size: tuple[float, float]
+    draw: Callable[[Any], None]
+
+    def save(self, files: dict[str, Any]) -> None:
+        """Draw once, and save in every form asked for.
+
+        Parameters
+        ----------
+        files : dict
+            Path or binary file by form, `svg` or `png`.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing, or SciPy where the paper integrates.
+        """
+
+        def draw(figure):
+            with np.errstate(all="ignore"):
+                self.draw(figure)
+            figure.suptitle(self.title, x=0.012, ha="left", fontsize=12.5)
+            # No line ends within `m = 0.1`.
+            text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
+            figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
+
+        save_figure(files, self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
+
+
+def pictures(work: str | None = None) -> tuple[Picture, ...]:
+    """The figures of the three papers, and two that one of them wished for.
+
+    Parameters
+    ----------
+    work : str, optional
+        `salas`, `lima` or `horsley`; by default all three.
+
+    Returns
+    -------
+    tuple of Picture
+
+    Raises
+    ------
+    ValueError
+        For another name.
+
+    Examples
+    --------
+    >>> from libration.papers import pictures
+    >>> print(*(picture.name for picture in pictures("horsley")))
+    horsley-1 horsley-2 horsley-3 horsley-phase-space horsley-ellipse
+    """
+    from . import horsley, lima, salas
+
+    parts = {"salas": salas.PICTURES, "lima": lima.PICTURES, "horsley": horsley.PICTURES}
+    return tuple(picture for name in chosen(work) for picture in parts[name])
+
+
+def panels(figure, heights=(2.1, 1)):
+    """An upper and a lower panel over the same axis."""
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=heights)
+    for axes in (upper, lower):
+        quiet(axes)
+    lower.axhline(0, color="#999999", lw=0.8)
+    return upper, lower
+
+
+def exact(axes, t, theta):
+    """The exact solution: black, solid."""
+    axes.plot(t, theta, color=BLACK, lw=2.1, label="exact")
+
+
+def dotted(axes, t, theta, label):
+    """The first approximation: red, dotted."""
+    axes.plot(t, theta, color=RED, lw=1.9, ls=DOTTED, label=label)
+
+
+def dashed(axes, t, theta, label):
+    """The second approximation, or the numerical solution: blue, dashed."""
+    axes.plot(t, theta, color=BLUE, lw=1.7, ls=DASHED, label=label)
+
+
+def named(axes, horizontal, vertical):
+    """Labels of both axes, and the legend above."""
+    axes.set_xlabel(horizontal)
+    axes.set_ylabel(vertical)
+    if axes.get_legend_handles_labels()[0]:
+        legend(axes)

@@ -1,0 +1,87 @@
+"""The exact forms of the papers: right where they hold, and beside the truth where they do not."""
+
+import math
+
+import numpy as np
+import pytest
+
+import libration
+from libration.papers import juchem_neto, limits, salas_22, salas_23, salas_24
+
+FORMS = [salas_22, salas_23, salas_24, juchem_neto]
+T = np.linspace(-20.0, 20.0, 401)
+# theta0, velocity0, omega0: librations from 0 < theta0 < pi, where all four hold.
+SWINGS = [(0.1, 0.0, 1.0), (1.0, 0.5, 1.0), (1.0, -0.5, 2.0), (2.5, 0.3, 1.0), (3.0, 0.0, 3.13), (0.5, -1.7, 1.0)]
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize(("theta0", "velocity0", "omega0"), SWINGS)
+def test_right_where_they_hold(form, theta0, velocity0, omega0):
+    truth = libration.theta(T, theta0, velocity0, omega0)
+    assert np.max(np.abs(form(T, theta0, velocity0, omega0) - truth)) < 2e-11
+    # A form that is right for another state is not right for this one.
+    assert np.max(np.abs(form(T, theta0 + 1e-6, velocity0, omega0) - truth)) > 1e-7
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_separatrix(form):
+    velocity0 = 2 * math.cos(0.5)
+    truth = libration.theta(T[150:250], 1.0, velocity0)
+    assert np.max(np.abs(form(T[150:250], 1.0, velocity0) - truth)) < 1e-9
+
+
+@pytest.mark.parametrize("form", [salas_22, salas_23, salas_24])
+@pytest.mark.parametrize("state", [(-1.0, 0.4), (-2.0, 0.0), (0.0, 1.0), (0.0, -1.9)])
+def test_salas_holds_on_both_sides(form, state):
+    assert np.max(np.abs(form(T, *state) - libration.theta(T, *state))) < 2e-12
+
+
+@pytest.mark.parametrize("form", [salas_22, salas_23, salas_24])
+@pytest.mark.parametrize("state", [(1.0, 3.0), (1.0, -3.0), (-2.0, 2.5), (4.0, 0.5), (9.0, -4.0)])
+def test_salas_holds_modulo_a_turn(form, state):
+    difference = form(T, *state) - libration.theta(T, *state)
+    assert np.max(np.abs(np.angle(np.exp(1j * difference)))) < 1e-10
+    assert np.max(np.abs(difference)) > 6
+
+
+def test_complement():
+    # The parameter of (22) is the complement of that of (23): exchanged, it is another motion.
+    assert salas_22(1.3, 2.0, 0.4) == pytest.approx(salas_23(1.3, 2.0, 0.4), abs=1e-14)
+
+
+def test_they_broadcast():
+    assert salas_23(T[:, None], [0.5, 1.0]).shape == (401, 2)
+    assert juchem_neto(T[:, None], [0.5, 1.0], [0.1, -0.1]).shape == (401, 2)
+    assert np.ndim(salas_22(1.0, 1.0)) == 0
+
+
+@pytest.mark.parametrize("limit", limits(), ids=lambda limit: f"{limit.name} {limit.theta0:.3g} {limit.velocity0}")
+def test_they_fail_where_they_are_said_to(limit):
+    assert not abs(limit.given - limit.truth) < 1e-3
+    assert limit.modulo == (abs(math.remainder(limit.given - limit.truth, math.tau)) < 1e-9)
+    assert limit.why
+
+
+@pytest.mark.parametrize(
+    ("name", "state", "t", "given", "truth"),
+    [
+        # Measured with mpmath at 50 digits, apart from this package.
+        ("Salas (23)", (1.0, 3.0), 7.0, 1.634282840633, 20.4838387621714),
+        ("Salas (23)", (math.pi, 0.5), 1.0, -2.55533192399, 3.727853383189),
+        ("Salas (24)", (0.0, 2.0), 800.0, math.nan, math.pi),
+        ("Juchem Neto", (1.0, 3.0), 1.5, 1.338413590964, 4.944771716215),
+        ("Juchem Neto", (-1.0, 0.0), 3.0, -0.948751596946, 0.948751596946),
+        ("Juchem Neto", (0.0, 1.0), 1.0, math.nan, 0.847798681677),
+        ("Juchem Neto", (math.pi, 1.0), 0.5, 2.62077350365, 3.66241180353),
+    ],
+)
+def test_failing_numbers(name, state, t, given, truth):
+    limit = next(
+        limit for limit in limits() if (limit.name, limit.theta0, limit.velocity0, limit.t) == (name, *state, t)
+    )
+    assert limit.given == pytest.approx(given, abs=1e-11, nan_ok=True)
+    assert limit.truth == pytest.approx(truth, abs=1e-11)
+
+
+def test_from_the_top_downward_juchem_neto_holds():
+    assert juchem_neto(0.5, math.pi, -1.0) == pytest.approx(libration.theta(0.5, math.pi, -1.0), abs=1e-12)

@@ -1,0 +1,69 @@
+"""Checks the truth of the approximations: a sample derived again, errors by Arb's own mean.
+
+Rows that are spoiled must fail. Called by check.py; alone: python approx_check.py (some seconds).
+"""
+
+import math
+import random
+from fractions import Fraction
+
+import approx_period
+import approx_sine
+import exact
+from flint import arb, ctx, fmpq
+
+FILES = {"approx_period.csv": (approx_period, 150), "approx_sine.csv": (approx_sine, 10)}
+
+
+def fail(*words):
+    raise SystemExit(" ".join(["reference:", *map(str, words)]))
+
+
+def ball(row, name):
+    hi, lo = (Fraction(float.fromhex(row[f"{name}_{word}"])) for word in ("hi", "lo"))
+    return arb(fmpq((hi + lo).numerator, (hi + lo).denominator))
+
+
+def contradicts(row):
+    """Whether error is not ratio agm(1, cos(theta_max/2)) - 1 to what both columns hold."""
+    values = [float.fromhex(row[name]) for name in ("ratio_hi", "error_hi")]
+    argument = Fraction(float.fromhex(row["argument"]))
+    if not all(map(math.isfinite, values)) or (row["given"] == "m" and argument == 1):
+        return False
+    ctx.prec = 2400
+    x = arb(fmpq(argument.numerator, argument.denominator))
+    a = (x / 2).cos() if row["given"] == "theta_max" else (1 - x).sqrt()
+    apart = abs(ball(row, "ratio") * a.agm(arb(1)) - 1 - ball(row, "error"))
+    return not apart < arb(2) ** -104 * (1 + abs(ball(row, "error")))
+
+
+def main(every=False, seed=1):
+    rng = random.Random(seed)
+    readme = (exact.ROOM / "README.md").read_text()
+    for name, (generator, count) in FILES.items():
+        rows = exact.read(exact.VECTORS / name)
+        if list(rows[0]) != generator.HEADER:
+            fail(name, "columns differ from the generator's")
+        if f"| `{name}` | {len(rows)} |" not in readme:
+            fail("README.md lacks the count of", name, len(rows))
+        given = list(generator.inputs())
+        if [{key: row[key] for key in given[0]} for row in rows] != given:
+            fail(name, "inputs are not what the generator draws")
+        sample = rows if every else rng.sample(rows, count)
+        for row in sample:
+            if generator.row(row) != list(row.values()):
+                fail(name, "is not what its generator writes:", row)
+        print(f"{name}: {len(rows)} rows, {len(sample)} derived again", flush=True)
+    rows = exact.read(exact.VECTORS / "approx_period.csv")
+    for row in rows:
+        if contradicts(row):
+            fail("approx_period.csv: Arb's mean contradicts", row)
+    steady = next(row for row in rows if 1e-3 < abs(float.fromhex(row["error_hi"])) < 0.9)
+    for column in ("ratio_lo", "error_lo"):
+        moved = float.fromhex(steady[column]) + float.fromhex(steady["ratio_hi"]) * 2.0**-98
+        if not contradicts({**steady, column: moved.hex()}):
+            fail("approx_period.csv: a spoiled", column, "passes")
+
+
+if __name__ == "__main__":
+    main()
