@@ -77,7 +77,8 @@ impl AngleApproximation {
     /// The largest |difference| over the time from 0 to `periods` (above 0, at most 10 000) exact periods, of one turn in
     /// rotation. Refused on the separatrix, which has no period.
     ///
-    /// **Error** relative 1e-9 of the difference found, plus the rounding of [`AngleApproximation::difference`].
+    /// **Error** relative 1e-9 of the difference found, plus the rounding of [`AngleApproximation::difference`]; more where a
+    /// model swings over 1000 times as fast as the pendulum.
     pub fn largest_error(&self, periods: f64) -> Result<LargestError, Domain> {
         let allowed = "above 0 and at most 10000";
         Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)?;
@@ -119,7 +120,7 @@ impl AngleApproximation {
             if here.1 > limit {
                 return LargestError { difference: here.1, t: here.0, ..best };
             }
-            // Beyond an end, NaN is not larger, here it is not above 0.
+            // A NaN beside is not larger, and a NaN here not above 0.
             let top = !(before.1 > here.1 || after.1 > here.1);
             if top && here.1 > 0.0 {
                 let bracket = self.defined(before, here, after);
