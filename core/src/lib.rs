@@ -11,6 +11,7 @@
 //! | one state a step later | [`advance`] |
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
 //! | u'' + alpha u + beta u^3 + gamma u^5 = 0 | [`CubicQuintic`] |
+//! | approximations by name, and how far they are off | [`approx`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
 //! | sn, cn, dn of complex u | [`JacobiComplex`] |

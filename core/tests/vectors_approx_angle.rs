@@ -132,3 +132,61 @@ fn spoiled_siblings_are_found() {
     };
     assert!(bad(&approximate) >= 8);
 }
+
+fn released(degrees: f64, name: &str) -> AngleApproximation {
+    let orbit = Orbit::new(degrees.to_radians(), 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
+    AngleFormula::named(name).unwrap().of(&orbit).unwrap()
+}
+
+/// Lima's percentages: the largest difference over a period, of the turning angle.
+#[test]
+fn percentages_of_lima() {
+    let table = [
+        (60.0, "harmonic", "0.9413"),
+        (60.0, "fourier:1", "1.9513"),
+        (60.0, "fourier:2", "0.0350"),
+        (90.0, "harmonic", "2.3289"),
+        (90.0, "fourier:2", "0.2269"),
+        (144.0, "fourier:3", "0.6069"),
+        (157.5, "harmonic", "12.3427"),
+        (157.5, "fourier:4", "0.3989"),
+        (171.0, "fourier:6", "0.2945"),
+    ];
+    let percent = |degrees: f64, made: &AngleApproximation| {
+        format!("{:.4}", made.largest_error(1.0).unwrap().difference / degrees * 100.0f64.to_degrees())
+    };
+    for (degrees, name, printed) in table {
+        assert_eq!(percent(degrees, &released(degrees, name)), printed, "{degrees} {name}");
+        // The sibling: half a degree more.
+        assert_ne!(percent(degrees, &released(degrees + 0.5, name)), printed, "{degrees} {name}");
+    }
+}
+
+/// Whatever the doubles, every formula is refused or answers, and every search ends.
+#[test]
+fn corners_are_answered() {
+    let angles = [0.0, 5e-324, -1e-310, 1e-200, -1e-20, 1.0, std::f64::consts::PI, -3.2, 1e15, 1.7e308];
+    let speeds = [0.0, 5e-324, -1e-100, 0.5, -2.0, 1e10, 1e300];
+    let forces = [1.0, -3.7, 0.0, 5e-324, 1e-150, 1e308];
+    let names = [
+        "linear", "harmonic", "fourier:1", "fourier:500", "fourier-theta:2", "trigonometric", "small-m",
+        "small-m-bounded", "cubic", "cubic-quintic", "taylor:200",
+    ];
+    let mut answered = 0;
+    for (theta0, velocity0, omega2) in
+        angles.iter().flat_map(|a| speeds.iter().flat_map(move |v| forces.map(|f| (*a, *v, f))))
+    {
+        let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
+        for name in names {
+            let Ok(made) = AngleFormula::named(name).unwrap().of(&orbit) else { continue };
+            for t in [0.0, 1.0, -1e300, f64::INFINITY, 0.3 * orbit.period()] {
+                answered += usize::from(made.theta(t).is_nan() == made.difference(t).is_nan());
+            }
+            assert!(!made.period().is_infinite());
+            if let Ok(found) = made.largest_error(0.01) {
+                assert!(found.difference >= 0.0 && found.t >= 0.0, "{name} {orbit:?} {found:?}");
+            }
+        }
+    }
+    assert!(answered > 5000, "{answered}");
+}

@@ -26,6 +26,11 @@ pub const MOST_PERIODS: f64 = 10_000.0;
 /// Points of the grid to the shorter of the exact and the linear period, and to each harmonic of a series.
 const TO_A_PERIOD: f64 = 128.0;
 const TO_A_HARMONIC: f64 = 16.0;
+/// How much faster than the pendulum a model may swing and be followed in every swing.
+const FASTEST: f64 = 1000.0;
+/// Most points of a grid, and most tops to be looked at again.
+const MOST_POINTS: f64 = 1e7;
+const MOST_TOPS: usize = 20_000;
 /// How much the parabola through three neighbours may miss of a top between them: of a smooth one, and of one next to the
 /// end of an arcsine.
 const SLACK: f64 = 0.02;
@@ -62,17 +67,18 @@ impl AngleApproximation {
         let order = f64::from(self.formula().order());
         let own = self.period();
         let mut shortest = if omega0 > 0.0 { period.min(2.0 * PI.hi / omega0) } else { period };
-        shortest = if own < shortest { own } else { shortest };
+        shortest = if own < shortest { own.max(shortest / FASTEST) } else { shortest };
         let harmonics = if self.repeats() { TO_A_HARMONIC * (2.0 * order + 3.0) } else { 0.0 };
         let step = (shortest / TO_A_PERIOD).min(period / harmonics.max(1.0));
-        let points = (enough * period / step).ceil();
+        let points = (enough * period / step).ceil().clamp(1.0, MOST_POINTS);
         (enough * period, enough * period / points)
     }
 
     /// The largest |difference| over the time from 0 to `periods` (above 0, at most 10 000) exact periods, of one turn in
     /// rotation. Refused on the separatrix, which has no period.
     ///
-    /// **Error** relative 1e-9 of the difference found, plus the rounding of [`AngleApproximation::difference`].
+    /// **Error** relative 1e-9 of the difference found, plus the rounding of [`AngleApproximation::difference`]; more where a
+    /// model swings over 1000 times as fast as the pendulum.
     pub fn largest_error(&self, periods: f64) -> Result<LargestError, Domain> {
         let allowed = "above 0 and at most 10000";
         Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)?;
@@ -114,13 +120,19 @@ impl AngleApproximation {
             if here.1 > limit {
                 return LargestError { difference: here.1, t: here.0, ..best };
             }
-            // Beyond an end, NaN is not larger.
+            // A NaN beside is not larger, and a NaN here not above 0.
             let top = !(before.1 > here.1 || after.1 > here.1);
-            if top && !here.1.is_nan() {
+            if top && here.1 > 0.0 {
                 let bracket = self.defined(before, here, after);
                 height = f64::max(height, here.1);
                 if estimate(&bracket) >= height * (1.0 - slack) {
                     tops.push(bracket);
+                }
+                if tops.len() > 2 * MOST_TOPS {
+                    // The sort is stable: of equal ones the first stay.
+                    tops.sort_by(|a, b| estimate(b).total_cmp(&estimate(a)));
+                    tops.truncate(MOST_TOPS);
+                    tops.sort_by(|a, b| a[1].0.total_cmp(&b[1].0));
                 }
             }
             (before, here, i) = (here, after, i + 1.0);
