@@ -86,8 +86,9 @@ def reach(ranges):
     """Where an error stays within its bound."""
     spans = []
     for low, high in ranges:
-        low, high = math.degrees(low), math.degrees(high)
-        spans.append(f"{high:.1f}°" if low < 1e-3 else f"{low:.1f}° to {high:.1f}°")
+        # Rounded inwards, but for the top.
+        low, high = math.ceil(10 * math.degrees(low)) / 10, math.floor(10 * math.degrees(high) + 1e-9) / 10
+        spans.append(f"{high:.1f}°" if low < 0.2 else f"{low:.1f}° to {high:.1f}°")
     return ", ".join(spans) or "nowhere"
 
 

@@ -56,6 +56,15 @@ impl PeriodFormula {
         each(py, &m, |m| self.formula.ratio_of_m(m))
     }
 
+    /// T/T0 of complements of parameters.
+    fn ratio_of_mc<'py>(
+        &self,
+        py: Python<'py>,
+        mc: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        each(py, &mc, |mc| self.formula.ratio_of_mc(mc))
+    }
+
     /// Relative error at turning angles.
     fn error<'py>(
         &self,
@@ -72,6 +81,15 @@ impl PeriodFormula {
         m: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         each(py, &m, |m| self.formula.error_of_m(m))
+    }
+
+    /// Relative error of complements of parameters.
+    fn error_of_mc<'py>(
+        &self,
+        py: Python<'py>,
+        mc: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        each(py, &mc, |mc| self.formula.error_of_mc(mc))
     }
 
     /// The period of one orbit.

@@ -239,6 +239,18 @@ def test_shapes_and_what_is_outside():
     assert math.isnan(approx.period("kidd-fogg").error(m=1.0))
 
 
+def test_the_complement_is_the_same_swing_and_has_the_digits_next_to_the_top():
+    for formula in approx.period:
+        for answer in (formula.ratio, formula.error):
+            for m in (0.0, 0.25, 0.75, -3.0):
+                assert np.array_equal(answer(m=m), answer(mc=1 - m), equal_nan=True)
+    # K = L + (L - 1) mc/4 with L = ln(4/sqrt(mc)), next to the top.
+    leading = math.log(4e15)
+    assert approx.period("exact").ratio(mc=1e-30) == pytest.approx(2 / math.pi * leading, rel=1e-14)
+    assert math.isnan(approx.period("exact").ratio(mc=-1e-300))
+    assert approx.period("cromer").error(mc=1e-30) == pytest.approx(-(leading - 1) / (4 * leading) * 1e-30, rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -246,8 +258,11 @@ def test_shapes_and_what_is_outside():
         (lambda: approx.period("series:3"), 'period = "series:3": must be series:N with an even N from 2 to 200'),
         (lambda: approx.period("series:1000000"), "must be series:N with a whole N from 2 to 200"),
         (lambda: approx.period("belendes"), 'period = "belendes": must be one of belendez, '),
-        (lambda: approx.period("exact").ratio(), "exactly one of theta_max and m must be given, not none"),
-        (lambda: approx.period("exact").error(1.0, m=0.2), "exactly one of theta_max and m must be given, not both"),
+        (lambda: approx.period("exact").ratio(), "exactly one of theta_max, m, mc must be given, not none"),
+        (
+            lambda: approx.period("exact").error(1.0, m=0.2),
+            "exactly one of theta_max, m, mc must be given, not theta_max and m",
+        ),
         (lambda: approx.period("exact").ranges(0), "bound = 0.0: must be finite and at least 1e-30"),
         (lambda: approx.period("exact").ranges([0.1]), "bound = [0.1]: must be one real number"),
     ],

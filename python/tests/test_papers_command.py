@@ -75,7 +75,7 @@ def test_a_claim_that_does_not_stand_is_named(said, monkeypatch):
         (["lima", "--ot", "x"], "unknown option '--ot'; did you mean --out?"),
         (["lima", "--out"], "--out: needs a value, --out DIR; see libration papers --help"),
         (["lima", "--out", ""], "--out = '': must be a directory"),
-        (["lima", "--out", "a/b/c"], "--out = a/b/c/lima-1.svg: cannot be written: there is no directory"),
+        (["lima", "--out", "a/b/c"], "--out = a/b/c: cannot be made: there is no directory"),
         (["lima", "--out", "file"], "--out = file: is not a directory"),
     ],
 )

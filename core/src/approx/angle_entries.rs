@@ -29,14 +29,14 @@ pub static ANGLES: [Entry; 10] = [
     Entry {
         name: "harmonic",
         formula: "θ_max cos(2πt/T), with the exact period T",
-        source: "Lima 2018 (17)",
+        source: "Lima 2019 (17)",
         ..PLAIN
     },
     Entry {
         name: "fourier",
         orders: Some([1, 500]),
         formula: "2 arcsin of the first N terms of (2π/K) Σ q^(n−½)/(1−q^(2n−1)) sin((2n−1)πu/2K) = k sn u",
-        source: "Lima 2018 (20)-(22)",
+        source: "Lima 2019 (20)-(22)",
         stated: "below 180 deg",
         stated_range: Some([0.0, core::f64::consts::PI]),
         undefined: "where |k sn_N| > 1: from 131.55 deg with N = 1, nearer to 180 deg the larger N; rotation, separatrix",
@@ -81,7 +81,7 @@ pub static ANGLES: [Entry; 10] = [
         source: "Salas 2019 (2)",
         stated: "up to 70 deg",
         stated_range: Some([0.0, DEGREES_70]),
-        undefined: "from its escape on, beyond 141.2 deg",
+        undefined: "from its escape on: released from rest beyond 141.2 deg, or with the energy of 121.3 deg",
         ..PLAIN
     },
     Entry {

@@ -5,13 +5,13 @@
 //!   sin(theta/2)  = sum b_j sin(j pi phase),  b_j = (2 pi/K) r^j/(1 - r^2j),        j odd,
 //!   rotation: theta = 2 pi phase + sum a_j sin(2 j pi phase),  a_j = 4 q^j/(j (1 + q^2j)).
 //! What is left out is summed from its own terms, so that a difference from the exact angle keeps its digits however small.
-//! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2018 (17), (20)-(22).
+//! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2019 (17), (20)-(22).
 
 use crate::elliptic::agm::agm;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, Reduced, alternating};
 use crate::float::elementary::{arctangent, long_sin_cos};
 use crate::float::wide::exp;
-use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide};
+use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide, series};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::{Course, Elliptic};
 use crate::pendulum::state::State;
@@ -249,12 +249,7 @@ pub(super) struct Harmonic {
 pub(super) fn turning_angle(orbit: &Orbit) -> Wide {
     match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
         Ok(State { k, power, .. }) if power != 0 => Wide::new(k, power + 1),
-        Ok(State { k, kc, .. }) => {
-            let near = arctangent(k, kc);
-            let (sine, cosine) = half_turn(near / PI);
-            // The sine of what is missing, which is below 2^-56.
-            Wide::new(near + (k * cosine - kc * sine), 1)
-        }
+        Ok(State { k, kc, .. }) => Wide::new(series::angle(k.into(), kc.into()).to_dd(), 1),
         Err(_) => Wide::ZERO,
     }
 }

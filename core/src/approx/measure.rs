@@ -69,7 +69,13 @@ impl AngleApproximation {
         let mut shortest = if omega0 > 0.0 { period.min(2.0 * PI.hi / omega0) } else { period };
         shortest = if own < shortest { own.max(shortest / FASTEST) } else { shortest };
         let harmonics = if self.repeats() { TO_A_HARMONIC * (2.0 * order + 3.0) } else { 0.0 };
-        let step = (shortest / TO_A_PERIOD).min(period / harmonics.max(1.0));
+        // The secular terms make the steps of the arctangent as much narrower as they have grown.
+        let grown = if matches!(self.shape, Shape::Secular(_)) {
+            1.0 + f64::min(self.orbit.energy_ratio(), 1.0) * omega0 * enough * period
+        } else {
+            1.0
+        };
+        let step = (shortest / (TO_A_PERIOD * grown)).min(period / harmonics.max(1.0));
         let points = (enough * period / step).ceil().clamp(1.0, MOST_POINTS);
         (enough * period, enough * period / points)
     }
@@ -78,7 +84,7 @@ impl AngleApproximation {
     /// rotation. Refused on the separatrix, which has no period.
     ///
     /// **Error** relative 1e-9 of the difference found, plus the rounding of [`AngleApproximation::difference`]; more where a
-    /// model swings over 1000 times as fast as the pendulum.
+    /// model swings over 1000 times as fast as the pendulum, and of `small-m` where m omega0 t is beyond some 1000.
     pub fn largest_error(&self, periods: f64) -> Result<LargestError, Domain> {
         let allowed = "above 0 and at most 10000";
         Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)?;
@@ -117,7 +123,7 @@ impl AngleApproximation {
         let mut i = 0.0;
         while i <= points {
             let after = if i < points { at(i + 1.0) } else { (duration, f64::NAN) };
-            if here.1 > limit {
+            if here.1 > limit || here.1 == f64::INFINITY {
                 return LargestError { difference: here.1, t: here.0, ..best };
             }
             // A NaN beside is not larger, and a NaN here not above 0.

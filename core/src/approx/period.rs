@@ -52,7 +52,7 @@ pub static PERIODS: [Entry; 16] = [
             "N steps of DLMF 19.8.1; N = 1 Carvalhaes & Suppes",
         )
     },
-    entry("belendez", "4/(1 + √a)², a = cos(θ_max/2)", "Beléndez et al. 2009"),
+    entry("belendez", "4/(1 + √a)², a = cos(θ_max/2): agm:2", "Beléndez et al. 2009"),
     Entry { stated: "near 180 deg", ..entry("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995") },
     Entry {
         stated: "all swings",
@@ -130,6 +130,12 @@ impl PeriodFormula {
         self.named.name()
     }
 
+    /// T/T0 of the complement 1 - m >= 0, which keeps its digits next to the top; above 1 m is negative.
+    ///
+    /// **Error** at most 1 ulp.
+    pub fn ratio_of_mc(&self, mc: f64) -> f64 {
+        value(self.of(Swing::of_complement(mc)))
+    }
     /// T/T0 of a release from rest at `theta_max` in [0, pi]; NaN outside.
     ///
     /// **Error** at most 1 ulp. The double next to pi is not pi: there the exact ratio is 24.6, not infinite.
@@ -148,6 +154,10 @@ impl PeriodFormula {
     /// **Error** at most 1 ulp plus 1e-45; below 1e-44 it is given as 0.
     pub fn error(&self, theta_max: f64) -> f64 {
         self.compared(Swing::of_angle(theta_max))
+    }
+    /// Likewise by the complement of the parameter.
+    pub fn error_of_mc(&self, mc: f64) -> f64 {
+        self.compared(Swing::of_complement(mc))
     }
     /// Likewise by the parameter.
     pub fn error_of_m(&self, m: f64) -> f64 {

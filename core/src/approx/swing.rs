@@ -48,6 +48,15 @@ impl Swing {
         Some(Swing::of_pair(Td::from(m), Dd::sum(1.0, -m).into()))
     }
 
+    /// Of the complement of a parameter, at least 0; `None` outside.
+    pub fn of_complement(mc: f64) -> Option<Swing> {
+        let m = Dd::sum(1.0, -mc);
+        if m.hi.abs() < LEAST * LEAST {
+            return Swing::of_parameter(m.hi);
+        }
+        (0.0..f64::INFINITY).contains(&mc).then(|| Swing::of_pair(m.into(), Td::from(mc)))
+    }
+
     /// Of a parameter in [0, 1] and its complement, of which the smaller one counts.
     pub fn of_both(m: f64, mc: f64) -> Option<Swing> {
         if m <= 0.5 {

@@ -11,7 +11,7 @@ import numpy as np
 from .. import _core
 from ..fixed import Fixed, real
 from ..pendulum import Pendulum
-from .named import Named, each
+from .named import Named, each, moving
 from .registry import Registry
 
 
@@ -111,7 +111,7 @@ class AngleFormula(Named):
 
         Notes
         -----
-        Error promised: that of `AngleApproximation.error`. Source: Lima 2018, section 4, counts like this.
+        Error promised: that of `AngleApproximation.error`. Source: Lima 2019, section 4, counts like this.
 
         Examples
         --------
@@ -188,7 +188,7 @@ class AngleApproximation(Fixed):
 
     def __new__(cls, formula: AngleFormula, pendulum: Pendulum) -> Self:
         self = super().__new__(cls)
-        object.__setattr__(self, "_approximation", formula._formula.of(pendulum._orbit))
+        object.__setattr__(self, "_approximation", formula._formula.of(moving(pendulum)._orbit))
         object.__setattr__(self, "formula", formula)
         object.__setattr__(self, "pendulum", pendulum)
         return self
@@ -241,6 +241,12 @@ class AngleApproximation(Fixed):
         theta_max = self.pendulum.theta_max
         relative = difference / theta_max if theta_max else 0.0
         return AngleError(difference, relative, t, undefined_from)
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash(self.__reduce__())
 
     def __repr__(self) -> str:
         return f"{self.formula!r}.of({self.pendulum!r})"

@@ -10,6 +10,8 @@ from .picture import EXACT
 
 # Of formulas with an order, those that are listed and drawn.
 ORDERS = {"series": (4, 8), "agm": (1, 2, 3, 4)}
+# One curve under two names is drawn once.
+SAME = {"belendez": " = agm:2"}
 # Two hues for every family, told apart by dashes.
 COLOURS = ("#1f5fa8", "#c0392b", "#2e7d32", "#8e44ad", "#b9770e", "#0e7c7b", "#6d4c41", "#546e7a")
 DASHES = ("solid", (0, (5, 2)), (0, (1, 1.2)))
@@ -78,9 +80,10 @@ def draw_periods(figure, theta_max):
     angles = np.radians(degrees)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.6))
     upper.plot(degrees, period("exact").ratio(angles), color=EXACT, lw=2.2, label="exact", zorder=5)
-    for number, formula in enumerate(listed()):
+    for number, formula in enumerate(formula for formula in listed() if formula.name != "agm:2"):
         color, dash = COLOURS[number % len(COLOURS)], DASHES[number // len(COLOURS) % len(DASHES)]
-        upper.plot(degrees, formula.ratio(angles), color=color, ls=dash, lw=1.2, label=formula.name)
+        label = formula.name + SAME.get(formula.name, "")
+        upper.plot(degrees, formula.ratio(angles), color=color, ls=dash, lw=1.2, label=label)
         error = np.abs(formula.error(angles))
         lower.plot(degrees, error, color=color, ls=dash, lw=1.4)
         if formula.stated_range:

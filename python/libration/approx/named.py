@@ -6,6 +6,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from ..fixed import Fixed
+from ..pendulum import Pendulum
 
 
 class Core(Protocol):
@@ -73,6 +74,24 @@ class Named(Fixed):
 
 
 def each(answer: Callable[[np.ndarray], np.ndarray], argument: Any) -> Any:
-    """The answers to an argument, a float64 or an array of its shape."""
-    values = np.asarray(argument, dtype=float)
-    return answer(np.ascontiguousarray(values).ravel()).reshape(values.shape)[()]
+    """The answers to an argument, a float64 or an array of its shape; what is masked stays masked."""
+    values = numbers(argument)
+    answers = answer(np.ascontiguousarray(np.ma.filled(values, np.nan)).ravel()).reshape(values.shape)
+    if isinstance(values, np.ma.MaskedArray):
+        return np.ma.array(answers, mask=values.mask)
+    return answers[()]
+
+
+def numbers(argument: Any) -> Any:
+    """An argument as an array of doubles; text, None and complex numbers are refused, not converted."""
+    values = np.asanyarray(argument)
+    if values.dtype.kind not in "biuf":
+        raise TypeError(f"{argument!r}: must be real numbers")
+    return values.astype(float)
+
+
+def moving(pendulum: Any) -> Pendulum:
+    """A pendulum, or the refusal of anything else."""
+    if not isinstance(pendulum, Pendulum):
+        raise ValueError(f"pendulum = {pendulum!r}: must be a Pendulum")
+    return pendulum

@@ -8,7 +8,7 @@ from typing import Any, Self
 from .. import _core
 from ..fixed import real
 from ..pendulum import Pendulum
-from .named import Named, each
+from .named import Named, each, moving
 from .registry import Registry
 
 
@@ -64,7 +64,7 @@ class PeriodFormula(Named):
         object.__setattr__(self, "_formula", _core.PeriodFormula(str(name)))
         return self
 
-    def ratio(self, theta_max: Any = None, *, m: Any = None) -> Any:
+    def ratio(self, theta_max: Any = None, *, m: Any = None, mc: Any = None) -> Any:
         """Period over the period of small swings, for a release from rest.
 
         Parameters
@@ -73,6 +73,8 @@ class PeriodFormula(Named):
             Turning angle in rad, from 0 to pi; else NaN.
         m : scalar or array
             Instead of it the parameter sin(theta_max/2)**2, up to 1, also negative; else NaN.
+        mc : scalar or array
+            Or its complement 1 - m, at least 0, which keeps its digits next to the top; else NaN.
 
         Returns
         -------
@@ -81,7 +83,7 @@ class PeriodFormula(Named):
         Raises
         ------
         ValueError
-            Unless exactly one of the two is given.
+            Unless exactly one of the three is given.
 
         Notes
         -----
@@ -96,9 +98,10 @@ class PeriodFormula(Named):
         >>> f"{approx.period('exact').ratio(m=-1.0):.6f}"
         '0.834627'
         """
-        return self._of(self._formula.ratio, self._formula.ratio_of_m, theta_max, m)
+        made = self._formula
+        return answered(theta_max=(made.ratio, theta_max), m=(made.ratio_of_m, m), mc=(made.ratio_of_mc, mc))
 
-    def error(self, theta_max: Any = None, *, m: Any = None) -> Any:
+    def error(self, theta_max: Any = None, *, m: Any = None, mc: Any = None) -> Any:
         """Relative error of the formula: its ratio over the exact one, minus 1.
 
         Parameters
@@ -107,6 +110,8 @@ class PeriodFormula(Named):
             Turning angle in rad, from 0 to pi; else NaN.
         m : scalar or array
             Instead of it the parameter sin(theta_max/2)**2, up to 1, also negative; else NaN.
+        mc : scalar or array
+            Or its complement 1 - m, at least 0, which keeps its digits next to the top; else NaN.
 
         Returns
         -------
@@ -117,7 +122,7 @@ class PeriodFormula(Named):
         Raises
         ------
         ValueError
-            Unless exactly one of the two is given.
+            Unless exactly one of the three is given.
 
         Notes
         -----
@@ -131,14 +136,8 @@ class PeriodFormula(Named):
         >>> f"{approx.period('agm:3').error(radians(30.0)):.4e}"
         '-4.9740e-19'
         """
-        return self._of(self._formula.error, self._formula.error_of_m, theta_max, m)
-
-    @staticmethod
-    def _of(of_angle: Any, of_m: Any, theta_max: Any, m: Any) -> Any:
-        if (theta_max is None) == (m is None):
-            named = "none" if m is None else "both"
-            raise ValueError(f"exactly one of theta_max and m must be given, not {named}")
-        return each(of_angle, theta_max) if m is None else each(of_m, m)
+        made = self._formula
+        return answered(theta_max=(made.error, theta_max), m=(made.error_of_m, m), mc=(made.error_of_mc, mc))
 
     def period(self, pendulum: Pendulum) -> float:
         """The period in s that the formula gives a pendulum; NaN in rotation.
@@ -161,7 +160,7 @@ class PeriodFormula(Named):
         >>> f"{approx.period('salas-28').period(pendulum):.6f} {pendulum.period:.6f}"
         '2.331379 2.331385'
         """
-        return self._formula.period(pendulum._orbit)
+        return self._formula.period(moving(pendulum)._orbit)
 
     def quarter_period(self, pendulum: Pendulum) -> float:
         """A quarter of `period`: the time from the bottom to the turning point, which Salas calls T.
@@ -181,7 +180,7 @@ class PeriodFormula(Named):
         >>> f"{approx.period('salas-26').quarter_period(Pendulum(1.0)):.6f}"
         '1.674460'
         """
-        return self._formula.quarter_period(pendulum._orbit)
+        return self._formula.quarter_period(moving(pendulum)._orbit)
 
     def ranges(self, bound: float) -> tuple[tuple[float, float], ...]:
         """The turning angles for which the size of the error stays within a bound.
@@ -210,6 +209,15 @@ class PeriodFormula(Named):
                [138.9, 142.9]])
         """
         return tuple(self._formula.ranges(real("bound", bound)))
+
+
+def answered(**ways: Any) -> Any:
+    """The answers of the one way whose argument is given."""
+    given = {name: way for name, way in ways.items() if way[1] is not None}
+    if len(given) != 1:
+        named = " and ".join(given) or "none"
+        raise ValueError(f"exactly one of {', '.join(ways)} must be given, not {named}")
+    return each(*next(iter(given.values())))
 
 
 period: Registry[PeriodFormula] = Registry(PeriodFormula, _core.PeriodFormula.patterns(), {"series": 4, "agm": 3})

@@ -41,7 +41,10 @@ class Registry(Generic[Formula]):
         return self._patterns
 
     def __call__(self, name: str, **options: Any) -> Formula:
-        return self._make(str(name), **options)
+        if not isinstance(name, str):
+            raise ValueError(f"name = {name!r}: must be one of {', '.join(self._patterns)}")
+        # What is no Unicode is shown, like any other name that is not known.
+        return self._make(name.encode("utf-8", "backslashreplace").decode(), **options)
 
     def __iter__(self) -> Iterator[Formula]:
         for pattern in self._patterns:

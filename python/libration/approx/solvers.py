@@ -6,20 +6,24 @@ The steps of fixed length are the core's (core/approx/steps.rs); `solve_ivp` and
 import importlib
 import importlib.util
 import math
+import re
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from .. import _core
+from ..fixed import real
 from ..pendulum import Pendulum
 from .angle import AngleError
+from .named import moving, numbers
 from .registry import Registry
 
 # SciPy's answer is asked for at this many instants a period, as a student asks for a smooth curve.
 INSTANTS = 1000
 # A fixed step beyond this count is refused: the arrays would fill the memory.
 MOST_STEPS = 20_000_000
+NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 SCIPY = {
     "solve_ivp": "Dormand-Prince 5(4) at rtol 1e-3 and atol 1e-6, the defaults of scipy.integrate.solve_ivp",
     "odeint": "LSODA at rtol and atol 1.49e-8, the defaults of scipy.integrate.odeint",
@@ -33,7 +37,8 @@ class NumericalFormula:
     Parameters
     ----------
     name : str
-        Such as ``rk4:0.025``. Steps are positive numbers in s.
+        Such as ``rk4:0.025``. Steps are positive decimal numbers in s; the name is kept with the shortest that is the
+        same double.
 
     Raises
     ------
@@ -51,15 +56,17 @@ class NumericalFormula:
     name: str
 
     def __post_init__(self) -> None:
-        _, colon, _ = self.name.partition(":")
+        _, colon, step = self.name.partition(":")
         if self.scheme not in SCHEMES and self.scheme not in SCIPY:
             near = ", ".join(nearest(numerical.names, self.name))
             raise ValueError(f"numerical solution = {self.name!r}: must be one of {near}")
         if self.scheme in SCIPY and colon:
             raise ValueError(f"numerical solution = {self.name!r}: must be {self.scheme} without a step")
-        if self.scheme in SCHEMES and not 0 < self.step < math.inf:
-            allowed = f"{self.scheme}:H with a step H > 0 in s, as {self.scheme}:0.01"
-            raise ValueError(f"numerical solution = {self.name!r}: must be {allowed}")
+        if self.scheme in SCHEMES:
+            if not (NUMBER.fullmatch(step) and 0 < self.step < math.inf):
+                allowed = f"{self.scheme}:H with a step H > 0 in s, as {self.scheme}:0.01"
+                raise ValueError(f"numerical solution = {self.name!r}: must be {allowed}")
+            object.__setattr__(self, "name", f"{self.scheme}:{self.step!r}".removesuffix(".0"))
 
     @property
     def scheme(self) -> str:
@@ -69,10 +76,7 @@ class NumericalFormula:
     @property
     def step(self) -> float:
         """The step in s; NaN where there is none."""
-        try:
-            return float(self.name.partition(":")[2])
-        except ValueError:
-            return math.nan
+        return float(self.name.partition(":")[2] or math.nan)
 
     @property
     def formula(self) -> str:
@@ -89,9 +93,12 @@ class NumericalFormula:
 
         Raises
         ------
+        ValueError
+            If it is no pendulum.
         ImportError
             For SciPy's, if SciPy is missing.
         """
+        moving(pendulum)
         if self.scheme in SCIPY and importlib.util.find_spec("scipy") is None:
             raise ImportError(f"{self.name}: needs SciPy: pip install 'libration[papers]'")
         return NumericalSolution(self, pendulum)
@@ -117,7 +124,7 @@ class NumericalSolution:
         ndarray
             Angle in rad, of the shape of `t`.
         """
-        times = np.asarray(t, dtype=float)
+        times = np.ma.filled(numbers(t), np.nan)
         if not (np.isfinite(times).all() and (times >= 0).all()):
             raise ValueError(f"t = {t!r}: must be finite and not negative, for a solution that begins at 0")
         rising, place = np.unique(times, return_inverse=True)
@@ -140,8 +147,8 @@ class NumericalSolution:
         t = self._instants(periods)
         difference = np.abs(self._rising(t) - self.pendulum.theta(t))
         where = int(np.nanargmax(difference)) if not np.isnan(difference).all() else 0
-        largest = float(difference[where])
-        return AngleError(largest, largest / self.pendulum.theta_max, float(t[where]), math.nan)
+        largest, theta_max = float(difference[where]), self.pendulum.theta_max
+        return AngleError(largest, largest / theta_max if theta_max else 0.0, float(t[where]), math.nan)
 
     def over_the_top(self, periods: float = 1.0) -> float:
         """When a swing is carried over the top, which the exact one never reaches; NaN if it is not.
@@ -155,7 +162,7 @@ class NumericalSolution:
             return math.nan
         t = self._instants(periods)
         theta = self._rising(t)
-        bottom = self.pendulum.turns(0.0)[0] * math.tau
+        bottom = sum(self.pendulum.extremes) / 2
         beyond = np.abs(theta - bottom) > math.pi
         if not beyond.any():
             return math.nan
@@ -169,8 +176,8 @@ class NumericalSolution:
         if self.formula.scheme in SCIPY:
             return np.linspace(0.0, last, math.ceil(INSTANTS * periods) + 1)
         t = self.formula.step * np.arange(self._steps(last) + 1)
-        # The last step may end beyond; a step longer than the span stands for itself.
-        return t[: max(2, np.searchsorted(t, last, side="right"))]
+        # The last step may end beyond.
+        return np.append(t[t < last], last)
 
     def _steps(self, last):
         """How many steps there are to a time."""
@@ -206,6 +213,7 @@ def nearest(patterns, wanted):
 
 def checked_span(periods, pendulum):
     """The time of so many periods, in s."""
+    periods = real("periods", periods)
     if not 0 < periods <= 10_000:
         raise ValueError(f"periods = {periods!r}: must be greater than 0 and at most 10000")
     last = periods * pendulum.period
@@ -217,9 +225,11 @@ def checked_span(periods, pendulum):
 def between(theta, velocity, before, part, step):
     """The cubic through two states, at parts of a step."""
     a, b = theta[before], theta[before + 1]
-    slope_a, slope_b = step * velocity[before], step * velocity[before + 1]
-    bend = 3 * (b - a) - 2 * slope_a - slope_b
-    return a + part * (slope_a + part * (bend + part * (2 * (a - b) + slope_a + slope_b)))
+    # A step far too long overflows.
+    with np.errstate(over="ignore", invalid="ignore"):
+        slope_a, slope_b = step * velocity[before], step * velocity[before + 1]
+        bend = 3 * (b - a) - 2 * slope_a - slope_b
+        return a + part * (slope_a + part * (bend + part * (2 * (a - b) + slope_a + slope_b)))
 
 
 def scipy_solution(name, start, omega2, t):

@@ -11,11 +11,11 @@ from libration.cli.parameters import found_parameters, given_parameters, keyed
 from libration.cli.parser import Parser, Refusal, refusal
 from libration.cli.quantities import plain
 from libration.cli.sampling import PICTURES, TABLES, check_targets, plotter, written
-from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
+from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options, upright
 
 DESCRIPTION = """\
 How far approximations and numerical solutions are from the exact motion: the largest
-error of each, in rad and in percent of the turning angle (as Lima 2018 counts), over one
+error of each, in rad and in percent of the turning angle (as Lima 2019 counts), over one
 period and over a hundred."""
 
 EPILOG = f"""\
@@ -32,12 +32,12 @@ approximations:
 numerical solutions, with steps of H seconds, or SciPy's with their defaults:
   euler:H, euler-cromer:H, rk4:H, solve_ivp, odeint
 
-Without --length or --omega0 time is in units of 1/omega0.
+Without --length or --omega0 it is a pendulum with omega0 = 1 rad/s.
 
 {UNITS}
 
 files:
-  --out writes t, the exact theta and that of each solution at 1,001 instants a period to a
+  --out writes t, the exact theta and that of each solution at 1,000 instants a period to a
   .csv, .npz or .json file, nan (in JSON null) where one is undefined. --plot draws the
   angles above their errors to a .png or .svg file.
 
@@ -69,18 +69,21 @@ def run(words):
     """Compare what the words ask for, write the files, print the errors."""
     options = parser().options(words)
     given = state(options)
+    assumed = not has_frequency(given)
+    if assumed:
+        given["omega0"] = 1.0
     wanted = names(getattr(options, "with"))
     periods = span(options.periods)
     check_targets(options)
     motion = moving(options, pendulum(given))
-    solutions = [(name, solution(name, motion)) for name in wanted]
+    solutions = different([solution(name, motion) for name in wanted], getattr(options, "with"))
     with contextlib.ExitStack() as stack:
         targets = {}
         for option, suffixes in (("out", TABLES), ("plot", PICTURES)):
             if (path := getattr(options, option)) is not None:
                 targets[option] = stack.enter_context(staged(f"--{option}", path, suffixes))
         draw = plotter("libration.approx.picture", "plot_comparison", "--plot", options.plot)
-        spans = [periods] if periods == LONG else [periods, LONG]
+        spans = sorted({periods, LONG})
         rows = [(name, made, [measured(name, made, each) for each in spans]) for name, made in solutions]
         if "out" in targets:
             columns = sampled_angles(motion, solutions, periods)
@@ -92,7 +95,7 @@ def run(words):
     if options.json:
         print_json(given, motion, spans, rows, files)
     else:
-        print_text(motion, "s" if has_frequency(given) else "/ omega0", spans, rows, files)
+        print_text(motion, assumed, spans, rows, files)
 
 
 def names(text):
@@ -103,9 +106,16 @@ def names(text):
     for name in wanted:
         if not name:
             raise refusal("--with", text, "has an empty name; separate names by single commas")
-        if wanted.count(name) > 1:
-            raise refusal("--with", text, f"names {name} twice")
     return wanted
+
+
+def different(solutions, text):
+    """The solutions by their names, each once."""
+    names = [made.formula.name for made in solutions]
+    for name in names:
+        if names.count(name) > 1:
+            raise refusal("--with", text, f"names {name} twice")
+    return list(zip(names, solutions, strict=True))
 
 
 def span(text):
@@ -125,8 +135,7 @@ def moving(options, motion):
         raise refusal("--theta0", options.theta0, "is at rest: nothing moves, so there is nothing to compare")
     if regime == "separatrix":
         raise refusal("--velocity0", options.velocity0, "is on the separatrix: it has no period to compare over")
-    upright = abs(abs(motion.theta0) - math.pi) < 1e-15 and motion.velocity0 == 0
-    if upright:
+    if upright(motion):
         reason = "is the upright balance, whose period is infinite; give less, such as 179.9deg"
         raise refusal("--theta0", options.theta0, reason)
     return motion
@@ -145,7 +154,13 @@ def solution(name, motion):
     try:
         return makes(name).of(motion)
     except (ValueError, ImportError) as error:
-        raise refusal("--with", name, str(error)) from error
+        raise refusal("--with", name, reason(error, name)) from error
+
+
+def reason(error, name):
+    """What an error says, without the name that it begins with."""
+    first, colon, rest = str(error).partition(": ")
+    return rest if colon and name.partition(":")[0] in first else str(error)
 
 
 def measured(name, made, periods):
@@ -153,7 +168,7 @@ def measured(name, made, periods):
     try:
         return made.error(periods)
     except ValueError as error:
-        raise refusal("--with", name, str(error)) from error
+        raise refusal("--with", name, reason(error, name)) from error
 
 
 def sampled_angles(motion, solutions, periods):
@@ -202,18 +217,16 @@ def over_the_top(made, periods):
     return made.over_the_top(periods) if hasattr(made, "over_the_top") else math.nan
 
 
-def print_text(motion, unit, spans, rows, files):
+def print_text(motion, assumed, spans, rows, files):
     """A table for people."""
-    from libration.cli.summary import angle_text, digits, print_lines
+    from libration.cli.summary import angle_text, period_text, print_lines
 
     regime = str(motion.regime)
     print_lines(
         [
-            (
-                "exact motion",
-                f"{regime}, {'one turn' if regime == 'rotation' else 'period'} {digits(motion.period)} {unit}",
-            ),
+            ("exact motion", f"{regime}, period {period_text(regime, motion.period)}"),
             ("turning angle", angle_text(regime, motion.theta_max)),
+            *([("omega0", "1 rad/s, for want of --length or --omega0")] if assumed else []),
         ]
     )
     percent = math.isfinite(motion.theta_max)
@@ -229,7 +242,7 @@ def print_text(motion, unit, spans, rows, files):
             for error in errors
             for head, cell in zip(heads, texts(error, motion, percent), strict=True)
         ]
-        print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, unit, max(spans), errors)}".rstrip())
+        print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, max(spans), errors)}".rstrip())
     if percent:
         print("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
@@ -250,7 +263,7 @@ def texts(error, motion, percent):
     return [*shown, f"{error.t / motion.period:.5g}"]
 
 
-def remarks(made, motion, unit, longest, errors):
+def remarks(made, motion, longest, errors):
     """What else a reader should know of one row."""
     said = []
     gaps = [error.undefined_from for error in errors if not math.isnan(error.undefined_from)]
@@ -258,5 +271,5 @@ def remarks(made, motion, unit, longest, errors):
         said.append(f"undefined from t/T = {gaps[0] / motion.period:.5g}")
     top = over_the_top(made, longest)
     if not math.isnan(top):
-        said.append(f"goes over the top at t = {top:.4g} {unit}")
+        said.append(f"goes over the top at t = {top:.4g} s")
     return "  " + "; ".join(said) if said else ""

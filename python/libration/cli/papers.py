@@ -95,6 +95,9 @@ def check_folder(folder):
         raise refusal("--out", folder, "must be a directory")
     if os.path.exists(folder) and not os.path.isdir(folder):
         raise refusal("--out", folder, "is not a directory")
+    parent = os.path.dirname(os.path.abspath(folder))
+    if not os.path.isdir(parent):
+        raise refusal("--out", folder, f"cannot be made: there is no directory {parent}")
 
 
 def csv_text(rows):

@@ -6,7 +6,16 @@ import math
 from libration.cli.files import staged
 from libration.cli.parser import Parser
 from libration.cli.sampling import PICTURES, plotter
-from libration.cli.state import UNITS, has_frequency, pendulum, period_phase, small_swing_period, state, state_options
+from libration.cli.state import (
+    UNITS,
+    has_frequency,
+    pendulum,
+    period_phase,
+    small_swing_period,
+    state,
+    state_options,
+    upright,
+)
 
 DESCRIPTION = """\
 The exact period of a pendulum that starts at an angle, at rest or with a velocity.
@@ -66,19 +75,16 @@ def run(words):
             print(f"\nwritten  {options.chart}")
 
 
-def upright(motion):
-    """Whether the start is the double nearest to the upright balance."""
-    return motion.regime == "libration" and motion.theta_max >= math.pi
-
-
 def compared(motion):
     """Every formula with its T/T0 and its relative error, where the motion is a swing."""
     from libration.approx.chart import listed
 
     if motion.regime != "libration" or upright(motion):
         return []
-    angle = motion.theta_max
-    return [(formula, float(formula.ratio(angle)), float(formula.error(angle))) for formula in listed()]
+    # The smaller of m and 1 - m has the digits.
+    m, mc = motion.energy_ratio, motion.energy_ratio_c
+    given = {"m": m} if m < mc else {"mc": mc}
+    return [(formula, float(formula.ratio(**given)), float(formula.error(**given))) for formula in listed()]
 
 
 def print_formulas(motion, formulas):
@@ -86,13 +92,14 @@ def print_formulas(motion, formulas):
     from libration.cli.summary import digits
 
     if upright(motion):
-        print("formulas       none: 180 deg is the upright balance, whose period is infinite")
+        print("formulas       none: but for the rounding of pi this is the upright balance, whose period is infinite")
     if not formulas:
         return
     width = max(len(formula.name) for formula, *_ in formulas)
     print(f"\n{'formula':{width}}  {'T / T0':>16}  {'error':>11}  source")
     for formula, ratio, error in formulas:
         print(f"{formula.name:{width}}  {digits(ratio):>16}  {percent(error):>11}  {formula.source}")
+    print("\nthe formulas themselves: --json, or docs/approximations.md")
 
 
 def percent(error):

@@ -74,6 +74,14 @@ def pendulum(given):
     return motion
 
 
+def upright(motion):
+    """Whether the start is the upright balance but for the rounding of pi: at rest at the double nearest to an odd multiple."""
+    halves = round(motion.theta0 / math.pi)
+    return (
+        motion.velocity0 == 0 and halves % 2 == 1 and abs(motion.theta0 - halves * math.pi) <= math.ulp(motion.theta0)
+    )
+
+
 def small_swing_period(given):
     """The period of small swings: that of the same pendulum at rest."""
     return pendulum(given | {"theta0": 0.0, "velocity0": 0.0}).period

@@ -1,6 +1,7 @@
 """The help on a narrow screen: texts that are laid out by hand are wrapped anew when they do not fit."""
 
 import argparse
+import re
 import textwrap
 
 
@@ -29,7 +30,7 @@ def refilled(text, width):
             first, *others = wrapped(paragraph, width - 2, start + "  ")
             lines += [" \\\n".join([first, *others])]
         else:
-            lines += wrapped(paragraph, width, start) or [""]
+            lines += wrapped(paragraph, width, start + " " * second_column(paragraph[len(start) :])) or [""]
     return "\n".join(lines).splitlines()
 
 
@@ -43,6 +44,12 @@ def paragraphs(text):
         else:
             out.append(line)
     return out
+
+
+def second_column(line):
+    """Where the text of a table's line begins, behind its first gap; 0 for a paragraph."""
+    gap = re.search(r"\S( {2,})\S", line)
+    return gap.end(1) if gap else 0
 
 
 def flows(line):
