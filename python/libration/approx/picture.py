@@ -73,8 +73,7 @@ def draw_comparison(figure, pendulum, solutions, periods):
         color, dash = style(number_of)
         theta = solution.theta(t)
         gap = np.isnan(theta)
-        label = f"{name}, hatched where undefined" if gap.any() else name
-        upper.plot(part, theta, color=color, ls=dash, lw=1.6, label=label)
+        upper.plot(part, theta, color=color, ls=dash, lw=1.6, label=name)
         # The approximations know their error beyond the rounding of the angle.
         error = solution.difference(t) if hasattr(solution, "difference") else theta - exact
         lower.plot(part, 100 * error / pendulum.theta_max if swings else error, color=color, ls=dash, lw=1.6)
@@ -89,7 +88,8 @@ def draw_comparison(figure, pendulum, solutions, periods):
     lower.set_ylabel(r"error [% of $\theta_{max}$]" if swings else "error [rad]")
     lower.axhline(0.0, color=EXACT, lw=0.8)
     lower.set_xlim(0.0, shown)
-    lower.set_xlabel("t / T" if shown == periods else f"t / T, the first {shown} of {periods:.6g} periods")
+    span = "" if shown == periods else f", the first {shown} of {periods:.6g} periods"
+    lower.set_xlabel(f"t / T{span}{'; hatched: undefined' if gaps else ''}")
     for axes in (upper, lower):
         quiet(axes)
     legend(upper)
