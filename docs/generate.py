@@ -76,7 +76,11 @@ def errata(root: Path) -> str:
 
     lines = []
     for work in dict.fromkeys(row.work for row in errata()):
-        lines += [f"## {work}", "", "| place | printed | corrected | why | kind | measured | printed | corrected |"]
+        lines += [
+            f"## {work}",
+            "",
+            "| place | printed | corrected | why | kind | what is measured | as printed | as corrected |",
+        ]
         lines.append("|---|---|---|---|---|---|---:|---:|")
         for row in [row for row in errata() if row.work == work]:
             corrected = row.corrected_residual

@@ -2,7 +2,8 @@
 
 ``Pendulum`` is one orbit and answers at any time; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
-``libration.elliptic``; ``approx`` holds the approximations by name. Angles are in radians, everything else in SI units.
+``libration.elliptic``; ``approx`` holds the approximations by name, and
+``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
 
 Examples
 --------

@@ -137,6 +137,8 @@ def save_figure(
                 figure.savefig(file, format=form, metadata=(told or {}) | stamp)
 
 
+BLACK = "#1a1a1a"
+DOTTED, DASHED = (0, (1, 1.4)), (0, (4.5, 3.2))
 EXACT = "#1f5fa8"
 LINEAR = "#8a8a8a"
 SEPARATRIX = "#b5442e"

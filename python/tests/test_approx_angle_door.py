@@ -10,7 +10,6 @@ import pytest
 
 from libration import Pendulum, approx
 from libration.approx import AngleApproximation, AngleError, AngleFormula
-from libration.plot import linear_theta
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -210,12 +209,9 @@ def test_formulas_and_approximations_are_values():
         formula.name = "linear"
 
 
-def test_linear_is_the_linear_solution_of_the_pictures():
-    t = np.array([0.0, 0.25, -7.5, 1e6 + 0.3, 1e13])
+def test_the_linear_period_is_that_of_small_swings():
     for pendulum in (Pendulum(3.0, -0.7, length=0.3), Pendulum(1e200, 1e300, omega0=3.0), Pendulum(1e-300, omega2=2.0)):
-        made = approx.angle("linear").of(pendulum)
-        assert np.allclose(made.theta(t), linear_theta(pendulum, t), rtol=1e-13, atol=0)
-        assert made.period == pytest.approx(2 * math.pi / pendulum.omega0, rel=1e-15)
+        assert approx.angle("linear").of(pendulum).period == pytest.approx(2 * math.pi / pendulum.omega0, rel=1e-15)
 
 
 def test_periods():

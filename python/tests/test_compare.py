@@ -4,12 +4,14 @@ import csv
 import json
 import math
 import pickle
+import re
 
 import numpy as np
 import pytest
 
 from libration import Pendulum, approx
 from libration.cli import main
+from libration.cli.compare import EPILOG
 
 HORSLEY = Pendulum(3.0, length=1.0, gravity=9.8)
 HORSLEY_WORDS = "compare --theta0 3 --length 1m --gravity 9.8".split()
@@ -109,14 +111,21 @@ def test_spans_and_times_that_are_refused():
             approx.angle("harmonic").of(Pendulum(1.0)).theta(bad)
     rk4 = approx.numerical("rk4:0.01").of(Pendulum(1.0))
     for periods in (0, -1, math.nan, 1e5):
-        with pytest.raises(ValueError, match=r"periods = .*: must be greater than 0 and at most 10000"):
+        with pytest.raises(ValueError, match=r"periods = .*: must be above 0 and at most 10000"):
             rk4.error(periods)
-    with pytest.raises(ValueError, match="must be at most 20,000,000 steps"):
+    with pytest.raises(ValueError, match="must be at most 5,000,000 steps"):
         approx.numerical("rk4:1e-12").of(Pendulum(1.0)).error(1)
     with pytest.raises(ValueError, match="must be finite and not negative"):
         rk4.theta([1.0, -1.0])
     with pytest.raises(ValueError, match="must be finite for an error over periods"):
         approx.numerical("rk4:0.01").of(Pendulum(0.0, 2.0)).error(1)
+
+
+def test_the_help_names_what_there_is():
+    told, numerical = EPILOG.partition("approximations:\n")[2].partition("numerical solutions")[::2]
+    names = [name for line in told.splitlines() if line for name in re.split(r"  +", line.strip())[0].split(", ")]
+    assert names == list(approx.angle.names)
+    assert numerical.splitlines()[1].strip().split(", ") == list(approx.numerical.names)
 
 
 def test_the_command_says_limas_percentages(capsys):
@@ -160,7 +169,7 @@ def test_the_command_writes_its_table_and_its_picture(capsys, tmp_path):
     ("words", "message"),
     [
         ("--theta0 1", "missing --with, what to compare, such as --with harmonic,fourier:4"),
-        ("--theta0 1 --with fourrier:4", "--with = fourrier:4: is not known; there are fourier:N, "),
+        ("--theta0 1 --with fourrier:4", "--with = fourrier:4: must be one of fourier:N, "),
         ("--theta0 1 --with fourier:0", "--with = fourier:0: must be fourier:N with a whole N from 1 to 500"),
         ("--theta0 1 --with fourier:1000000", "must be fourier:N with a whole N from 1 to 500"),
         ("--theta0 1 --with linear,,harmonic", "--with = linear,,harmonic: has an empty name"),
@@ -175,8 +184,8 @@ def test_the_command_writes_its_table_and_its_picture(capsys, tmp_path):
             "--theta0 0 --velocity0 3 --with harmonic",
             "--with = harmonic: regime = rotation: must be libration for harmonic",
         ),
-        ("--theta0 1 --with linear --periods 0", "--periods = 0: must be greater than 0 and at most 10000"),
-        ("--theta0 1 --with rk4:1e-12", "must be at most 20,000,000 steps"),
+        ("--theta0 1 --with linear --periods 0", "--periods = 0: must be above 0 and at most 10000"),
+        ("--theta0 1 --with rk4:1e-12", "must be at most 5,000,000 steps"),
     ],
 )
 def test_refusals(words, message, capsys):

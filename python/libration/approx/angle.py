@@ -231,6 +231,12 @@ class AngleApproximation(Fixed):
         ValueError
             If the number of periods is out of range; on the separatrix, which has no period.
 
+        Notes
+        -----
+        Error promised: 1e-9 of the largest difference, plus the rounding of `difference`; more where a sine model swings over
+        1000 times as fast as the pendulum, and of `small-m` where m omega0 t is beyond some 1000. Source: Lima 2019,
+        section 4.
+
         Examples
         --------
         >>> from libration import Pendulum, approx

@@ -5,11 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from ..plot import head, quiet, save_figure
-from .picture import EXACT
+from ..plot import BLACK, head, quiet, save_figure
+from .period import listed, period
 
-# Of formulas with an order, those that are listed and drawn.
-ORDERS = {"series": (4, 8), "agm": (1, 2, 3, 4)}
 # One curve under two names is drawn once.
 SAME = {"belendez": " = agm:2"}
 # Two hues for every family, told apart by dashes.
@@ -20,24 +18,6 @@ ANGLES = 1200
 LEAST = 1e-16
 # A curve is shaded to this factor on both sides.
 WIDE = 2.5
-
-
-def listed() -> list[Any]:
-    """The formulas of the period that tables and pictures show: every name, those with an order at some.
-
-    Examples
-    --------
-    >>> from libration.approx.chart import listed
-    >>> [formula.name for formula in listed()][:4]
-    ['linear', 'bernoulli', 'series:4', 'series:8']
-    """
-    from . import period
-
-    shown = []
-    for pattern in period.names:
-        base, colon, _ = pattern.partition(":")
-        shown += [period(f"{base}:{order}") for order in ORDERS[base]] if colon else [period(base)]
-    return [formula for formula in shown if formula.name != "exact"]
 
 
 def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None = None) -> None:
@@ -73,13 +53,11 @@ def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None 
 
 def draw_periods(figure, theta_max):
     """Both panels and the legend beside them."""
-    from . import period
-
     # Denser towards the top, where the period runs away.
     degrees = 180 * np.sin(np.linspace(0, math.pi / 2, ANGLES + 2)[1:-1])
     angles = np.radians(degrees)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.6))
-    upper.plot(degrees, period("exact").ratio(angles), color=EXACT, lw=2.2, label="exact", zorder=5)
+    upper.plot(degrees, period("exact").ratio(angles), color=BLACK, lw=2.2, label="exact", zorder=5)
     for number, formula in enumerate(formula for formula in listed() if formula.name != "agm:2"):
         color, dash = COLOURS[number % len(COLOURS)], DASHES[number // len(COLOURS) % len(DASHES)]
         label = formula.name + SAME.get(formula.name, "")

@@ -221,3 +221,22 @@ def answered(**ways: Any) -> Any:
 
 
 period: Registry[PeriodFormula] = Registry(PeriodFormula, _core.PeriodFormula.patterns(), {"series": 4, "agm": 3})
+
+# Of formulas with an order, those that tables and pictures show.
+ORDERS = {"series": (4, 8), "agm": (1, 2, 3, 4)}
+
+
+def listed() -> list[PeriodFormula]:
+    """The formulas of the period that tables and pictures show: every name, those with an order at some.
+
+    Examples
+    --------
+    >>> from libration.approx.period import listed
+    >>> [formula.name for formula in listed()][:4]
+    ['linear', 'bernoulli', 'series:4', 'series:8']
+    """
+    shown: list[PeriodFormula] = []
+    for pattern in period.names:
+        base, colon, _ = pattern.partition(":")
+        shown += [period(f"{base}:{order}") for order in ORDERS[base]] if colon else [period(base)]
+    return [formula for formula in shown if formula.name != "exact"]

@@ -6,13 +6,12 @@ from typing import Any
 import numpy as np
 
 from ..pendulum import Pendulum
-from ..plot import head, legend, number, quiet, save_figure
+from ..plot import BLACK, DASHED, DOTTED, EXACT, SEPARATRIX, head, legend, number, quiet, save_figure
 
-# Colour, dash and order: told apart in grey too.
-EXACT = "#1a1a1a"
+# Colour and dash: told apart in grey too; the first two are those of the papers' figures.
 STYLES = (
-    ("#c0392b", (0, (1, 1.2))),
-    ("#1f5fa8", (0, (5, 2))),
+    (SEPARATRIX, DOTTED),
+    (EXACT, DASHED),
     ("#2e7d32", (0, (6, 2, 1, 2))),
     ("#8e44ad", (0, (3, 1))),
     ("#b9770e", (0, (8, 2))),
@@ -20,7 +19,7 @@ STYLES = (
 )
 INSTANTS = 2000
 # More periods than this would be a solid band: the first are drawn.
-MOST_PERIODS = 12
+SHOWN_PERIODS = 12
 
 
 def plot_comparison(
@@ -61,12 +60,12 @@ def plot_comparison(
 
 def draw_comparison(figure, pendulum, solutions, periods):
     """Both panels, over time in periods."""
-    shown = min(periods, MOST_PERIODS)
+    shown = min(periods, SHOWN_PERIODS)
     part = np.linspace(0.0, shown, INSTANTS + 1)
     t = part * pendulum.period
     exact = pendulum.theta(t)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
-    upper.plot(part, exact, color=EXACT, lw=1.8, label="exact")
+    upper.plot(part, exact, color=BLACK, lw=1.8, label="exact")
     swings = math.isfinite(pendulum.theta_max)
     gaps = 0
     for number_of, (name, solution) in enumerate(solutions):
@@ -86,7 +85,7 @@ def draw_comparison(figure, pendulum, solutions, periods):
     within(lower, *((-100 * room / pendulum.theta_max, 100 * room / pendulum.theta_max) if swings else (-room, room)))
     upper.set_ylabel(r"$\theta$ [rad]")
     lower.set_ylabel(r"error [% of $\theta_{max}$]" if swings else "error [rad]")
-    lower.axhline(0.0, color=EXACT, lw=0.8)
+    lower.axhline(0.0, color=BLACK, lw=0.8)
     lower.set_xlim(0.0, shown)
     span = "" if shown == periods else f", the first {shown} of {periods:.6g} periods"
     lower.set_xlabel(f"t / T{span}{'; hatched: undefined' if gaps else ''}")

@@ -37,7 +37,7 @@ class Registry(Generic[Formula]):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What may be asked for: ``name``, or ``name:N`` with a whole number for N."""
+        """What may be asked for: ``name``, ``name:N`` with a whole number, or ``name:H`` with a step in s."""
         return self._patterns
 
     def __call__(self, name: str, **options: Any) -> Formula:

@@ -8,6 +8,7 @@ import importlib.util
 import math
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,8 @@ from .registry import Registry
 # SciPy's answer is asked for at this many instants a period, as a student asks for a smooth curve.
 INSTANTS = 1000
 # A fixed step beyond this count is refused: the arrays would fill the memory.
-MOST_STEPS = 20_000_000
+MOST_STEPS = 5_000_000
+MOST_PERIODS = 10_000
 NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 SCIPY = {
     "solve_ivp": "Dormand-Prince 5(4) at rtol 1e-3 and atol 1e-6, the defaults of scipy.integrate.solve_ivp",
@@ -144,8 +146,8 @@ class NumericalSolution:
         -------
         AngleError
         """
-        t = self._instants(periods)
-        difference = np.abs(self._rising(t) - self.pendulum.theta(t))
+        t, theta = course(self, real("periods", periods))
+        difference = np.abs(theta - self.pendulum.theta(t))
         where = int(np.nanargmax(difference)) if not np.isnan(difference).all() else 0
         largest, theta_max = float(difference[where]), self.pendulum.theta_max
         return AngleError(largest, largest / theta_max if theta_max else 0.0, float(t[where]), math.nan)
@@ -160,8 +162,7 @@ class NumericalSolution:
         """
         if self.pendulum.regime != "libration":
             return math.nan
-        t = self._instants(periods)
-        theta = self._rising(t)
+        t, theta = course(self, real("periods", periods))
         bottom = sum(self.pendulum.extremes) / 2
         beyond = np.abs(theta - bottom) > math.pi
         if not beyond.any():
@@ -211,11 +212,17 @@ def nearest(patterns, wanted):
     return sorted(patterns, key=lambda each: -SequenceMatcher(None, each.partition(":")[0], base).ratio())
 
 
+@lru_cache(maxsize=2)
+def course(solution, periods):
+    """Instants and angles over so many periods; the last two are kept, for one table asks for each several times."""
+    t = solution._instants(periods)
+    return t, solution._rising(t)
+
+
 def checked_span(periods, pendulum):
     """The time of so many periods, in s."""
-    periods = real("periods", periods)
-    if not 0 < periods <= 10_000:
-        raise ValueError(f"periods = {periods!r}: must be greater than 0 and at most 10000")
+    if not 0 < periods <= MOST_PERIODS:
+        raise ValueError(f"periods = {periods!r}: must be above 0 and at most {MOST_PERIODS}")
     last = periods * pendulum.period
     if not math.isfinite(last):
         raise ValueError(f"period = {pendulum.period}: must be finite for an error over periods")

@@ -7,10 +7,10 @@ import contextlib
 import math
 
 from libration.cli.files import staged, strict, write_table
-from libration.cli.parameters import found_parameters, given_parameters, keyed
+from libration.cli.parameters import keyed, table_parameters
 from libration.cli.parser import Parser, Refusal, refusal
 from libration.cli.quantities import plain
-from libration.cli.sampling import PICTURES, TABLES, check_targets, plotter, written
+from libration.cli.sampling import PICTURES, TABLES, check_targets, form, plotter, written
 from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options, upright
 
 DESCRIPTION = """\
@@ -46,7 +46,6 @@ examples:
   libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png
   libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025"""
 
-MOST_PERIODS = 10_000
 LONG = 100.0
 
 
@@ -57,7 +56,9 @@ def parser():
     state_options(made, "(gives the time in seconds)")
     group = made.add_argument_group("the comparison")
     made.value(group, "--with", "NAMES", "what to compare, separated by commas (required)")
-    made.value(group, "--periods", "N", "periods of the first error, the table and the picture (default 1)")
+    made.value(
+        group, "--periods", "N", "periods of an error beside that over 100, of the table and the picture (default 1)"
+    )
     group = made.add_argument_group("the results")
     made.value(group, "--out", "FILE", "write the angles to a .csv, .npz or .json file")
     made.value(group, "--plot", "FILE", "draw the angles and their errors to a .png or .svg file")
@@ -87,10 +88,9 @@ def run(words):
         rows = [(name, made, [measured(name, made, each) for each in spans]) for name, made in solutions]
         if "out" in targets:
             columns = sampled_angles(motion, solutions, periods)
-            write_table(targets["out"], options.out, parameters(given, motion), columns)
+            write_table(targets["out"], options.out, table_parameters(given, motion), columns)
         if "plot" in targets:
-            form = options.plot.rpartition(".")[2].lower()
-            draw(motion, solutions, targets["plot"], periods=periods, form=form)
+            draw(motion, solutions, targets["plot"], periods=periods, form=form(options.plot))
     files = written(options)
     if options.json:
         print_json(given, motion, spans, rows, files)
@@ -122,9 +122,11 @@ def span(text):
     """How many periods."""
     if text is None:
         return 1.0
+    from libration.approx.solvers import MOST_PERIODS
+
     periods = plain("--periods", text)
     if not 0 < periods <= MOST_PERIODS:
-        raise refusal("--periods", text, f"must be greater than 0 and at most {MOST_PERIODS}")
+        raise refusal("--periods", text, f"must be above 0 and at most {MOST_PERIODS}")
     return periods
 
 
@@ -149,7 +151,7 @@ def solution(name, motion):
     base = name.partition(":")[0]
     patterns = (*approx.angle.names, *approx.numerical.names)
     if base not in [each.partition(":")[0] for each in patterns]:
-        raise refusal("--with", name, f"is not known; there are {', '.join(nearest(patterns, name))}")
+        raise refusal("--with", name, f"must be one of {', '.join(nearest(patterns, name))}")
     makes = approx.numerical if base in [each.partition(":")[0] for each in approx.numerical.names] else approx.angle
     try:
         return makes(name).of(motion)
@@ -185,16 +187,9 @@ def key_of(name):
     return "theta_" + name.replace(":", "_").replace("-", "_")
 
 
-def parameters(given, motion):
-    """The parameters that the table carries."""
-    from libration import __version__
-
-    return [("libration", __version__, ""), *given_parameters(given, motion), *found_parameters(motion)]
-
-
 def print_json(given, motion, spans, rows, files):
     """One JSON object."""
-    answer = keyed(parameters(given, motion)[1:])
+    answer = keyed(table_parameters(given, motion)[1:])
     answer["errors"] = [
         {
             "name": name,

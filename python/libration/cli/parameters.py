@@ -29,6 +29,13 @@ def found_parameters(motion):
     ]
 
 
+def table_parameters(given, motion):
+    """The parameters that a table carries."""
+    from libration import __version__
+
+    return [("libration", __version__, ""), *given_parameters(given, motion), *found_parameters(motion)]
+
+
 def keyed(parameters):
     """The parameters as a dictionary whose keys end in the unit."""
     return {key(name, unit): value for name, value, unit in parameters}

@@ -5,7 +5,7 @@ import math
 
 from libration.cli.files import staged
 from libration.cli.parser import Parser
-from libration.cli.sampling import PICTURES, plotter
+from libration.cli.sampling import PICTURES, form, plotter
 from libration.cli.state import (
     UNITS,
     has_frequency,
@@ -65,7 +65,7 @@ def run(words):
             picture = stack.enter_context(staged("--chart", options.chart, PICTURES))
             plot_periods = plotter("libration.approx.chart", "plot_periods", "--chart", options.chart)
             mark = motion.theta_max if formulas else None
-            plot_periods(picture, theta_max=mark, form=options.chart.rpartition(".")[2].lower())
+            plot_periods(picture, theta_max=mark, form=form(options.chart))
     if options.json:
         print_json(given, motion, regime, with_frequency, phase, ratio, formulas)
     else:
@@ -77,7 +77,7 @@ def run(words):
 
 def compared(motion):
     """Every formula with its T/T0 and its relative error, where the motion is a swing."""
-    from libration.approx.chart import listed
+    from libration.approx.period import listed
 
     if motion.regime != "libration" or upright(motion):
         return []

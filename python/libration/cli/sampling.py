@@ -142,10 +142,15 @@ def check_package(package, modules, option, path, extra):
         raise refusal(option, path, f"{package} does not start: {reason}") from error
 
 
+def form(path):
+    """The form that the ending of a picture's name asks for."""
+    return path.rpartition(".")[2].lower()
+
+
 def draw(plot, motion, times, picture, path):
     """Draw into the staged file; numbers near the largest double have no place on an axis."""
     try:
-        plot(motion, times, picture, form=path.rpartition(".")[2].lower())
+        plot(motion, times, picture, form=form(path))
     except (ArithmeticError, RuntimeError, ValueError) as error:
         large = isinstance(error, OverflowError) or any(words in str(error) for words in ("NaN or Inf", "zero-size"))
         reason = "the motion is too large for an axis" if large else str(error)

@@ -4,7 +4,7 @@ Everything that can be refused is refused before the motion is evaluated; files 
 """
 
 from libration.cli.files import strict, write_table
-from libration.cli.parameters import found_parameters, given_parameters, keyed
+from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
 from libration.cli.parser import Parser, Refusal
 from libration.cli.sampling import (
     FILES,
@@ -97,13 +97,6 @@ def motion_columns(motion, times):
         return columns, None, None
     where = int(np.nanargmax(difference))
     return columns, float(difference[where]), float(times[where])
-
-
-def table_parameters(given, motion):
-    """The parameters that a table carries."""
-    from libration import __version__
-
-    return [("libration", __version__, ""), *given_parameters(given, motion), *found_parameters(motion)]
 
 
 def print_text(motion, times, theta, source, largest, at, files):

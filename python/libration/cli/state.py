@@ -1,4 +1,4 @@
-"""What `solve` and `period` share: the options of the initial state and the frequency, and the Pendulum they give."""
+"""What the commands of a pendulum share: the options of its initial state and frequency, and the Pendulum they give."""
 
 import math
 import re

@@ -11,12 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from ..plot import EXACT, LINEAR, SEPARATRIX, legend, quiet, save_figure
+from ..plot import BLACK, DASHED, DOTTED, EXACT, LINEAR, SEPARATRIX, head, legend, quiet, save_figure
 from .work import chosen
 
 # The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
-BLACK, RED, BLUE, GREY = "#1a1a1a", SEPARATRIX, EXACT, LINEAR
-DOTTED, DASHED = (0, (1, 1.4)), (0, (4.5, 3.2))
+RED, BLUE, GREY = SEPARATRIX, EXACT, LINEAR
 # Characters of the caption to an inch of the picture.
 CHARACTERS = 16
 
@@ -74,7 +73,7 @@ class Picture:
         def draw(figure):
             with np.errstate(all="ignore"):
                 self.draw(figure)
-            figure.suptitle(self.title, x=0.012, ha="left", fontsize=12.5)
+            head(figure, self.title)
             # No line ends within `m = 0.1`.
             text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
