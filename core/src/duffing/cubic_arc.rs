@@ -56,7 +56,7 @@ pub(super) fn drawing(
         Taken::Nothing
     };
     let swing = |base| Swing { base, taken, phase, time, u, velocity };
-    let flight = |odd| Flight { pole: Pole::Simple, odd, phase, from_pole, time, u, velocity };
+    let flight = |odd| Flight { pole: Pole::Simple, beside: None, odd, phase, from_pole, time, u, velocity };
     Drawing::new(match shape {
         // From the turning point the poles are straight above the base.
         Shape::Cn => Way::Swing(swing(Base::Zero).counted_from_far_end(Base::Turn)),
@@ -93,7 +93,7 @@ impl Elliptic {
                     Layout::around(&[[0.0, 1.5 * aspect], [1.0, 0.5 * aspect]])
                 }?;
                 let drawn = swing::Drawn { leg: along, base, far: base == Base::Turn, taken };
-                Arc::faithful(layout, &drawn, swing::SPREAD)
+                Arc::faithful(layout, &drawn, swing::SPREAD, swing::STEEPEST)
             }
             Way::Flight(Flight { pole, odd, .. }) => {
                 let aspect = self.lattice.aspect;
@@ -105,7 +105,12 @@ impl Elliptic {
                 } else {
                     Layout::around(&zeros)
                 }?;
-                Arc::faithful(layout, &flight::Drawn { way: along, odd, pole }, flight::SPREAD)
+                Arc::faithful(
+                    layout,
+                    &flight::Drawn { way: along, odd, pole, beside: None },
+                    flight::SPREAD,
+                    flight::STEEPEST,
+                )
             }
         }
     }

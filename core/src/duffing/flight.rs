@@ -5,6 +5,10 @@
 //!   a root of one, y = e (e + gap)    u = P/sqrt y,  u' = R/(y sqrt y),
 //! where gap + 1/4 is the square of the f of the next real poles, which close in on these where the root goes; times f
 //! whichever is odd about the middle.
+//!
+//! Past a saddle u' nearly vanishes, and complex branch points stand next to the way. Each are four, +-h +- i k in f: a
+//! factor (x - c)^2 + s of x = f^2, c = h^2 - k^2 and s = 4 h^2 k^2. That of the branch points goes with y, that of the
+//! zeros of u' with u'.
 
 use super::cubic_motion::counted;
 use super::swing::begun;
@@ -23,13 +27,47 @@ pub(super) enum Pole {
     Root(Dd),
 }
 
+/// The complex branch points of u and zeros of u' next to the way, as c and s of f^2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Beside {
+    pub roots: [f64; 2],
+    pub zeros: [f64; 2],
+}
+
+impl Beside {
+    /// From the f of one of each.
+    pub fn new(root: [f64; 2], zero: [f64; 2]) -> Beside {
+        let of = |[re, im]: [f64; 2]| [(re - im) * (re + im), (2.0 * re * im) * (2.0 * re * im)];
+        Beside { roots: of(root), zeros: of(zero) }
+    }
+
+    /// The factors of the branch points and of the zeros.
+    #[inline(always)]
+    fn factors<L: Lane>(&self, f: Loose<L>) -> [Loose<L>; 2] {
+        let x = f.square();
+        [four(x, &self.roots), four(x, &self.zeros)]
+    }
+}
+
+/// (x - c)^2 + s.
+#[inline(always)]
+fn four<L: Lane>(x: Loose<L>, [centre, rest]: &[f64; 2]) -> Loose<L> {
+    let distance = x - Loose::from_double(L::splat(*centre));
+    distance.square() + Loose::from_double(L::splat(*rest))
+}
+
 /// Most that polynomials of a flight may spread: an error of a unit of |u| or two.
-pub(super) const SPREAD: f64 = 4.0;
+pub(super) const SPREAD: f64 = 2.0;
+
+/// Most that a rounding of the mapped phase may cost, in its units.
+pub(super) const STEEPEST: f64 = 2.0;
 
 /// How a flight goes with time, and what its polynomials lack of u and u'.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Flight {
     pub pole: Pole,
+    /// What is taken out besides a root.
+    pub beside: Option<Beside>,
     /// Whether u is odd about the middle, or u'.
     pub odd: bool,
     /// Flights from the middle, or from the pole next to the start.
@@ -54,6 +92,7 @@ pub(super) struct Drawn<M> {
     pub way: M,
     pub odd: bool,
     pub pole: Pole,
+    pub beside: Option<Beside>,
 }
 
 impl<M: Outwards> Curve for Drawn<M> {
@@ -61,16 +100,18 @@ impl<M: Outwards> Curve for Drawn<M> {
     fn at<L: Lane>(&self, Place { f, to_ends }: Place<L>) -> [Loose<L>; 2] {
         let rest = to_ends.over(f + Loose::from_double(L::splat(0.5)));
         let [u, velocity] = self.way.at(f, rest);
-        let (first, square) = match self.pole {
-            Pole::Simple => (to_ends, to_ends * to_ends),
-            Pole::Root(gap) => {
-                let y = to_ends * (to_ends + Loose::splat(gap));
-                (y.root(), y)
-            }
-        };
         let (u, velocity) = match self.pole {
-            Pole::Simple => (u * first, velocity * square),
-            Pole::Root(_) => (u * first, velocity * first * square),
+            Pole::Simple => (u * to_ends, velocity * (to_ends * to_ends)),
+            Pole::Root(gap) => {
+                let mut y = to_ends * (to_ends + Loose::splat(gap));
+                let mut velocity = velocity;
+                if let Some(beside) = &self.beside {
+                    let [roots, zeros] = beside.factors(f);
+                    (y, velocity) = (y * roots, velocity.over(zeros));
+                }
+                let root = y.root();
+                (u * root, velocity * root * y)
+            }
         };
         if self.odd { [u.over(f), velocity] } else { [u, velocity.over(f)] }
     }
@@ -116,7 +157,8 @@ impl Flight {
 impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Flying<'_, FIRST> {
     #[inline(always)]
     fn at(&self, [t]: [L; 1]) -> [L; 2] {
-        let Flight { pole, odd, phase, from_pole, time, u: u_scale, velocity: velocity_scale } = self.flight;
+        let Flight { pole, beside, odd, phase, from_pole, time, u: u_scale, velocity: velocity_scale } =
+            self.flight;
         let passed = counted(phase, t * L::splat(*time));
         let half = L::splat(0.5);
         let one = L::splat(1.0);
@@ -146,7 +188,11 @@ impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Flying<'_, FIRST> {
                 (rounded_product(p, inverse), rounded_product(r * inverse, inverse))
             }
             Pole::Root(gap) => {
-                let y = ends * (ends + Loose::splat(*gap));
+                let (mut y, mut r) = (ends * (ends + Loose::splat(*gap)), r);
+                if let Some(beside) = beside {
+                    let [roots, zeros] = beside.factors(along);
+                    (y, r) = (y * roots, r * zeros);
+                }
                 let inverse = inverse_root(y);
                 (rounded_product(p, inverse), rounded_product(r * inverse, inverse * inverse))
             }

@@ -17,6 +17,7 @@ pub mod forms;
 pub mod link;
 mod quintic_arc;
 mod quintic_course;
+mod quintic_edge;
 mod quintic_exact;
 mod quintic_hyperbolic;
 mod quintic_level;

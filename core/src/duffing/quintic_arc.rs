@@ -17,7 +17,7 @@
 //! with F(sin^2, m). Two digits of it are enough. Source: Byrd & Friedman 232, 235, 236, 238, 243.
 
 use super::drawing::Way;
-use super::flight::{self, Flight, Outwards, Pole};
+use super::flight::{self, Beside, Flight, Outwards, Pole};
 use super::quintic_marks::Form;
 use super::quintic_theta::{Factors, Theta, pick_double, within};
 use super::swing::{self, Base, Leg, Swing, Taken};
@@ -106,13 +106,29 @@ impl Singular {
         Taken::Roots([im * im, other * other])
     }
 
+    /// What is best taken out of an escape besides its poles: with a pair u' vanishes where dn(2v) does, at
+    /// (1 + i K'/K)/4 half periods, and u branches at (1 + i K'/K)/2 - z.
+    fn beside(self, lattice: &Lattice) -> Option<Beside> {
+        // A small nome of m leaves both far, and the aspect to two digits.
+        let height = 0.125 * lattice.aspect / self.pole;
+        if !self.pair() || !lattice.hyperbolic() || height > BESIDE {
+            return None;
+        }
+        let across = 0.25 / self.pole - 0.5;
+        Some(Beside::new([across, 2.0 * height], [0.125 / self.pole, height]))
+    }
+
     /// How the polynomials are laid out on a lattice of that 2K and K'/K.
-    fn layout(self, half: f64, aspect: f64, taken: Taken) -> Option<Layout> {
+    fn layout(self, half: f64, aspect: f64, taken: Taken, beside: bool) -> Option<Layout> {
         let [across, up] = if self.pair() { [0.5, 0.5 * aspect] } else { [0.0, aspect] };
         if self.pole > 0.0 {
             // In flights: the poles 1/2 and (1 - z)/2z are taken out.
             let flights = |[re, im]: [f64; 2]| [0.5 * re / self.pole, 0.5 * im / self.pole];
             let z = self.pole;
+            if beside {
+                let above = flights([z, 2.0 * up]);
+                return Layout::around(&[flights([1.0 + z, 0.0]), flights([across + z, up]), above]);
+            }
             return Layout::around(&[
                 flights([1.0 + z, 0.0]),
                 flights([across + z, up]),
@@ -139,6 +155,9 @@ impl Singular {
 /// Singularities are taken out where they are nearer than this, in half periods.
 const NEAR: f64 = 0.4;
 
+/// Zeros of u' are taken out of an escape where they are nearer to its way than this, in flights.
+const BESIDE: f64 = 0.175;
+
 /// How a motion without poles is drawn on a lattice, but for the factors of u and u'.
 pub(super) fn swing(place: Singular, lattice: &Lattice, phase: Phase, time: f64) -> Way {
     let (base, far) = place.base();
@@ -149,7 +168,14 @@ pub(super) fn swing(place: Singular, lattice: &Lattice, phase: Phase, time: f64)
 
 /// How an escape is drawn, likewise: from the argument per time, and those of the start from the middle, to the pole,
 /// and of the pole from the middle.
-pub(super) fn flight(form: Form, half: Wide, omega: Wide, [base, rest, pole]: [Wide; 3], turn: f64) -> Way {
+pub(super) fn flight(
+    place: Singular,
+    lattice: &Lattice,
+    half: Wide,
+    omega: Wide,
+    [base, rest, pole]: [Wide; 3],
+    turn: f64,
+) -> Way {
     let whole = pole.shift(1);
     let rate = omega / whole;
     let time = rate.power() - rate.power().clamp(-300, 300);
@@ -159,7 +185,8 @@ pub(super) fn flight(form: Form, half: Wide, omega: Wide, [base, rest, pole]: [W
     let gap = half * (half - whole) / whole.square();
     Way::Flight(Flight {
         pole: Pole::Root(if gap.is_negative() { Dd::ZERO } else { gap.to_dd() }),
-        odd: matches!(form, Form::Crossing | Form::PairCrossing),
+        beside: place.beside(lattice),
+        odd: matches!(place.form, Form::Crossing | Form::PairCrossing),
         phase: Phase { rate: rate.shift(-time).to_dd() * turn, start: (start / whole).to_dd() },
         from_pole,
         time: ldexp(1.0, time),
@@ -222,16 +249,23 @@ impl Theta {
             return None;
         }
         let along = Along::<HYPERBOLIC>(self, steps.map(|step| [1.0, step]));
-        let layout = |taken| self.place.layout(2.0 * self.lattice.quarter.hi, self.lattice.aspect, taken);
+        let layout = |taken, beside| {
+            self.place.layout(2.0 * self.lattice.quarter.hi, self.lattice.aspect, taken, beside)
+        };
         match self.drawing.way {
             Way::Swing(Swing { base, taken, .. }) => {
                 let far = base != Base::Zero;
                 let drawn = swing::Drawn { leg: along, base, far, taken };
-                Arc::faithful(layout(taken)?, &drawn, swing::SPREAD)
+                Arc::faithful(layout(taken, false)?, &drawn, swing::SPREAD, swing::STEEPEST)
             }
-            Way::Flight(Flight { pole, odd, .. }) => {
-                let drawn = flight::Drawn { way: along, odd, pole };
-                Arc::faithful(layout(Taken::Nothing)?, &drawn, flight::SPREAD)
+            Way::Flight(Flight { pole, beside, odd, .. }) => {
+                let drawn = flight::Drawn { way: along, odd, pole, beside };
+                Arc::faithful(
+                    layout(Taken::Nothing, beside.is_some())?,
+                    &drawn,
+                    flight::SPREAD,
+                    flight::STEEPEST,
+                )
             }
         }
     }

@@ -16,6 +16,7 @@
 //! Source: derived from v'^2 = 4 C(v) of quintic_marks.rs; DLMF 22.8, 22.13(i).
 
 use super::cubic_phase::sign;
+use super::quintic_edge::Edge;
 use super::quintic_exact::Exact;
 use super::quintic_hyperbolic::Hyperbolic;
 use super::quintic_level::{Level, level};
@@ -53,11 +54,18 @@ pub(super) enum Marker {
     Level(Box<Level>),
 }
 
+/// A motion without theta functions in ordinary units, for lanes.
+#[derive(Clone, Debug)]
+pub(super) enum Ordinary {
+    Hyperbolic(Hyperbolic),
+    Edge(Edge),
+}
+
 #[derive(Clone, Debug)]
 pub(super) enum Course {
     Still,
     Theta(Box<Theta>),
-    Plain(Box<Plain>, Option<Box<Hyperbolic>>),
+    Plain(Box<Plain>, Option<Box<Ordinary>>),
 }
 
 /// All that does not depend on time.
@@ -249,8 +257,9 @@ fn still(u: f64, y: &Exact, [alpha, beta, gamma]: [f64; 3]) -> SetUp {
 }
 
 fn without_thetas(plain: Plain) -> Course {
-    let hyperbolic = Hyperbolic::new(&plain).map(Box::new);
-    Course::Plain(Box::new(plain), hyperbolic)
+    let edge = || Edge::new(&plain).map(Ordinary::Edge);
+    let ordinary = Hyperbolic::new(&plain).map(Ordinary::Hyperbolic).or_else(edge).map(Box::new);
+    Course::Plain(Box::new(plain), ordinary)
 }
 
 /// The regime by exact signs, and the formula it asks for.

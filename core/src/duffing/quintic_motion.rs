@@ -3,7 +3,8 @@
 use super::cubic_quintic::CubicQuintic;
 use super::drawing::Way;
 use super::flight::Flying;
-use super::quintic_course::Course;
+use super::quintic_course::{Course, Ordinary};
+use super::quintic_edge::Along as Outwards;
 use super::quintic_hyperbolic::Along as Hyperbolically;
 use super::quintic_plain::Plain;
 use super::quintic_theta::Theta;
@@ -65,7 +66,14 @@ impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
             }
             Course::Plain(_, Some(motion)) => {
                 let start = [orbit.u0, orbit.velocity0];
-                return sweep::<L, _, _, _>(&Hyperbolically::<FIRST>(motion, start), t, results);
+                return match &**motion {
+                    Ordinary::Hyperbolic(motion) => {
+                        sweep::<L, _, _, _>(&Hyperbolically::<FIRST>(motion, start), t, results)
+                    }
+                    Ordinary::Edge(motion) => {
+                        sweep::<L, _, _, _>(&Outwards::<FIRST>(motion, start), t, results)
+                    }
+                };
             }
             Course::Plain(plain, None) => Some(&**plain),
             Course::Still => None,

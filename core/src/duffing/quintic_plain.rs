@@ -54,7 +54,7 @@ pub(super) struct Plain {
 }
 
 /// sinh and cosh.
-fn sinh_cosh(x: Wide) -> (Wide, Wide) {
+pub(super) fn sinh_cosh(x: Wide) -> (Wide, Wide) {
     let size = x.abs();
     if size.power() < -60 || size.is_zero() {
         return (x, Wide::ONE + x.square().shift(-1));

@@ -152,7 +152,7 @@ impl Theta {
         let velocity_scale = velocity_powers.map(|power| way.side * way.turn * ldexp(1.0, power));
         let place = Singular::new(factors, half);
         let drawn = match pole {
-            Some(pole) => flight(form, half, omega, [start.base, start.pole, pole], way.turn),
+            Some(pole) => flight(place, &lattice, half, omega, [start.base, start.pole, pole], way.turn),
             None => swing(place, &lattice, phase, ldexp(1.0, time)),
         };
         let poles = pole.map(|pole| Poles {

@@ -12,6 +12,7 @@ use crate::float::Dd;
 use crate::float::double_double::fast_two_sum;
 use crate::float::interpolation::{COUNTS, Interpolation, MOST};
 use crate::float::loose::Loose;
+use crate::float::scaling::exp2;
 use crate::lanes::{Kernel, Lane, Sampler, sweep, wide};
 
 /// A polynomial in t, its first two coefficients to double-double.
@@ -39,6 +40,9 @@ pub(crate) struct Layout {
     /// b of the map, a multiple of 2^-20, so that 1 - b is exact.
     bend: f64,
 }
+
+/// Most that the last term may be of a value: those left out are some tenths of it.
+const LEFT_OUT: f64 = 2.3e-16; // 2^-52
 
 /// Where an arc is interpolated.
 #[derive(Clone, Copy)]
@@ -129,6 +133,24 @@ impl Powers {
         self.pairs.as_flattened().iter().fold(0.0, |sum, term| sum + term.abs()) / least
     }
 
+    /// What the last term is of the least of the values, or a sixteenth of the one before: the terms left out are smaller.
+    fn rest(&self, count: usize, values: &[f64]) -> f64 {
+        let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
+        // t^k is 2^(1 - k) of Chebyshev's polynomial, and smaller ones.
+        let of = |k: usize| (self.pairs.as_flattened()[k - 1] * exp2(1 - k as i32)).abs();
+        of(count - 1).max(of(count - 2) / 16.0) / least
+    }
+
+    /// How much of a value a rounding of t is at most: that of t grows from its end at -1, where x is 0.
+    fn steepness(&self, points: &[f64], values: &[f64]) -> f64 {
+        let terms = self.pairs.as_flattened();
+        let slope = |t: f64| {
+            terms.iter().enumerate().rev().fold(0.0, |sum, (k, term)| sum * t + term * (k + 1) as f64)
+        };
+        let of = |(t, value): (&f64, &f64)| (1.0 + t) * (slope(*t) / value).abs();
+        points.iter().zip(values).map(of).fold(0.0, |most, each| if each <= most { most } else { each })
+    }
+
     /// At t.
     #[inline(always)]
     fn at<L: Lane>(&self, count: usize, t: L) -> Dd<L> {
@@ -150,18 +172,18 @@ impl Arc {
         Arc::through(layout, curve).0
     }
 
-    /// Through a curve, if the terms after the leading one add up to at most that many times the least of the values:
-    /// a unit of the last place of it each is what the sum may lose.
-    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64) -> Option<Arc> {
-        let (arc, spread) = Arc::through(layout, curve);
-        // False for NaN as well.
-        (spread <= most).then_some(arc)
+    /// Through a curve, if the terms after the leading one add up to at most that many times the least of the values,
+    /// a unit of the last place of it each being what the sum may lose, and a rounding of t costs at most so many.
+    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64, steepest: f64) -> Option<Arc> {
+        let (arc, [spread, steepness, rest]) = Arc::through(layout, curve);
+        // False for NaN as well. A singularity nearer than those of the layout shows in the last terms.
+        (spread <= most && steepness <= steepest && rest <= LEFT_OUT).then_some(arc)
     }
 
-    /// Through a curve, and the larger spread of both functions.
+    /// Through a curve, and the larger spread, steepness and rest of both functions.
     #[cold]
     #[inline(never)]
-    fn through(layout: Layout, curve: &impl Curve) -> (Arc, f64) {
+    fn through(layout: Layout, curve: &impl Curve) -> (Arc, [f64; 3]) {
         let Layout { count, bend } = layout;
         let interpolation = Interpolation::of(count);
         let mut values = [[0.0; MOST]; 4];
@@ -170,8 +192,13 @@ impl Arc {
         let powers =
             |hi: &[f64], lo: &[f64]| Powers::new(&interpolation.coefficients([&hi[..count], &lo[..count]]));
         let arc = Arc { layout, first: powers(first, first_rest), second: powers(second, second_rest) };
-        let spreads = [arc.first.spread(&first[..count]), arc.second.spread(&second[..count])];
-        (arc, if spreads[0] < spreads[1] { spreads[1] } else { spreads[0] })
+        let larger = |a: f64, b: f64| if a <= b { b } else { a };
+        let (first, second) = (&first[..count], &second[..count]);
+        let spread = larger(arc.first.spread(first), arc.second.spread(second));
+        let points = &interpolation.points[0];
+        let steepness = larger(arc.first.steepness(points, first), arc.second.steepness(points, second));
+        let rest = larger(arc.first.rest(count, first), arc.second.rest(count, second));
+        (arc, [spread, steepness, rest])
     }
 
     /// How many terms.
