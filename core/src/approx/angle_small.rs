@@ -1,4 +1,4 @@
-//! The pendulum to first order in m: Salas' formula, whose error grows with the time, and one whose error does not.
+//! The pendulum to first order in m: Salas's formula, whose error grows with the time, and one whose error does not.
 //!
 //! In units of omega0 = 1, with s, c = sin, cos(theta0/2) and x = velocity0/2, his formula is
 //!   theta = 2 arctan{[n0 d0 + (m/4)(n1 d0 - n0 d1)]/d0^2},    y = u - sin u cos u,    u = omega0 t,
