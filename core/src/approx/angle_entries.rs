@@ -52,7 +52,7 @@ pub static ANGLES: [Entry; 10] = [
     },
     Entry {
         name: "trigonometric",
-        formula: "θ_max cos κt/√(1 + λ sin² κt), κ² = ω₀²(1 − 10x/81 + x²/262), \
+        formula: "θ_max cos νt/√(1 + λ sin² νt), ν² = ω₀²(1 − 10x/81 + x²/262), \
                   λ = (243x² − 2620x)/(243x² − 7860x + 63666), x = θ_max²",
         source: "Salas 2019 (30), (34), (35)",
         stated: "up to 120 deg",

@@ -60,7 +60,7 @@ impl Linear {
     }
 }
 
-/// A cos(kt)/sqrt(1 + lambda sin^2 kt), kt counted from the last turning point.
+/// theta_max cos(nu t)/sqrt(1 + lambda sin^2 nu t), nu t counted from the last turning point.
 #[derive(Clone, Debug)]
 pub(super) struct Trigonometric {
     phase: Phase,
@@ -79,7 +79,7 @@ impl Trigonometric {
         let square = whole(1.0) - x * 10.0 / whole(81.0) + x.square() / whole(262.0);
         let above = x.square() * 243.0 - x * 2620.0;
         let below = x.square() * 243.0 - x * 7860.0 + whole(63666.0);
-        // Salas's rate, in half periods of its own per unit of the scaled time of the orbit; both rates are near omega0.
+        // Salas's rate nu, in half periods of its own per unit of the scaled time of the orbit; both rates are near omega0.
         let rate = root.to_dd() * square.sqrt() / PI;
         let ratio = rate / elliptic.phase.rate * Dd::from(exp2(carried(power).0));
         let start = elliptic.phase.start;
