@@ -64,7 +64,8 @@ impl Linear {
 #[derive(Clone, Debug)]
 pub(super) struct Trigonometric {
     phase: Phase,
-    amplitude: Wide,
+    /// The turning angle that time counts from.
+    turning: Wide,
     /// lambda.
     flattening: Dd,
     period: f64,
@@ -89,7 +90,7 @@ impl Trigonometric {
         let omega = Wide::new(root.to_dd() * square.sqrt(), power);
         Some(Trigonometric {
             phase: Phase { rate: elliptic.phase.rate * ratio, start: since * ratio },
-            amplitude: if upper { size } else { -size },
+            turning: if upper { size } else { -size },
             flattening: above / below,
             period: (Wide::from(PI.scale(2.0)) / omega).value(),
         })
@@ -98,7 +99,7 @@ impl Trigonometric {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some((sine, cosine)) = counted(&self.phase, t * orbit.time_scale) else { return f64::NAN };
         let root = (Dd::ONE + self.flattening * sine.square()).sqrt();
-        framed(orbit, self.amplitude * Wide::from(cosine / root))
+        framed(orbit, self.turning * Wide::from(cosine / root))
     }
 
     pub fn period(&self) -> f64 {

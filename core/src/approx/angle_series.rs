@@ -239,7 +239,7 @@ impl Series {
 /// theta_max sin(pi phase).
 #[derive(Clone, Debug)]
 pub(super) struct Harmonic {
-    amplitude: Wide,
+    theta_max: Wide,
     /// All harmonics but the first, and their sum where the phase is 1/2.
     tail: Sum,
     top: Wide,
@@ -258,12 +258,12 @@ impl Harmonic {
     pub fn new(orbit: &Orbit) -> Harmonic {
         let tail = Cut::of_angle(orbit, 1).tail;
         let top = tail.at(Dd::ONE, Dd::ZERO);
-        Harmonic { amplitude: turning_angle(orbit), tail, top }
+        Harmonic { theta_max: turning_angle(orbit), tail, top }
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
-        framed(orbit, self.amplitude * Wide::from(point.sine))
+        framed(orbit, self.theta_max * Wide::from(point.sine))
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.

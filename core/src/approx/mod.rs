@@ -16,7 +16,7 @@ mod remez;
 mod search;
 pub mod sine;
 pub mod steps;
-mod swing;
+mod turning;
 
 pub use angle::{AngleApproximation, AngleFormula};
 pub use angle_entries::ANGLES;

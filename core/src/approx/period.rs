@@ -6,7 +6,7 @@
 use super::entry::{Entry, Named};
 use super::period_rules::{RULES, Rule, exact};
 use super::search::{crossing, peak};
-use super::swing::Swing;
+use super::turning::Turning;
 use crate::domain::Domain;
 use crate::float::scaling::ldexp;
 use crate::float::{TWO_PI_LONG, Td};
@@ -134,34 +134,34 @@ impl PeriodFormula {
     ///
     /// **Error** at most 1 ulp.
     pub fn ratio_of_mc(&self, mc: f64) -> f64 {
-        value(self.of(Swing::of_complement(mc)))
+        value(self.of(Turning::of_complement(mc)))
     }
     /// T/T0 of a release from rest at `theta_max` in [0, pi]; NaN outside.
     ///
     /// **Error** at most 1 ulp. The double next to pi is not pi: there the exact ratio is 24.6, not infinite.
     pub fn ratio(&self, theta_max: f64) -> f64 {
-        value(self.of(Swing::of_angle(theta_max)))
+        value(self.of(Turning::of_angle(theta_max)))
     }
     /// T/T0 of the parameter m = sin^2(theta_max/2) <= 1; negative ones too where it is a formula of m or of a.
     ///
     /// **Error** at most 1 ulp.
     pub fn ratio_of_m(&self, m: f64) -> f64 {
-        value(self.of(Swing::of_parameter(m)))
+        value(self.of(Turning::of_parameter(m)))
     }
     /// The formula over 2K/pi, minus 1, at `theta_max` in [0, pi]; -1 where only the exact one is infinite, NaN where
     /// the formula has no value.
     ///
     /// **Error** at most 1 ulp plus 1e-45; below 1e-44 it is given as 0.
     pub fn error(&self, theta_max: f64) -> f64 {
-        self.compared(Swing::of_angle(theta_max))
+        self.compared(Turning::of_angle(theta_max))
     }
     /// Likewise by the complement of the parameter.
     pub fn error_of_mc(&self, mc: f64) -> f64 {
-        self.compared(Swing::of_complement(mc))
+        self.compared(Turning::of_complement(mc))
     }
     /// Likewise by the parameter.
     pub fn error_of_m(&self, m: f64) -> f64 {
-        self.compared(Swing::of_parameter(m))
+        self.compared(Turning::of_parameter(m))
     }
 
     /// The period in s that it gives a pendulum that swings; NaN in rotation.
@@ -172,7 +172,7 @@ impl PeriodFormula {
             return f64::NAN;
         }
         let Some((root, power)) = orbit.force.root() else { return f64::INFINITY };
-        let ratio = self.of(Swing::of_both(orbit.energy_ratio(), orbit.energy_ratio_c()));
+        let ratio = self.of(Turning::of_both(orbit.energy_ratio(), orbit.energy_ratio_c()));
         if !ratio.hi.is_finite() {
             return ratio.hi;
         }
@@ -240,21 +240,21 @@ impl PeriodFormula {
         points
     }
 
-    fn of(&self, swing: Option<Swing>) -> Td {
-        match swing {
+    fn of(&self, turning: Option<Turning>) -> Td {
+        match turning {
             None => Td::from(f64::NAN),
-            Some(swing) if swing.a.hi == 0.0 && self.rule.diverges => Td::from(f64::INFINITY),
-            Some(swing) => (self.rule.ratio)(&swing, self.named.order),
+            Some(turning) if turning.a.hi == 0.0 && self.rule.diverges => Td::from(f64::INFINITY),
+            Some(turning) => (self.rule.ratio)(&turning, self.named.order),
         }
     }
 
-    fn compared(&self, swing: Option<Swing>) -> f64 {
-        let ratio = self.of(swing);
-        let Some(swing) = swing else { return f64::NAN };
-        if swing.a.hi == 0.0 {
+    fn compared(&self, turning: Option<Turning>) -> f64 {
+        let ratio = self.of(turning);
+        let Some(turning) = turning else { return f64::NAN };
+        if turning.a.hi == 0.0 {
             return if ratio.hi.is_finite() { -1.0 } else { f64::NAN };
         }
-        let exact = exact(&swing, 0);
+        let exact = exact(&turning, 0);
         let error = value((ratio - exact) / exact);
         if error.abs() < LEAST { 0.0 } else { error }
     }
