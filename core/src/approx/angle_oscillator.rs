@@ -3,7 +3,7 @@
 //!
 //! Source: Salas 2019 (2), (3), (29), (30), (34), (35).
 
-use super::angle_series::{counted, framed, turning_angle};
+use super::angle_phase::{counted, framed, turning_angle};
 use crate::domain::Domain;
 use crate::duffing::{CubicQuintic, Duffing};
 use crate::elliptic::phase::Phase;

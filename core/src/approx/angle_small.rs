@@ -7,7 +7,7 @@
 //! The other one is tan(theta/2) = (s c cn + x dn sn)/(c^2 - x^2 sn^2) (Salas 23 times c^2) with the first harmonics of
 //! sn, cn and dn at the exact phase. Source: Salas 2019, (23), (24) and before fig. 6; DLMF 22.10, 22.11.
 
-use super::angle_series::counted;
+use super::angle_phase::counted;
 use crate::elliptic::phase::Phase;
 use crate::float::elementary::arctangent;
 use crate::float::scaling::ldexp;

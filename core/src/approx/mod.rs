@@ -5,6 +5,7 @@
 pub mod angle;
 mod angle_entries;
 mod angle_oscillator;
+mod angle_phase;
 mod angle_series;
 mod angle_small;
 mod angle_taylor;
