@@ -88,22 +88,6 @@ fn every_formula_keeps_its_promise() {
 }
 
 #[test]
-fn slices_hold_what_single_instants_do() {
-    for row in rows(VECTORS, ROWS).iter().step_by(7) {
-        let made = made(row);
-        let times = [row.hex("t"), 0.0, -1.5, f64::NAN];
-        let (mut theta, mut difference) = ([7.0; 4], [7.0; 4]);
-        made.theta_into(&times, &mut theta);
-        made.difference_into(&times, &mut difference);
-        for (i, t) in times.into_iter().enumerate() {
-            assert_eq!(theta[i].to_bits(), made.theta(t).to_bits());
-            assert_eq!(difference[i].to_bits(), made.difference(t).to_bits());
-        }
-        assert!(theta[3].is_nan() && difference[3].is_nan());
-    }
-}
-
-#[test]
 fn spoiled_siblings_are_found() {
     let bad = |spoiled: &dyn Fn(&Row) -> [f64; 3]| {
         worst(false, spoiled).values().filter(|errors| errors.iter().any(|error| *error > 1.0)).count()

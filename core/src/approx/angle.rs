@@ -177,20 +177,6 @@ impl AngleApproximation {
         }
     }
 
-    /// [`AngleApproximation::theta`] of every time; as many as the shorter slice holds.
-    pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        for (theta, t) in theta.iter_mut().zip(t) {
-            *theta = self.theta(*t);
-        }
-    }
-
-    /// [`AngleApproximation::difference`] of every time; as many as the shorter slice holds.
-    pub fn difference_into(&self, t: &[f64], difference: &mut [f64]) {
-        for (difference, t) in difference.iter_mut().zip(t) {
-            *difference = self.difference(*t);
-        }
-    }
-
     /// Period in s of the approximation itself; NaN where it does not repeat.
     pub fn period(&self) -> f64 {
         let period = match &self.shape {

@@ -253,7 +253,6 @@ mod tests {
                 let least = best.largest_error(phi_max).unwrap().absolute;
                 let taylor = SineFormula::named(&format!("taylor:{order}"), None).unwrap();
                 let other = taylor.largest_error(phi_max).unwrap().absolute;
-                println!("{name} {phi_max} {least:e} {other:e}");
                 assert!(
                     least <= other && (least < 0.6 * other || other == 0.0),
                     "{name} {phi_max} {least:e} {other:e}"

@@ -31,7 +31,6 @@ const fn scheme(name: &'static str, formula: &'static str, source: &'static str)
 /// One of [`SCHEMES`].
 #[derive(Clone, Copy, Debug)]
 pub struct Scheme {
-    entry: &'static Entry,
     step: fn(State, f64, f64) -> State,
 }
 
@@ -90,12 +89,7 @@ impl Scheme {
             "euler-cromer" => euler_cromer,
             _ => rk4,
         };
-        Ok(Scheme { entry, step })
-    }
-
-    /// What is known of it.
-    pub fn entry(&self) -> &'static Entry {
-        self.entry
+        Ok(Scheme { step })
     }
 
     /// Angle and velocity at 0, h, 2 h, ... as many as the slices hold, both of one length.
