@@ -1,10 +1,7 @@
 //! The table of approximations of the angle. Their errors and their ranges are measured (measure.rs), never typed here.
 
 use super::entry::Entry;
-
-/// 70 and 120 degrees.
-const DEGREES_70: f64 = 1.2217304763960306;
-const DEGREES_120: f64 = 2.0943951023931953;
+use super::salas::{DEGREES_70, DEGREES_120};
 
 const PLAIN: Entry = Entry {
     name: "",

@@ -4,6 +4,7 @@
 //! Source: Salas 2019 (2), (3), (29), (30), (34), (35).
 
 use super::angle_phase::{counted, framed, turning_angle};
+use super::salas::{CUBIC, QUINTIC};
 use crate::domain::Domain;
 use crate::duffing::{CubicQuintic, Duffing};
 use crate::elliptic::phase::Phase;
@@ -115,20 +116,19 @@ pub(super) enum SineModel {
 }
 
 /// omega0^2 times a number, rounded once.
-fn coefficient(orbit: &Orbit, above: f64, below: f64) -> f64 {
+fn coefficient(orbit: &Orbit, [above, below]: [f64; 2]) -> f64 {
     let (a, b, c) = orbit.force.factors();
     (Wide::from(a) * b * above / (Wide::from(c) * below)).value()
 }
 
 impl SineModel {
     pub fn cubic(orbit: &Orbit) -> Result<SineModel, Domain> {
-        let (p, q) = (coefficient(orbit, 1.0, 1.0), coefficient(orbit, -40.0, 243.0));
+        let (p, q) = (coefficient(orbit, [1.0; 2]), coefficient(orbit, CUBIC));
         Ok(SineModel::Cubic(Duffing::new(orbit.theta0, orbit.velocity0, p, q)?))
     }
 
     pub fn cubic_quintic(orbit: &Orbit) -> Result<SineModel, Domain> {
-        let [alpha, beta, gamma] =
-            [(1.0, 1.0), (-40.0, 243.0), (1.0, 131.0)].map(|(a, b)| coefficient(orbit, a, b));
+        let [alpha, beta, gamma] = [[1.0; 2], CUBIC, QUINTIC].map(|quotient| coefficient(orbit, quotient));
         Ok(SineModel::CubicQuintic(CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)?))
     }
 

@@ -14,6 +14,7 @@ pub mod measure;
 pub mod period;
 mod period_rules;
 mod remez;
+mod salas;
 mod search;
 pub mod sine;
 pub mod steps;

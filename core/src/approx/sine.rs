@@ -6,6 +6,7 @@
 
 use super::entry::{Entry, Named};
 use super::remez;
+use super::salas::{CUBIC, DEGREES_70, DEGREES_120, QUINTIC};
 use super::search::{crossing, peak};
 use crate::domain::Domain;
 use crate::float::Td;
@@ -21,7 +22,7 @@ pub static SINES: [Entry; 4] = [
         formula: "φ − 40φ³/243",
         source: "Salas 2019 (2)",
         stated: "|φ| < 70 deg",
-        stated_range: Some([0.0, 7.0 / 18.0 * PI]),
+        stated_range: Some([0.0, DEGREES_70]),
         ..STATES_NO_RANGE
     },
     Entry {
@@ -29,7 +30,7 @@ pub static SINES: [Entry; 4] = [
         formula: "φ − 40φ³/243 + φ⁵/131",
         source: "Salas 2019 (3)",
         stated: "|φ| ≤ 120 deg",
-        stated_range: Some([0.0, 2.0 / 3.0 * PI]),
+        stated_range: Some([0.0, DEGREES_120]),
         ..STATES_NO_RANGE
     },
     Entry {
@@ -134,8 +135,8 @@ impl SineFormula {
             }
             ("taylor", None) => (vec![Td::ZERO; count], taylor(count)),
             _ => {
-                let cubic = Td::from(-40.0) / Td::from(243.0);
-                let quintic = Td::ONE / Td::from(131.0);
+                let [cubic, quintic] =
+                    [CUBIC, QUINTIC].map(|[above, below]| Td::from(above) / Td::from(below));
                 let exact =
                     if *kind == "salas-2" { vec![Td::ONE, cubic] } else { vec![Td::ONE, cubic, quintic] };
                 (exact.iter().zip(taylor(exact.len())).map(|(c, t)| *c - t).collect(), exact)
