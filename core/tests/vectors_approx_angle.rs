@@ -168,7 +168,10 @@ fn corners_are_answered() {
                 // A polynomial of the time goes on where the exact angle is no longer known.
                 let none = theta.is_nan() || orbit.theta(t).is_nan();
                 assert_eq!(difference.is_nan(), none, "{name} {theta0} {velocity0} {omega2} {t}: {theta}");
-                assert!(theta.is_nan() || !none || name == "taylor:200", "{name} {theta0} {velocity0} {omega2} {t}");
+                assert!(
+                    theta.is_nan() || !none || name == "taylor:200",
+                    "{name} {theta0} {velocity0} {omega2} {t}"
+                );
                 answered += 1;
             }
             assert!(!made.period().is_infinite());
