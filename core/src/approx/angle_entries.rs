@@ -1,6 +1,6 @@
 //! The table of approximations of the angle. Their errors and their ranges are measured (measure.rs), never typed here.
 
-use super::entry::Entry;
+use super::entry::{Entry, Orders};
 use super::salas::{DEGREES_70, DEGREES_120};
 
 const PLAIN: Entry = Entry {
@@ -31,7 +31,7 @@ pub static ANGLES: [Entry; 10] = [
     },
     Entry {
         name: "fourier",
-        orders: Some([1, 500]),
+        orders: Some(Orders::all([1, 500])),
         formula: "2 arcsin of the first N terms of (2π/K) Σ q^(n−½)/(1−q^(2n−1)) sin((2n−1)πu/2K) = k sn u",
         source: "Lima 2019 (20)-(22)",
         stated: "below 180 deg",
@@ -40,7 +40,7 @@ pub static ANGLES: [Entry; 10] = [
     },
     Entry {
         name: "fourier-theta",
-        orders: Some([1, 500]),
+        orders: Some(Orders::all([1, 500])),
         formula: "the first N terms of 8 Σ q^(n−½)/((2n−1)(1+q^(2n−1))) sin((2n−1)πu/2K); rotation: its turn and \
                   4 Σ qⁿ/(n(1+q^(2n))) sin(nπu/K)",
         source: "Jacobi's series of dn and cn, integrated (DLMF 22.11.1, 22.11.3); Chachiyo, arXiv:2504.16816",
@@ -92,7 +92,7 @@ pub static ANGLES: [Entry; 10] = [
     },
     Entry {
         name: "taylor",
-        orders: Some([1, 200]),
+        orders: Some(Orders::all([1, 200])),
         formula: "Taylor's polynomial of θ(t) of degree N about t = 0",
         source: "recurrence of sine and cosine of a power series",
         undefined: "",

@@ -7,8 +7,8 @@ use crate::domain::Domain;
 pub struct Entry {
     /// Its name, without `:N`.
     pub name: &'static str,
-    /// The least and the largest N, if it takes one.
-    pub orders: Option<[u32; 2]>,
+    /// What N may be, if it takes one.
+    pub orders: Option<Orders>,
     /// The formula, in one line.
     pub formula: &'static str,
     /// Author, year and equation.
@@ -19,6 +19,47 @@ pub struct Entry {
     pub stated_range: Option<[f64; 2]>,
     /// Where it has no value.
     pub undefined: &'static str,
+}
+
+/// The numbers from the least to the most, or every second one of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orders {
+    /// The least.
+    pub least: u32,
+    /// The most.
+    pub most: u32,
+    /// 1, or 2: all are even or all odd, as the least is.
+    pub step: u32,
+}
+
+impl Orders {
+    /// Every N of a range.
+    pub const fn all([least, most]: [u32; 2]) -> Orders {
+        Orders { least, most, step: 1 }
+    }
+
+    /// Every second N of a range.
+    pub const fn every_second([least, most]: [u32; 2]) -> Orders {
+        Orders { least, most, step: 2 }
+    }
+
+    fn in_range(&self, n: u32) -> bool {
+        (self.least..=self.most).contains(&n)
+    }
+
+    fn contains(&self, n: u32) -> bool {
+        self.in_range(n) && (n - self.least).is_multiple_of(self.step)
+    }
+
+    /// What is wanted of a number that is not one of them: to be in the range first, then of its parity.
+    fn allowed(&self, n: Option<u32>) -> String {
+        let parity = match (n.is_some_and(|n| self.in_range(n)), self.least % 2) {
+            (false, _) => "a whole",
+            (true, 0) => "an even",
+            (true, _) => "an odd",
+        };
+        format!("{parity} N from {} to {}", self.least, self.most)
+    }
 }
 
 /// An entry and the N that it is asked for; 0 where it takes none.
@@ -36,10 +77,10 @@ impl Entry {
         if self.orders.is_some() { format!("{}:N", self.name) } else { self.name.to_string() }
     }
 
-    /// What may be asked for, with the range of N.
-    fn allowed(&self) -> String {
+    /// What may be asked for in place of a wrong N.
+    fn allowed(&self, n: Option<u32>) -> String {
         match self.orders {
-            Some([least, most]) => format!("{}:N with a whole N from {least} to {most}", self.name),
+            Some(orders) => format!("{}:N with {}", self.name, orders.allowed(n)),
             None => format!("{} without a number", self.name),
         }
     }
@@ -55,14 +96,11 @@ impl Named {
         let Some(entry) = table.iter().find(|entry| entry.name == name) else {
             return Err(Domain::new(kind, shown(wanted), format!("one of {}", by_nearness(table, name))));
         };
-        let order = match (entry.orders, order) {
-            (None, None) => Some(0),
-            (Some(range), Some(order)) => whole(order).filter(|n| (range[0]..=range[1]).contains(n)),
-            _ => None,
-        };
-        match order {
-            Some(order) => Ok(Named { entry, order }),
-            None => Err(Domain::new(kind, shown(wanted), entry.allowed())),
+        let n = order.and_then(whole);
+        match (entry.orders, order, n) {
+            (None, None, _) => Ok(Named { entry, order: 0 }),
+            (Some(orders), _, Some(n)) if orders.contains(n) => Ok(Named { entry, order: n }),
+            _ => Err(Domain::new(kind, shown(wanted), entry.allowed(n))),
         }
     }
 
@@ -112,12 +150,16 @@ fn edits(from: &[char], to: &[char]) -> usize {
 mod tests {
     use super::*;
 
-    const fn entry(name: &'static str, orders: Option<[u32; 2]>) -> Entry {
+    const fn entry(name: &'static str, orders: Option<Orders>) -> Entry {
         Entry { name, orders, formula: "", source: "", stated: "", stated_range: None, undefined: "" }
     }
 
-    static TABLE: [Entry; 3] =
-        [entry("linear", None), entry("fourier", Some([1, 500])), entry("fourier-theta", Some([1, 500]))];
+    static TABLE: [Entry; 4] = [
+        entry("linear", None),
+        entry("fourier", Some(Orders::all([1, 500]))),
+        entry("fourier-theta", Some(Orders::all([1, 500]))),
+        entry("odd", Some(Orders::every_second([3, 9]))),
+    ];
 
     fn refused(wanted: &str) -> String {
         Named::find("formula", &TABLE, wanted).map_or_else(|error| error.to_string(), |named| named.name())
@@ -144,16 +186,19 @@ mod tests {
         ] {
             assert_eq!(refused(bad), format!("formula = {bad:?}: {allowed}"));
         }
+        assert_eq!(refused("odd:9"), "odd:9");
+        assert_eq!(refused("odd:4"), "formula = \"odd:4\": must be odd:N with an odd N from 3 to 9");
+        assert_eq!(refused("odd:2"), "formula = \"odd:2\": must be odd:N with a whole N from 3 to 9");
         assert_eq!(refused("linear:3"), "formula = \"linear:3\": must be linear without a number");
     }
 
     #[test]
     fn an_unknown_name_is_answered_with_the_nearest_first() {
-        let nearest = "must be one of fourier:N, linear, fourier-theta:N";
+        let nearest = "must be one of fourier:N, linear, odd:N, fourier-theta:N";
         assert_eq!(refused("fourrier:4"), format!("formula = \"fourrier:4\": {nearest}"));
         assert_eq!(
             refused("Linear"),
-            "formula = \"Linear\": must be one of linear, fourier:N, fourier-theta:N"
+            "formula = \"Linear\": must be one of linear, odd:N, fourier:N, fourier-theta:N"
         );
         assert_eq!(refused("").matches('\n').count(), 0);
     }

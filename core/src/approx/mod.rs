@@ -22,7 +22,7 @@ mod turning;
 
 pub use angle::{AngleApproximation, AngleFormula};
 pub use angle_entries::ANGLES;
-pub use entry::{Entry, Named};
+pub use entry::{Entry, Named, Orders};
 pub use measure::LargestError;
 pub use period::{PERIODS, PeriodFormula};
 pub use sine::{SINES, SineError, SineFormula};

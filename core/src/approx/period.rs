@@ -3,8 +3,8 @@
 //! Each formula is evaluated to triple-double (period_rules.rs), so that its error against 2K/pi is right to its own
 //! last digits even where it is 1e-30.
 
-use super::entry::{Entry, Named};
-use super::period_rules::{RULES, Rule, exact};
+use super::entry::{Entry, Named, Orders};
+use super::period_rules::{MOST, RULES, Rule, exact};
 use super::search::{crossing, peak};
 use super::turning::Turning;
 use crate::domain::Domain;
@@ -28,7 +28,7 @@ pub static PERIODS: [Entry; 16] = [
     entry("linear", "1", "small swings"),
     of_angle("bernoulli", "1 + θ_max²/16", "Bernoulli"),
     Entry {
-        orders: Some([2, 200]),
+        orders: Some(Orders::every_second([2, MOST])),
         ..of_angle(
             "series",
             "1 + θ_max²/16 + 11 θ_max⁴/3072 + … to θ_max^N, N even",
@@ -45,7 +45,7 @@ pub static PERIODS: [Entry; 16] = [
     },
     entry("lima-arun", "−ln a/(1 − a), a = cos(θ_max/2)", "Lima & Arun 2006"),
     Entry {
-        orders: Some([1, 8]),
+        orders: Some(Orders::all([1, 8])),
         ..entry(
             "agm",
             "1/a_N with a₀ = 1, b₀ = cos(θ_max/2), a_(n+1) = (a_n + b_n)/2, b_(n+1) = √(a_n b_n)",
@@ -115,9 +115,6 @@ impl PeriodFormula {
     /// By its name, `name` or `name:N`.
     pub fn named(name: &str) -> Result<PeriodFormula, Domain> {
         let named = Named::find("period", &PERIODS, name)?;
-        if named.entry.name == "series" && named.order % 2 == 1 {
-            return Err(Domain::new("period", format!("{name:?}"), "series:N with an even N from 2 to 200"));
-        }
         let place = PERIODS.iter().position(|entry| entry.name == named.entry.name).unwrap_or(0);
         Ok(PeriodFormula { named, rule: &RULES[place] })
     }

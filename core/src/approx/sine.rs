@@ -4,7 +4,7 @@
 //! A polynomial is known by how far its coefficients depart from Taylor's, so that its distance from the sine is one
 //! series without cancellation, right to its own last digits.
 
-use super::entry::{Entry, Named};
+use super::entry::{Entry, Named, Orders};
 use super::remez;
 use super::salas::{CUBIC, DEGREES_70, DEGREES_120, QUINTIC};
 use super::search::{crossing, peak};
@@ -35,14 +35,14 @@ pub static SINES: [Entry; 4] = [
     },
     Entry {
         name: "taylor",
-        orders: Some([1, 99]),
+        orders: Some(Orders::every_second([1, 99])),
         formula: "φ − φ³/3! + φ⁵/5! − … to φ^N, N odd",
         source: "Taylor series, DLMF 4.19.1",
         ..STATES_NO_RANGE
     },
     Entry {
         name: "best",
-        orders: Some([1, 21]),
+        orders: Some(Orders::every_second([1, 21])),
         formula: "the odd polynomial P of degree N with the least largest |sin φ − P(φ)| for |φ| ≤ phi_max, N odd",
         source: "Chebyshev's alternation, by Remez's exchange",
         stated: "|φ| ≤ phi_max",
@@ -113,11 +113,7 @@ impl SineFormula {
     /// By its name, `name` or `name:N`; `phi_max` in (0, 2 pi] belongs to `best:N` and to it alone.
     pub fn named(name: &str, phi_max: Option<f64>) -> Result<SineFormula, Domain> {
         let named = Named::find("sine", &SINES, name)?;
-        let Named { entry: Entry { name: kind, orders, .. }, order } = named;
-        if let (Some([least, most]), 0) = (orders, order % 2) {
-            let allowed = format!("{kind}:N with an odd N from {least} to {most}");
-            return Err(Domain::new("sine", format!("{name:?}"), allowed));
-        }
+        let Named { entry: Entry { name: kind, .. }, order } = named;
         let count = order.div_ceil(2) as usize;
         let (departures, exact) = match (*kind, phi_max) {
             ("best", None) => return Err(Domain::new("phi_max", "none".to_string(), "given for best:N")),
