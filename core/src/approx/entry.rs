@@ -62,6 +62,28 @@ impl Orders {
     }
 }
 
+/// An entry and what it is evaluated by, in one row, so that neither comes without the other.
+pub(super) struct Row<R> {
+    pub entry: Entry,
+    pub rule: R,
+}
+
+/// A row of a table.
+pub(super) const fn row<R>(entry: Entry, rule: R) -> Row<R> {
+    Row { entry, rule }
+}
+
+/// What the doors list of a table.
+pub(super) const fn entries<R, const N: usize>(table: &[Row<R>; N]) -> [Entry; N] {
+    let mut entries = [table[0].entry; N];
+    let mut i = 1;
+    while i < N {
+        entries[i] = table[i].entry;
+        i += 1;
+    }
+    entries
+}
+
 /// An entry and the N that it is asked for; 0 where it takes none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Named {
@@ -87,19 +109,23 @@ impl Entry {
 }
 
 impl Named {
-    /// Finds `name` or `name:N` in a table; the error names the nearest entries first.
-    pub fn find(kind: &'static str, table: &'static [Entry], wanted: &str) -> Result<Named, Domain> {
+    /// Finds `name` or `name:N` in a table, and its rule; the error names the nearest entries first.
+    pub(super) fn find<R>(
+        kind: &'static str,
+        table: &'static [Row<R>],
+        wanted: &str,
+    ) -> Result<(Named, &'static R), Domain> {
         let (name, order) = match wanted.split_once(':') {
             Some((name, order)) => (name, Some(order)),
             None => (wanted, None),
         };
-        let Some(entry) = table.iter().find(|entry| entry.name == name) else {
+        let Some(Row { entry, rule }) = table.iter().find(|row| row.entry.name == name) else {
             return Err(Domain::new(kind, shown(wanted), format!("one of {}", by_nearness(table, name))));
         };
         let n = order.and_then(whole);
         match (entry.orders, order, n) {
-            (None, None, _) => Ok(Named { entry, order: 0 }),
-            (Some(orders), _, Some(n)) if orders.contains(n) => Ok(Named { entry, order: n }),
+            (None, None, _) => Ok((Named { entry, order: 0 }, rule)),
+            (Some(orders), _, Some(n)) if orders.contains(n) => Ok((Named { entry, order: n }, rule)),
             _ => Err(Domain::new(kind, shown(wanted), entry.allowed(n))),
         }
     }
@@ -124,9 +150,9 @@ fn shown(wanted: &str) -> String {
 }
 
 /// Every name of a table, those that differ least from a wanted one first.
-fn by_nearness(table: &[Entry], wanted: &str) -> String {
+fn by_nearness<R>(table: &[Row<R>], wanted: &str) -> String {
     let wanted: Vec<char> = wanted.chars().take(60).flat_map(char::to_lowercase).collect();
-    let mut entries: Vec<&Entry> = table.iter().collect();
+    let mut entries: Vec<&Entry> = table.iter().map(|row| &row.entry).collect();
     entries.sort_by_key(|entry| edits(&entry.name.chars().collect::<Vec<_>>(), &wanted));
     entries.iter().map(|entry| entry.pattern()).collect::<Vec<_>>().join(", ")
 }
@@ -150,11 +176,13 @@ fn edits(from: &[char], to: &[char]) -> usize {
 mod tests {
     use super::*;
 
-    const fn entry(name: &'static str, orders: Option<Orders>) -> Entry {
-        Entry { name, orders, formula: "", source: "", stated: "", stated_range: None, undefined: "" }
+    const fn entry(name: &'static str, orders: Option<Orders>) -> Row<()> {
+        let entry =
+            Entry { name, orders, formula: "", source: "", stated: "", stated_range: None, undefined: "" };
+        row(entry, ())
     }
 
-    static TABLE: [Entry; 4] = [
+    static TABLE: [Row<()>; 4] = [
         entry("linear", None),
         entry("fourier", Some(Orders::all([1, 500]))),
         entry("fourier-theta", Some(Orders::all([1, 500]))),
@@ -162,7 +190,8 @@ mod tests {
     ];
 
     fn refused(wanted: &str) -> String {
-        Named::find("formula", &TABLE, wanted).map_or_else(|error| error.to_string(), |named| named.name())
+        Named::find("formula", &TABLE, wanted)
+            .map_or_else(|error| error.to_string(), |(named, ())| named.name())
     }
 
     #[test]
