@@ -1,4 +1,5 @@
-//! The table of approximations of the angle. Their errors and their ranges are measured (measure.rs), never typed here.
+//! The table of approximations of the angle. Their errors and their ranges are measured (measure.rs); the ends that
+//! `undefined` tells are what the test below finds.
 
 use super::entry::{Entry, Orders, Row, entries, row};
 use super::salas::{DEGREES_70, DEGREES_120};
@@ -114,7 +115,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             source: "Salas 2019 (2)",
             stated: "up to 70 deg",
             stated_range: Some([0.0, DEGREES_70]),
-            undefined: "from its escape on: released from rest beyond 141.2 deg, or with the energy of 121.3 deg",
+            undefined: "from its escape on: released from rest beyond 141.2 deg, or with the energy of 121.2 deg",
             ..PLAIN
         },
         Kind::Cubic,
@@ -146,3 +147,45 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
 
 /// The approximations of the angle, by name.
 pub static ANGLES: [Entry; 10] = entries(&TABLE);
+
+#[cfg(test)]
+mod tests {
+    use super::super::angle::AngleFormula;
+    use super::super::search::crossing;
+    use super::*;
+    use crate::{Frequency, Orbit};
+
+    /// The last degree at which a formula is defined all the time, for an orbit of a turning angle.
+    fn last_defined(name: &str, orbit: impl Fn(f64) -> (f64, f64)) -> f64 {
+        let defined = |degrees: f64| {
+            let (theta0, velocity0) = orbit(degrees.to_radians());
+            let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega0(1.0).unwrap()).unwrap();
+            let made = AngleFormula::named(name).unwrap().of(&orbit).unwrap();
+            made.largest_error(5.0).unwrap().undefined_from.is_nan()
+        };
+        crossing(defined, 100.0, 179.0)
+    }
+
+    fn told(name: &str) -> &'static str {
+        ANGLES.iter().find(|entry| entry.name == name).unwrap().undefined
+    }
+
+    #[test]
+    fn the_ends_that_are_told_are_those_that_are_found() {
+        let rest = |theta_max: f64| (theta_max, 0.0);
+        let ends = [
+            ("fourier", format!("from {:.2} deg with N = 1", last_defined("fourier:1", rest))),
+            ("cubic", format!("beyond {:.1} deg", last_defined("cubic", rest))),
+            (
+                "cubic",
+                format!(
+                    "the energy of {:.1} deg",
+                    last_defined("cubic", |top| (0.0, 2.0 * (0.5 * top).sin()))
+                ),
+            ),
+        ];
+        for (name, end) in ends {
+            assert!(told(name).contains(&end), "{name}: {end}");
+        }
+    }
+}
