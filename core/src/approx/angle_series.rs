@@ -8,11 +8,10 @@
 //! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2019 (17), (20)-(22).
 
 use super::angle_phase::{framed, half_turn, turning_angle};
-use crate::elliptic::agm::agm;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Reduced, alternating};
 use crate::float::elementary::arctangent;
 use crate::float::wide::exp;
-use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide};
+use crate::float::{Dd, HALF_PI, TWO_PI, Wide};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::{Course, Elliptic};
 use crate::pendulum::state::State;
@@ -123,16 +122,15 @@ impl Sum {
     }
 }
 
-/// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation.
+/// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation; and the step of the harmonics.
 fn decay(orbit: &Orbit) -> (Wide, u32) {
-    let Ok(State { k, kc, power, .. }) = State::new(orbit.theta0, orbit.velocity0, orbit.force) else {
-        return (Wide::ZERO, 2);
-    };
-    match orbit.course {
-        Course::Rotation(_) => (exp(-(PI * agm(kc / k) / agm(Dd::ONE / k))), 1),
+    if let Some((decay, step)) = orbit.decay() {
+        return (exp(-decay), step);
+    }
+    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
         // The nome is m/16 to all digits.
-        _ if power != 0 => (Wide::new(k, power - 2), 2),
-        _ => (exp(-(HALF_PI * agm(kc) / agm(k))), 2),
+        Ok(State { k, power, .. }) if power != 0 => (Wide::new(k, power - 2), 2),
+        _ => (Wide::ZERO, 2),
     }
 }
 
