@@ -155,8 +155,8 @@ impl AngleApproximation {
         self.formula
     }
 
-    /// The approximate angle in rad at t (in s); NaN where the formula has no value, and, but of `taylor`, where the exact
-    /// angle has none by its distance in time.
+    /// The approximate angle in rad at t (in s); NaN where the formula has no value, and where the exact angle has none
+    /// by its distance in time, but of `taylor` and of `linear` without a force, which go on.
     ///
     /// **Error** at most 8 ulp of its scale, plus the condition of its phase in what is rounded to double: the
     /// coefficients of the sine models.
