@@ -2,7 +2,7 @@
 
 T/T0 by each formula as its source prints it, and its relative error against 2K(m)/pi, with mpmath's K at 120 digits.
 The series in theta_max are the hypergeometric series of K in m with the powers of m = sin^2(theta_max/2) put in.
-Columns: the formula, what is given (`theta_max`, or `m`), the argument, ratio and error as hi + lo.
+Columns: the formula, what is given (`theta_max`, `m` or its complement `mc`), the argument, ratio and error as hi + lo.
 """
 
 import math
@@ -82,7 +82,7 @@ FORMULAS = [*OF_ANGLE, *(f"series:{n}" for n in SERIES), *OF_A, *OF_M]
 def ratio(formula, given, argument):
     """T/T0 and m; the working precision must cover what is lost next to the ends."""
     x = real(argument)
-    m = mp.sin(x / 2) ** 2 if given == "theta_max" else x
+    m = {"theta_max": lambda: mp.sin(x / 2) ** 2, "m": lambda: x, "mc": lambda: 1 - x}[given]()
     if m == 1 and formula not in OF_M:
         growing = {"kidd-fogg", "lima-arun", "cromer", "chachiyo", "molina"}
         if formula in growing:
@@ -96,7 +96,7 @@ def ratio(formula, given, argument):
         power = int(formula.partition(":")[2])
         return (mp.polyval(coefficients(power)[::-1], angle**2) if m >= 0 else NAN), m
     if formula in OF_A:
-        return OF_A[formula](mp.cos(x / 2) if given == "theta_max" else mp.sqrt(1 - m)), m
+        return OF_A[formula](mp.cos(x / 2) if given == "theta_max" else mp.sqrt(x if given == "mc" else 1 - m)), m
     return OF_M[formula](m), m
 
 
@@ -104,7 +104,7 @@ def both(formula, given, argument):
     value, m = ratio(formula, given, argument)
     if m == 1:
         return value, (mpf(-1) if mp.isfinite(value) else NAN)
-    if argument == 0:
+    if m == 0:
         return (value, value - 1)
     return value, (mpf(0) if formula == "exact" else value / OF_M["exact"](m) - 1)
 
@@ -113,11 +113,13 @@ def row(inputs):
     formula, given = inputs["formula"], inputs["given"]
     argument = Fraction(float.fromhex(inputs["argument"]))
     values = []
-    # Next to rest m is the square of the angle, and 1 - a half of that again.
-    lost = 5 * max(0, -math.floor(math.log10(abs(argument)))) if argument else 0
+    # Next to rest m is the square of the angle, and 1 - a half of that again; a complement is small next to the top.
+    near = [abs(x) for x in ((argument, 1 - argument) if given == "mc" else (argument,)) if x]
+    lost = 5 * max(0, -math.floor(min(mp.log10(real(x)) for x in near))) if near else 0
+    rest = argument == (1 if given == "mc" else 0)
     for digits in (DIGITS + lost, DIGITS + lost + 60):
         with mp.workdps(digits):
-            if argument == 0 and formula in ("molina", "ganley-parwani", "lima-arun"):
+            if rest and formula in ("molina", "ganley-parwani", "lima-arun"):
                 values.append((mpf(1), mpf(0)))
             else:
                 values.append(both(formula, given, argument))
@@ -136,8 +138,10 @@ def inputs():
     angles += [drawn.uniform(0, 3.14) for _ in range(8)]
     parameters = [0.0, 1e-300, -1e-300, 1e-20, -1e-9, 1 / 3, -1 / 3, 0.5, 0.75, -0.75, 0.999, 1 - 2.0**-53, 1.0]
     parameters += [-1.0, -40.0, -1e12, -1e300, *(drawn.uniform(-1, 1) for _ in range(6))]
+    complements = [0.0, 1e-300, 1e-200, 1e-100, 1e-50, 1e-30, 1e-16, 1e-9, 1e-3, 0.25, 1 - 2.0**-53, 1.0, 1 + 2.0**-52]
+    complements += [1.5, 2.0, 41.0, 1e12, 1e300, *(10 ** drawn.uniform(-30, 0) for _ in range(3))]
     for formula in FORMULAS:
-        for given, values in (("theta_max", angles), ("m", parameters)):
+        for given, values in (("theta_max", angles), ("m", parameters), ("mc", complements)):
             for value in values:
                 yield {"formula": formula, "given": given, "argument": value.hex()}
 

@@ -4,7 +4,7 @@
 //! All phases are exact in double-double, so that an approximation that repeats stays right for all times.
 //! Where a formula has no value it gives NaN; nothing is clipped. Sources: the table in angle_entries.rs.
 
-use super::angle_entries::ANGLES;
+use super::angle_entries::{Kind, TABLE};
 use super::angle_oscillator::{Linear, SineModel, Trigonometric};
 use super::angle_series::{Arcsine, Harmonic, Series};
 use super::angle_small::{Bounded, Secular};
@@ -26,6 +26,7 @@ use crate::pendulum::{Orbit, Regime};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AngleFormula {
     named: Named,
+    kind: Kind,
 }
 
 /// A formula for the angle set up for one orbit.
@@ -63,7 +64,8 @@ enum Serves {
 impl AngleFormula {
     /// Finds `linear`, `fourier:4` and so on; the error names the nearest entries first.
     pub fn named(name: &str) -> Result<AngleFormula, Domain> {
-        Ok(AngleFormula { named: Named::find("formula", &ANGLES, name)? })
+        let (named, &kind) = Named::find("formula", &TABLE, name)?;
+        Ok(AngleFormula { named, kind })
     }
 
     /// What is known of it before it is asked anything.
@@ -81,14 +83,18 @@ impl AngleFormula {
         self.named.order
     }
 
+    fn regime_refused(&self, orbit: &Orbit, needs: &str) -> Domain {
+        Domain::new("regime", orbit.regime().name().into(), format!("{needs} for {}", self.name()))
+    }
+
     /// Refuses what the formula is not written for.
     fn refuse(&self, orbit: &Orbit) -> Result<(), Domain> {
-        let (serves, about_bottom) = match self.entry().name {
-            "linear" | "small-m" | "cubic" | "cubic-quintic" => (Serves::All, true),
-            "small-m-bounded" | "trigonometric" => (Serves::Libration, true),
-            "harmonic" | "fourier" => (Serves::Libration, false),
-            "fourier-theta" => (Serves::Periodic, false),
-            _ => (Serves::All, false),
+        let (serves, about_bottom) = match self.kind {
+            Kind::Linear | Kind::SmallM | Kind::Cubic | Kind::CubicQuintic => (Serves::All, true),
+            Kind::SmallMBounded | Kind::Trigonometric => (Serves::Libration, true),
+            Kind::Harmonic | Kind::Fourier => (Serves::Libration, false),
+            Kind::FourierTheta => (Serves::Periodic, false),
+            Kind::Taylor => (Serves::All, false),
         };
         let regime = orbit.regime();
         let served = match serves {
@@ -96,9 +102,9 @@ impl AngleFormula {
             Serves::Periodic => regime != Regime::Separatrix,
             Serves::Libration => matches!(regime, Regime::Libration | Regime::Rest),
         };
-        let needs = if serves == Serves::Periodic { "libration or rotation" } else { "libration" };
         if !served {
-            return Err(Domain::new("regime", regime.name().into(), format!("{needs} for {}", self.name())));
+            let needs = if serves == Serves::Periodic { "libration or rotation" } else { "libration" };
+            return Err(self.regime_refused(orbit, needs));
         }
         if about_bottom && orbit.force.upside_down() {
             let allowed = format!("positive for {}, which is about theta = 0", self.name());
@@ -111,27 +117,33 @@ impl AngleFormula {
     pub fn of(&self, orbit: &Orbit) -> Result<AngleApproximation, Domain> {
         self.refuse(orbit)?;
         let order = self.named.order;
-        let shape = match (&orbit.course, self.entry().name) {
+        let shape = match (&orbit.course, self.kind) {
             (Course::Still, _) => Shape::Exact,
-            (_, "linear") => Shape::Linear(Linear::new(orbit)),
-            (Course::Free, "small-m") => {
+            (_, Kind::Linear) => Shape::Linear(Linear::new(orbit)),
+            (Course::Free, Kind::SmallM) => {
                 let allowed = "large beside the velocity for small-m";
                 return Err(Domain::new("omega0", format!("{:?}", orbit.omega0()), allowed));
             }
-            (Course::Free, name) if orbit.force.root().is_none() || name == "fourier-theta" => Shape::Exact,
-            (_, "cubic") => Shape::Model(SineModel::cubic(orbit)?),
-            (_, "cubic-quintic") => Shape::Model(SineModel::cubic_quintic(orbit)?),
-            (_, "taylor") => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
-            (_, "small-m") => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
-            (Course::Libration(e), "small-m-bounded") => {
+            (Course::Free, kind) if orbit.force.root().is_none() || kind == Kind::FourierTheta => {
+                Shape::Exact
+            }
+            (_, Kind::Cubic) => Shape::Model(SineModel::cubic(orbit)?),
+            (_, Kind::CubicQuintic) => Shape::Model(SineModel::cubic_quintic(orbit)?),
+            (_, Kind::Taylor) => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
+            (_, Kind::SmallM) => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
+            (Course::Libration(e), Kind::SmallMBounded) => {
                 Bounded::new(orbit, e).map_or(Shape::Exact, Shape::Bounded)
             }
-            (Course::Libration(e), "trigonometric") => {
+            (Course::Libration(e), Kind::Trigonometric) => {
                 Trigonometric::new(orbit, e).map_or(Shape::Exact, Shape::Trigonometric)
             }
-            (Course::Libration(_), "harmonic") => Shape::Harmonic(Harmonic::new(orbit)),
-            (Course::Libration(_), "fourier") => Shape::Arcsine(Arcsine::new(orbit, order)),
-            (_, _) => Shape::Series(Series::new(orbit, order)),
+            (Course::Libration(_), Kind::Harmonic) => Shape::Harmonic(Harmonic::new(orbit)),
+            (Course::Libration(_), Kind::Fourier) => Shape::Arcsine(Arcsine::new(orbit, order)),
+            (_, Kind::FourierTheta) => Shape::Series(Series::new(orbit, order)),
+            // Other courses of these are refused above.
+            (_, Kind::Harmonic | Kind::Fourier | Kind::Trigonometric | Kind::SmallMBounded) => {
+                return Err(self.regime_refused(orbit, "libration"));
+            }
         };
         Ok(AngleApproximation { formula: *self, orbit: orbit.clone(), shape })
     }
@@ -144,7 +156,7 @@ impl AngleApproximation {
     }
 
     /// The approximate angle in rad at t (in s); NaN where the formula has no value, and where the exact angle has none
-    /// by its distance in time.
+    /// by its distance in time, but of `taylor` and of `linear` without a force, which go on.
     ///
     /// **Error** at most 8 ulp of its scale, plus the condition of its phase in what is rounded to double: the
     /// coefficients of the sine models.
@@ -174,20 +186,6 @@ impl AngleApproximation {
             Shape::Arcsine(shape) => shape.difference(&self.orbit, t),
             Shape::Series(shape) => shape.difference(&self.orbit, t),
             _ => self.theta(t) - self.orbit.theta(t),
-        }
-    }
-
-    /// [`AngleApproximation::theta`] of every time; as many as the shorter slice holds.
-    pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        for (theta, t) in theta.iter_mut().zip(t) {
-            *theta = self.theta(*t);
-        }
-    }
-
-    /// [`AngleApproximation::difference`] of every time; as many as the shorter slice holds.
-    pub fn difference_into(&self, t: &[f64], difference: &mut [f64]) {
-        for (difference, t) in difference.iter_mut().zip(t) {
-            *difference = self.difference(*t);
         }
     }
 

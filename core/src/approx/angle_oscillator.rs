@@ -3,7 +3,8 @@
 //!
 //! Source: Salas 2019 (2), (3), (29), (30), (34), (35).
 
-use super::angle_series::{counted, framed, turning_angle};
+use super::angle_phase::{counted, framed, turning_angle};
+use super::salas::{CUBIC, QUINTIC};
 use crate::domain::Domain;
 use crate::duffing::{CubicQuintic, Duffing};
 use crate::elliptic::phase::Phase;
@@ -60,11 +61,12 @@ impl Linear {
     }
 }
 
-/// A cos(kt)/sqrt(1 + lambda sin^2 kt), kt counted from the last turning point.
+/// theta_max cos(nu t)/sqrt(1 + lambda sin^2 nu t), nu t counted from the last turning point.
 #[derive(Clone, Debug)]
 pub(super) struct Trigonometric {
     phase: Phase,
-    amplitude: Wide,
+    /// The turning angle that time counts from.
+    turning: Wide,
     /// lambda.
     flattening: Dd,
     period: f64,
@@ -79,7 +81,7 @@ impl Trigonometric {
         let square = whole(1.0) - x * 10.0 / whole(81.0) + x.square() / whole(262.0);
         let above = x.square() * 243.0 - x * 2620.0;
         let below = x.square() * 243.0 - x * 7860.0 + whole(63666.0);
-        // Salas' rate, in half periods of its own per unit of the scaled time of the orbit; both rates are near omega0.
+        // Salas's rate nu, in half periods of its own per unit of the scaled time of the orbit; both rates are near omega0.
         let rate = root.to_dd() * square.sqrt() / PI;
         let ratio = rate / elliptic.phase.rate * Dd::from(exp2(carried(power).0));
         let start = elliptic.phase.start;
@@ -89,7 +91,7 @@ impl Trigonometric {
         let omega = Wide::new(root.to_dd() * square.sqrt(), power);
         Some(Trigonometric {
             phase: Phase { rate: elliptic.phase.rate * ratio, start: since * ratio },
-            amplitude: if upper { size } else { -size },
+            turning: if upper { size } else { -size },
             flattening: above / below,
             period: (Wide::from(PI.scale(2.0)) / omega).value(),
         })
@@ -98,7 +100,7 @@ impl Trigonometric {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some((sine, cosine)) = counted(&self.phase, t * orbit.time_scale) else { return f64::NAN };
         let root = (Dd::ONE + self.flattening * sine.square()).sqrt();
-        framed(orbit, self.amplitude * Wide::from(cosine / root))
+        framed(orbit, self.turning * Wide::from(cosine / root))
     }
 
     pub fn period(&self) -> f64 {
@@ -114,20 +116,19 @@ pub(super) enum SineModel {
 }
 
 /// omega0^2 times a number, rounded once.
-fn coefficient(orbit: &Orbit, above: f64, below: f64) -> f64 {
+fn coefficient(orbit: &Orbit, [above, below]: [f64; 2]) -> f64 {
     let (a, b, c) = orbit.force.factors();
     (Wide::from(a) * b * above / (Wide::from(c) * below)).value()
 }
 
 impl SineModel {
     pub fn cubic(orbit: &Orbit) -> Result<SineModel, Domain> {
-        let (p, q) = (coefficient(orbit, 1.0, 1.0), coefficient(orbit, -40.0, 243.0));
+        let (p, q) = (coefficient(orbit, [1.0; 2]), coefficient(orbit, CUBIC));
         Ok(SineModel::Cubic(Duffing::new(orbit.theta0, orbit.velocity0, p, q)?))
     }
 
     pub fn cubic_quintic(orbit: &Orbit) -> Result<SineModel, Domain> {
-        let [alpha, beta, gamma] =
-            [(1.0, 1.0), (-40.0, 243.0), (1.0, 131.0)].map(|(a, b)| coefficient(orbit, a, b));
+        let [alpha, beta, gamma] = [[1.0; 2], CUBIC, QUINTIC].map(|quotient| coefficient(orbit, quotient));
         Ok(SineModel::CubicQuintic(CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)?))
     }
 

@@ -7,47 +7,14 @@
 //! What is left out is summed from its own terms, so that a difference from the exact angle keeps its digits however small.
 //! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2019 (17), (20)-(22).
 
-use crate::elliptic::agm::agm;
-use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, Reduced, alternating};
-use crate::float::elementary::{arctangent, long_sin_cos};
+use super::angle_phase::{framed, half_turn, turning_angle};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Reduced, alternating};
+use crate::float::elementary::arctangent;
 use crate::float::wide::exp;
-use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide, series};
+use crate::float::{Dd, HALF_PI, TWO_PI, Wide};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::{Course, Elliptic};
 use crate::pendulum::state::State;
-
-/// Sine and cosine of pi f for |f| <= 1/2.
-pub(super) fn half_turn(f: Dd) -> (Dd, Dd) {
-    let size = f.abs();
-    let (sine, cosine) = if size.hi > 0.25 {
-        let (sine, cosine) = long_sin_cos((Dd::from(0.5) - size) * PI);
-        (cosine, sine)
-    } else {
-        long_sin_cos(size * PI)
-    };
-    (if f.hi < 0.0 { -sine } else { sine }, cosine)
-}
-
-/// Sine and cosine of pi (n + f) for a phase counted as whole and rest; `None` beyond 2^53 half turns.
-pub(super) fn counted(phase: &Phase, t: f64) -> Option<(Dd, Dd)> {
-    let (n, f) = phase.count(t, LAST_HALF_PERIOD);
-    if f.hi.is_nan() {
-        return None;
-    }
-    let (sine, cosine) = half_turn(f);
-    let side = alternating(n);
-    Some((sine.scale(side), cosine.scale(side)))
-}
-
-/// The angle in the frame of the orbit, from the canonical one, which goes upwards through 0 at phase 0.
-pub(super) fn framed(orbit: &Orbit, canonical: Wide) -> f64 {
-    let frame = &orbit.frame;
-    let angle = canonical * frame.side;
-    if frame.base.hi == 0.0 && frame.half_turn == 0.0 {
-        return angle.value();
-    }
-    (frame.base + PI * frame.half_turn + angle.to_dd()).value()
-}
 
 /// The elliptic orbit, in libration or rotation, and the point of its phase: whole half periods, rest, sine and cosine.
 struct Point<'a> {
@@ -155,16 +122,15 @@ impl Sum {
     }
 }
 
-/// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation.
+/// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation; and the step of the harmonics.
 fn decay(orbit: &Orbit) -> (Wide, u32) {
-    let Ok(State { k, kc, power, .. }) = State::new(orbit.theta0, orbit.velocity0, orbit.force) else {
-        return (Wide::ZERO, 2);
-    };
-    match orbit.course {
-        Course::Rotation(_) => (exp(-(PI * agm(kc / k) / agm(Dd::ONE / k))), 1),
+    if let Some((decay, step)) = orbit.decay() {
+        return (exp(-decay), step);
+    }
+    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
         // The nome is m/16 to all digits.
-        _ if power != 0 => (Wide::new(k, power - 2), 2),
-        _ => (exp(-(HALF_PI * agm(kc) / agm(k))), 2),
+        Ok(State { k, power, .. }) if power != 0 => (Wide::new(k, power - 2), 2),
+        _ => (Wide::ZERO, 2),
     }
 }
 
@@ -239,31 +205,22 @@ impl Series {
 /// theta_max sin(pi phase).
 #[derive(Clone, Debug)]
 pub(super) struct Harmonic {
-    amplitude: Wide,
+    theta_max: Wide,
     /// All harmonics but the first, and their sum where the phase is 1/2.
     tail: Sum,
     top: Wide,
-}
-
-/// The turning angle of a libration, to all digits of a double-double.
-pub(super) fn turning_angle(orbit: &Orbit) -> Wide {
-    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
-        Ok(State { k, power, .. }) if power != 0 => Wide::new(k, power + 1),
-        Ok(State { k, kc, .. }) => Wide::new(series::angle(k.into(), kc.into()).to_dd(), 1),
-        Err(_) => Wide::ZERO,
-    }
 }
 
 impl Harmonic {
     pub fn new(orbit: &Orbit) -> Harmonic {
         let tail = Cut::of_angle(orbit, 1).tail;
         let top = tail.at(Dd::ONE, Dd::ZERO);
-        Harmonic { amplitude: turning_angle(orbit), tail, top }
+        Harmonic { theta_max: turning_angle(orbit), tail, top }
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
-        framed(orbit, self.amplitude * Wide::from(point.sine))
+        framed(orbit, self.theta_max * Wide::from(point.sine))
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.

@@ -1,4 +1,4 @@
-//! The pendulum to first order in m: Salas' formula, whose error grows with the time, and one whose error does not.
+//! The pendulum to first order in m: Salas's formula, whose error grows with the time, and one whose error does not.
 //!
 //! In units of omega0 = 1, with s, c = sin, cos(theta0/2) and x = velocity0/2, his formula is
 //!   theta = 2 arctan{[n0 d0 + (m/4)(n1 d0 - n0 d1)]/d0^2},    y = u - sin u cos u,    u = omega0 t,
@@ -7,7 +7,7 @@
 //! The other one is tan(theta/2) = (s c cn + x dn sn)/(c^2 - x^2 sn^2) (Salas 23 times c^2) with the first harmonics of
 //! sn, cn and dn at the exact phase. Source: Salas 2019, (23), (24) and before fig. 6; DLMF 22.10, 22.11.
 
-use super::angle_series::counted;
+use super::angle_phase::counted;
 use crate::elliptic::phase::Phase;
 use crate::float::elementary::arctangent;
 use crate::float::scaling::ldexp;

@@ -7,8 +7,8 @@ use crate::domain::Domain;
 pub struct Entry {
     /// Its name, without `:N`.
     pub name: &'static str,
-    /// The least and the largest N, if it takes one.
-    pub orders: Option<[u32; 2]>,
+    /// What N may be, if it takes one.
+    pub orders: Option<Orders>,
     /// The formula, in one line.
     pub formula: &'static str,
     /// Author, year and equation.
@@ -19,6 +19,69 @@ pub struct Entry {
     pub stated_range: Option<[f64; 2]>,
     /// Where it has no value.
     pub undefined: &'static str,
+}
+
+/// The numbers from the least to the most, or every second one of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orders {
+    /// The least.
+    pub least: u32,
+    /// The most.
+    pub most: u32,
+    /// 1, or 2: all are even or all odd, as the least is.
+    pub step: u32,
+}
+
+impl Orders {
+    /// Every N of a range.
+    pub const fn all([least, most]: [u32; 2]) -> Orders {
+        Orders { least, most, step: 1 }
+    }
+
+    /// Every second N of a range.
+    pub const fn every_second([least, most]: [u32; 2]) -> Orders {
+        Orders { least, most, step: 2 }
+    }
+
+    fn in_range(&self, n: u32) -> bool {
+        (self.least..=self.most).contains(&n)
+    }
+
+    fn contains(&self, n: u32) -> bool {
+        self.in_range(n) && (n - self.least).is_multiple_of(self.step)
+    }
+
+    /// What is wanted of a number that is not one of them: to be in the range first, then of its parity.
+    fn allowed(&self, n: Option<u32>) -> String {
+        let parity = match (n.is_some_and(|n| self.in_range(n)), self.least % 2) {
+            (false, _) => "a whole",
+            (true, 0) => "an even",
+            (true, _) => "an odd",
+        };
+        format!("{parity} N from {} to {}", self.least, self.most)
+    }
+}
+
+/// An entry and what it is evaluated by, in one row, so that neither comes without the other.
+pub(super) struct Row<R> {
+    pub entry: Entry,
+    pub rule: R,
+}
+
+/// A row of a table.
+pub(super) const fn row<R>(entry: Entry, rule: R) -> Row<R> {
+    Row { entry, rule }
+}
+
+/// What the doors list of a table.
+pub(super) const fn entries<R, const N: usize>(table: &[Row<R>; N]) -> [Entry; N] {
+    let mut entries = [table[0].entry; N];
+    let mut i = 1;
+    while i < N {
+        entries[i] = table[i].entry;
+        i += 1;
+    }
+    entries
 }
 
 /// An entry and the N that it is asked for; 0 where it takes none.
@@ -36,33 +99,34 @@ impl Entry {
         if self.orders.is_some() { format!("{}:N", self.name) } else { self.name.to_string() }
     }
 
-    /// What may be asked for, with the range of N.
-    fn allowed(&self) -> String {
+    /// What may be asked for in place of a wrong N.
+    fn allowed(&self, n: Option<u32>) -> String {
         match self.orders {
-            Some([least, most]) => format!("{}:N with a whole N from {least} to {most}", self.name),
+            Some(orders) => format!("{}:N with {}", self.name, orders.allowed(n)),
             None => format!("{} without a number", self.name),
         }
     }
 }
 
 impl Named {
-    /// Finds `name` or `name:N` in a table; the error names the nearest entries first.
-    pub fn find(kind: &'static str, table: &'static [Entry], wanted: &str) -> Result<Named, Domain> {
+    /// Finds `name` or `name:N` in a table, and its rule; the error names the nearest entries first.
+    pub(super) fn find<R>(
+        kind: &'static str,
+        table: &'static [Row<R>],
+        wanted: &str,
+    ) -> Result<(Named, &'static R), Domain> {
         let (name, order) = match wanted.split_once(':') {
             Some((name, order)) => (name, Some(order)),
             None => (wanted, None),
         };
-        let Some(entry) = table.iter().find(|entry| entry.name == name) else {
+        let Some(Row { entry, rule }) = table.iter().find(|row| row.entry.name == name) else {
             return Err(Domain::new(kind, shown(wanted), format!("one of {}", by_nearness(table, name))));
         };
-        let order = match (entry.orders, order) {
-            (None, None) => Some(0),
-            (Some(range), Some(order)) => whole(order).filter(|n| (range[0]..=range[1]).contains(n)),
-            _ => None,
-        };
-        match order {
-            Some(order) => Ok(Named { entry, order }),
-            None => Err(Domain::new(kind, shown(wanted), entry.allowed())),
+        let n = order.and_then(whole);
+        match (entry.orders, order, n) {
+            (None, None, _) => Ok((Named { entry, order: 0 }, rule)),
+            (Some(orders), _, Some(n)) if orders.contains(n) => Ok((Named { entry, order: n }, rule)),
+            _ => Err(Domain::new(kind, shown(wanted), entry.allowed(n))),
         }
     }
 
@@ -86,9 +150,9 @@ fn shown(wanted: &str) -> String {
 }
 
 /// Every name of a table, those that differ least from a wanted one first.
-fn by_nearness(table: &[Entry], wanted: &str) -> String {
+fn by_nearness<R>(table: &[Row<R>], wanted: &str) -> String {
     let wanted: Vec<char> = wanted.chars().take(60).flat_map(char::to_lowercase).collect();
-    let mut entries: Vec<&Entry> = table.iter().collect();
+    let mut entries: Vec<&Entry> = table.iter().map(|row| &row.entry).collect();
     entries.sort_by_key(|entry| edits(&entry.name.chars().collect::<Vec<_>>(), &wanted));
     entries.iter().map(|entry| entry.pattern()).collect::<Vec<_>>().join(", ")
 }
@@ -112,15 +176,22 @@ fn edits(from: &[char], to: &[char]) -> usize {
 mod tests {
     use super::*;
 
-    const fn entry(name: &'static str, orders: Option<[u32; 2]>) -> Entry {
-        Entry { name, orders, formula: "", source: "", stated: "", stated_range: None, undefined: "" }
+    const fn entry(name: &'static str, orders: Option<Orders>) -> Row<()> {
+        let entry =
+            Entry { name, orders, formula: "", source: "", stated: "", stated_range: None, undefined: "" };
+        row(entry, ())
     }
 
-    static TABLE: [Entry; 3] =
-        [entry("linear", None), entry("fourier", Some([1, 500])), entry("fourier-theta", Some([1, 500]))];
+    static TABLE: [Row<()>; 3] = [
+        entry("linear", None),
+        entry("fourier", Some(Orders::all([1, 500]))),
+        entry("fourier-theta", Some(Orders::all([1, 500]))),
+    ];
+    static ODD: [Row<()>; 1] = [entry("odd", Some(Orders::every_second([3, 9])))];
 
     fn refused(wanted: &str) -> String {
-        Named::find("formula", &TABLE, wanted).map_or_else(|error| error.to_string(), |named| named.name())
+        Named::find("formula", &TABLE, wanted)
+            .map_or_else(|error| error.to_string(), |(named, ())| named.name())
     }
 
     #[test]
@@ -144,6 +215,13 @@ mod tests {
         ] {
             assert_eq!(refused(bad), format!("formula = {bad:?}: {allowed}"));
         }
+        let odd = |wanted| Named::find("formula", &ODD, wanted).map_err(|error| error.to_string());
+        assert_eq!(odd("odd:9").map(|(named, ())| named.order), Ok(9));
+        assert_eq!(odd("odd:4").unwrap_err(), "formula = \"odd:4\": must be odd:N with an odd N from 3 to 9");
+        assert_eq!(
+            odd("odd:2").unwrap_err(),
+            "formula = \"odd:2\": must be odd:N with a whole N from 3 to 9"
+        );
         assert_eq!(refused("linear:3"), "formula = \"linear:3\": must be linear without a number");
     }
 

@@ -5,6 +5,7 @@
 //! the largest, and bisections where the approximation begins and ends to be defined.
 
 use super::angle::{AngleApproximation, AngleFormula, Shape};
+use super::search::{Point, crossing, maximum};
 use crate::domain::Domain;
 use crate::float::PI;
 use crate::pendulum::{Frequency, Orbit, Regime};
@@ -37,12 +38,6 @@ const SLACK: f64 = 0.02;
 const SLACK_OF_SERIES: f64 = 0.3;
 /// Two tops of one height, but for rounding.
 const SAME: f64 = 1e-9;
-/// 0.618^40 of a step of the grid: the top is flat there.
-const SECTIONS: usize = 40;
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
-
-/// A point of the grid, or of a bracket.
-type Point = (f64, f64);
 
 impl AngleApproximation {
     fn size(&self, t: f64) -> f64 {
@@ -159,7 +154,7 @@ impl AngleApproximation {
             if !side.1.is_nan() || side.0 == here.0 {
                 return side;
             }
-            let t = edge(here.0, side.0, |t| !self.size(t).is_nan());
+            let t = crossing(|t| !self.size(t).is_nan(), here.0, side.0);
             (t, self.size(t))
         });
         let [low, high] = [low, high].map(|side| if side.1.is_nan() { here } else { side });
@@ -177,7 +172,7 @@ impl AngleApproximation {
         let mut here = (0.0, margin(0.0));
         while i <= points {
             if here.1 < 0.0 {
-                let first = if i == 0.0 { 0.0 } else { edge(here.0, before.0, |t| margin(t) < 0.0) };
+                let first = if i == 0.0 { 0.0 } else { crossing(|t| margin(t) < 0.0, here.0, before.0) };
                 return first;
             }
             let next = step * (i + 1.0);
@@ -187,7 +182,7 @@ impl AngleApproximation {
                 let (t, least) =
                     maximum(&[before, here, after].map(|(t, margin)| (t, -margin)), |t| -margin(t));
                 if least > 0.0 {
-                    return edge(t, before.0, |t| margin(t) < 0.0);
+                    return crossing(|t| margin(t) < 0.0, t, before.0);
                 }
             }
             (before, here, i) = (here, after, i + 1.0);
@@ -202,50 +197,6 @@ fn estimate(&[low, here, high]: &[Point; 3]) -> f64 {
     let (bend, slope) = (left + right, left - right);
     let above = if bend > 0.0 { slope * slope / (8.0 * bend) } else { 0.0 };
     if above.is_finite() { here.1.max(low.1).max(high.1) + above } else { f64::INFINITY }
-}
-
-/// The largest value between three points whose middle one is not the smallest, by golden sections; or one of the points.
-fn maximum(&[low, here, high]: &[Point; 3], value: impl Fn(f64) -> f64) -> Point {
-    let (mut a, mut b) = (low.0, high.0);
-    let mut best =
-        [low, here, high].into_iter().fold(here, |best, each| if each.1 > best.1 { each } else { best });
-    let inner = |a: f64, b: f64| (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-    let (c, d) = inner(a, b);
-    let (mut c, mut d) = ((c, value(c)), (d, value(d)));
-    for _ in 0..SECTIONS {
-        if c.1 >= d.1 {
-            b = d.0;
-            d = c;
-            let t = inner(a, b).0;
-            c = (t, value(t));
-        } else {
-            a = c.0;
-            c = d;
-            let t = inner(a, b).1;
-            d = (t, value(t));
-        }
-        for each in [c, d] {
-            best = if each.1 > best.1 { each } else { best };
-        }
-    }
-    best
-}
-
-/// The last point from `inside` towards `outside` that holds, to a rounding error.
-fn edge(inside: f64, outside: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    let (mut inside, mut outside) = (inside, outside);
-    for _ in 0..200 {
-        let middle = inside + 0.5 * (outside - inside);
-        if middle == inside || middle == outside {
-            break;
-        }
-        if holds(middle) {
-            inside = middle;
-        } else {
-            outside = middle;
-        }
-    }
-    inside
 }
 
 /// Turning angles in degrees between whole ones, where ranges may end near the bottom and the top.
@@ -283,10 +234,10 @@ impl AngleFormula {
             let (angle, good) = (*angle, holds(*angle));
             match (open, good) {
                 (None, true) => {
-                    open = Some(if before == 0.0 { 0.0 } else { edge(angle, before, holds) });
+                    open = Some(if before == 0.0 { 0.0 } else { crossing(holds, angle, before) });
                 }
                 (Some(low), false) => {
-                    found.push([low, edge(before, angle, holds)]);
+                    found.push([low, crossing(holds, before, angle)]);
                     open = None;
                 }
                 _ => {}

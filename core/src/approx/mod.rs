@@ -5,6 +5,7 @@
 pub mod angle;
 mod angle_entries;
 mod angle_oscillator;
+mod angle_phase;
 mod angle_series;
 mod angle_small;
 mod angle_taylor;
@@ -13,14 +14,15 @@ pub mod measure;
 pub mod period;
 mod period_rules;
 mod remez;
+mod salas;
 mod search;
 pub mod sine;
 pub mod steps;
-mod swing;
+mod turning;
 
 pub use angle::{AngleApproximation, AngleFormula};
 pub use angle_entries::ANGLES;
-pub use entry::{Entry, Named};
+pub use entry::{Entry, Named, Orders};
 pub use measure::LargestError;
 pub use period::{PERIODS, PeriodFormula};
 pub use sine::{SINES, SineError, SineFormula};

@@ -3,11 +3,15 @@
 //! Each formula is evaluated to triple-double (period_rules.rs), so that its error against 2K/pi is right to its own
 //! last digits even where it is 1e-30.
 
-use super::entry::{Entry, Named};
-use super::period_rules::{RULES, Rule, exact};
+use super::entry::{Entry, Named, Orders, Row, entries, row};
+use super::period_rules::{
+    MOST, Rule, SALAS_26, SALAS_27, SALAS_28, chachiyo, diverging, exact, finite, four_over, ganley,
+    lima_arun, means, pade, series,
+};
 use super::search::{crossing, peak};
-use super::swing::Swing;
+use super::turning::Turning;
 use crate::domain::Domain;
+use crate::float::exponential::{exp, ln};
 use crate::float::scaling::ldexp;
 use crate::float::{TWO_PI_LONG, Td};
 use crate::pendulum::{Orbit, Regime};
@@ -23,76 +27,119 @@ const fn of_angle(name: &'static str, formula: &'static str, source: &'static st
     Entry { undefined: "m < 0", ..entry(name, formula, source) }
 }
 
-/// Every formula of T/T0, where T0 = 2 pi/omega0 is the period of small swings.
-pub static PERIODS: [Entry; 16] = [
-    entry("linear", "1", "small swings"),
-    of_angle("bernoulli", "1 + θ_max²/16", "Bernoulli"),
-    Entry {
-        orders: Some([2, 200]),
-        ..of_angle(
-            "series",
-            "1 + θ_max²/16 + 11 θ_max⁴/3072 + … to θ_max^N, N even",
-            "Taylor series of 2K/π in θ_max; DLMF 19.5.1",
-        )
-    },
-    of_angle("denman", "1/(1 − θ_max²/16)", "Denman 1959"),
-    entry("kidd-fogg", "1/√a, a = cos(θ_max/2)", "Kidd & Fogg 2002"),
-    of_angle("molina", "(sin θ_max/θ_max)^(−3/8)", "Molina 1997"),
-    Entry {
-        stated: "to 0.001 up to 100 deg, to 5 % up to 160 deg",
-        stated_range: Some([0.0, 100.0 / 180.0 * PI]),
-        ..of_angle("ganley-parwani", "√(s/sin s), s = √3 θ_max/2", "Ganley 1985; Parwani 2004")
-    },
-    entry("lima-arun", "−ln a/(1 − a), a = cos(θ_max/2)", "Lima & Arun 2006"),
-    Entry {
-        orders: Some([1, 8]),
-        ..entry(
-            "agm",
-            "1/a_N with a₀ = 1, b₀ = cos(θ_max/2), a_(n+1) = (a_n + b_n)/2, b_(n+1) = √(a_n b_n)",
-            "N steps of DLMF 19.8.1; N = 1 Carvalhaes & Suppes",
-        )
-    },
-    entry("belendez", "4/(1 + √a)², a = cos(θ_max/2): agm:2", "Beléndez et al. 2009"),
-    Entry { stated: "near 180 deg", ..entry("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995") },
-    Entry {
-        stated: "all swings",
-        stated_range: Some([0.0, PI]),
-        ..entry(
-            "chachiyo",
-            "(2/(nπ)) ln((4/a)ⁿ + b), a = cos(θ_max/2), n = ln(4/π)/(π/2 − ln 4), b = e^(nπ/2) − 4ⁿ",
-            "Chachiyo 2025, arXiv:2505.17159",
-        )
-    },
-    Entry {
-        stated: "|m| ≤ 1/3",
-        stated_range: Some([0.0, 1.2309594173407747]),
-        ..entry("salas-26", "(5m − 16)/(9m − 16), m = sin²(θ_max/2)", "Salas 2019 (26)")
-    },
-    Entry {
-        stated: "|m| ≤ 3/4",
-        stated_range: Some([0.0, 2.0 / 3.0 * PI]),
-        ..entry(
-            "salas-27",
-            "(409m² − 3984m + 4864)/(1025m² − 5200m + 4864), m = sin²(θ_max/2)",
-            "Salas 2019 (27)",
-        )
-    },
-    Entry {
-        stated: "|m| < 1",
-        stated_range: Some([0.0, PI]),
-        ..entry(
-            "salas-28",
-            "(540191m³ − 10617024m² + 32584960m − 24653824)/(1708091m³ − 16837184m² + 38748416m − 24653824), \
+static TABLE: [Row<Rule>; 16] = [
+    row(entry("linear", "1", "small swings"), finite(|_, _| Td::ONE)),
+    row(of_angle("bernoulli", "1 + θ_max²/16", "Bernoulli"), finite(|turning, _| series(turning, 2))),
+    row(
+        Entry {
+            orders: Some(Orders::every_second([2, MOST])),
+            ..of_angle(
+                "series",
+                "1 + θ_max²/16 + 11 θ_max⁴/3072 + … to θ_max^N, N even",
+                "Taylor series of 2K/π in θ_max; DLMF 19.5.1",
+            )
+        },
+        finite(series),
+    ),
+    row(
+        of_angle("denman", "1/(1 − θ_max²/16)", "Denman 1959"),
+        finite(|turning, _| Td::ONE / (Td::ONE - turning.theta_max.square().scale(1.0 / 16.0))),
+    ),
+    row(
+        entry("kidd-fogg", "1/√a, a = cos(θ_max/2)", "Kidd & Fogg 2002"),
+        diverging(|turning, _| Td::ONE / turning.a.sqrt()),
+    ),
+    row(
+        of_angle("molina", "(sin θ_max/θ_max)^(−3/8)", "Molina 1997"),
+        diverging(|turning, _| exp(ln(turning.cardinal_sine()) * -0.375)),
+    ),
+    row(
+        Entry {
+            stated: "to 0.001 up to 100 deg, to 5 % up to 160 deg",
+            stated_range: Some([0.0, 100.0 / 180.0 * PI]),
+            ..of_angle("ganley-parwani", "√(s/sin s), s = √3 θ_max/2", "Ganley 1985; Parwani 2004")
+        },
+        finite(ganley),
+    ),
+    row(entry("lima-arun", "−ln a/(1 − a), a = cos(θ_max/2)", "Lima & Arun 2006"), diverging(lima_arun)),
+    row(
+        Entry {
+            orders: Some(Orders::all([1, 8])),
+            ..entry(
+                "agm",
+                "1/a_N with a₀ = 1, b₀ = cos(θ_max/2), a_(n+1) = (a_n + b_n)/2, b_(n+1) = √(a_n b_n)",
+                "N steps of DLMF 19.8.1; N = 1 Carvalhaes & Suppes",
+            )
+        },
+        finite(|turning, steps| Td::ONE / means(turning.a, steps)),
+    ),
+    row(
+        entry("belendez", "4/(1 + √a)², a = cos(θ_max/2): agm:2", "Beléndez et al. 2009"),
+        finite(|turning, _| Td::ONE / means(turning.a, 2)),
+    ),
+    row(
+        Entry {
+            stated: "near 180 deg", ..entry("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995")
+        },
+        diverging(|turning, _| ln(four_over(turning.a)) / TWO_PI_LONG.scale(0.25)),
+    ),
+    row(
+        Entry {
+            stated: "all swings",
+            stated_range: Some([0.0, PI]),
+            ..entry(
+                "chachiyo",
+                "(2/(nπ)) ln((4/a)ⁿ + b), a = cos(θ_max/2), n = ln(4/π)/(π/2 − ln 4), b = e^(nπ/2) − 4ⁿ",
+                "Chachiyo 2025, arXiv:2505.17159",
+            )
+        },
+        diverging(chachiyo),
+    ),
+    row(
+        Entry {
+            stated: "|m| ≤ 1/3",
+            stated_range: Some([0.0, 1.2309594173407747]),
+            ..entry("salas-26", "(5m − 16)/(9m − 16), m = sin²(θ_max/2)", "Salas 2019 (26)")
+        },
+        finite(|turning, _| pade(&SALAS_26, turning.m)),
+    ),
+    row(
+        Entry {
+            stated: "|m| ≤ 3/4",
+            stated_range: Some([0.0, 2.0 / 3.0 * PI]),
+            ..entry(
+                "salas-27",
+                "(409m² − 3984m + 4864)/(1025m² − 5200m + 4864), m = sin²(θ_max/2)",
+                "Salas 2019 (27)",
+            )
+        },
+        finite(|turning, _| pade(&SALAS_27, turning.m)),
+    ),
+    row(
+        Entry {
+            stated: "|m| < 1",
+            stated_range: Some([0.0, PI]),
+            ..entry(
+                "salas-28",
+                "(540191m³ − 10617024m² + 32584960m − 24653824)/(1708091m³ − 16837184m² + 38748416m − 24653824), \
              m = sin²(θ_max/2)",
-            "Salas 2019 (28)",
-        )
-    },
-    entry(
-        "exact",
-        "2K(m)/π = 1/agm(1, cos(θ_max/2)), m = sin²(θ_max/2)",
-        "Gauss; DLMF 19.8.5; four times Salas 2019 (25)",
+                "Salas 2019 (28)",
+            )
+        },
+        finite(|turning, _| pade(&SALAS_28, turning.m)),
+    ),
+    row(
+        entry(
+            "exact",
+            "2K(m)/π = 1/agm(1, cos(θ_max/2)), m = sin²(θ_max/2)",
+            "Gauss; DLMF 19.8.5; four times Salas 2019 (25)",
+        ),
+        diverging(exact),
     ),
 ];
+
+/// Every formula of T/T0, where T0 = 2 pi/omega0 is the period of small swings.
+pub static PERIODS: [Entry; 16] = entries(&TABLE);
 
 /// Errors are differences of numbers next to 1 with 46 digits: what is below is not told from 0.
 const LEAST: f64 = 1e-44;
@@ -114,12 +161,8 @@ pub struct PeriodFormula {
 impl PeriodFormula {
     /// By its name, `name` or `name:N`.
     pub fn named(name: &str) -> Result<PeriodFormula, Domain> {
-        let named = Named::find("period", &PERIODS, name)?;
-        if named.entry.name == "series" && named.order % 2 == 1 {
-            return Err(Domain::new("period", format!("{name:?}"), "series:N with an even N from 2 to 200"));
-        }
-        let place = PERIODS.iter().position(|entry| entry.name == named.entry.name).unwrap_or(0);
-        Ok(PeriodFormula { named, rule: &RULES[place] })
+        let (named, rule) = Named::find("period", &TABLE, name)?;
+        Ok(PeriodFormula { named, rule })
     }
     /// What is known of it.
     pub fn entry(&self) -> &'static Entry {
@@ -134,34 +177,34 @@ impl PeriodFormula {
     ///
     /// **Error** at most 1 ulp.
     pub fn ratio_of_mc(&self, mc: f64) -> f64 {
-        value(self.of(Swing::of_complement(mc)))
+        value(self.of(Turning::of_complement(mc)))
     }
     /// T/T0 of a release from rest at `theta_max` in [0, pi]; NaN outside.
     ///
     /// **Error** at most 1 ulp. The double next to pi is not pi: there the exact ratio is 24.6, not infinite.
     pub fn ratio(&self, theta_max: f64) -> f64 {
-        value(self.of(Swing::of_angle(theta_max)))
+        value(self.of(Turning::of_angle(theta_max)))
     }
     /// T/T0 of the parameter m = sin^2(theta_max/2) <= 1; negative ones too where it is a formula of m or of a.
     ///
     /// **Error** at most 1 ulp.
     pub fn ratio_of_m(&self, m: f64) -> f64 {
-        value(self.of(Swing::of_parameter(m)))
+        value(self.of(Turning::of_parameter(m)))
     }
     /// The formula over 2K/pi, minus 1, at `theta_max` in [0, pi]; -1 where only the exact one is infinite, NaN where
     /// the formula has no value.
     ///
     /// **Error** at most 1 ulp plus 1e-45; below 1e-44 it is given as 0.
     pub fn error(&self, theta_max: f64) -> f64 {
-        self.compared(Swing::of_angle(theta_max))
+        self.compared(Turning::of_angle(theta_max))
     }
     /// Likewise by the complement of the parameter.
     pub fn error_of_mc(&self, mc: f64) -> f64 {
-        self.compared(Swing::of_complement(mc))
+        self.compared(Turning::of_complement(mc))
     }
     /// Likewise by the parameter.
     pub fn error_of_m(&self, m: f64) -> f64 {
-        self.compared(Swing::of_parameter(m))
+        self.compared(Turning::of_parameter(m))
     }
 
     /// The period in s that it gives a pendulum that swings; NaN in rotation.
@@ -172,7 +215,7 @@ impl PeriodFormula {
             return f64::NAN;
         }
         let Some((root, power)) = orbit.force.root() else { return f64::INFINITY };
-        let ratio = self.of(Swing::of_both(orbit.energy_ratio(), orbit.energy_ratio_c()));
+        let ratio = self.of(Turning::of_both(orbit.energy_ratio(), orbit.energy_ratio_c()));
         if !ratio.hi.is_finite() {
             return ratio.hi;
         }
@@ -240,21 +283,21 @@ impl PeriodFormula {
         points
     }
 
-    fn of(&self, swing: Option<Swing>) -> Td {
-        match swing {
+    fn of(&self, turning: Option<Turning>) -> Td {
+        match turning {
             None => Td::from(f64::NAN),
-            Some(swing) if swing.a.hi == 0.0 && self.rule.diverges => Td::from(f64::INFINITY),
-            Some(swing) => (self.rule.ratio)(&swing, self.named.order),
+            Some(turning) if turning.a.hi == 0.0 && self.rule.diverges => Td::from(f64::INFINITY),
+            Some(turning) => (self.rule.ratio)(&turning, self.named.order),
         }
     }
 
-    fn compared(&self, swing: Option<Swing>) -> f64 {
-        let ratio = self.of(swing);
-        let Some(swing) = swing else { return f64::NAN };
-        if swing.a.hi == 0.0 {
+    fn compared(&self, turning: Option<Turning>) -> f64 {
+        let ratio = self.of(turning);
+        let Some(turning) = turning else { return f64::NAN };
+        if turning.a.hi == 0.0 {
             return if ratio.hi.is_finite() { -1.0 } else { f64::NAN };
         }
-        let exact = exact(&swing, 0);
+        let exact = exact(&turning, 0);
         let error = value((ratio - exact) / exact);
         if error.abs() < LEAST { 0.0 } else { error }
     }

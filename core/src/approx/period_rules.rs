@@ -4,7 +4,7 @@
 //!   sin(theta) K'' + cos(theta) K' = sin(theta) K / 4,
 //! which T solves as a function of its turning angle; all terms of the recurrence are positive, so none cancel.
 
-use super::swing::{Swing, sine};
+use super::turning::{Turning, sine};
 use crate::float::exponential::{exp, ln, ln_one_plus};
 use crate::float::scaling::exp2;
 use crate::float::triple_double::Td;
@@ -16,42 +16,22 @@ pub(super) const MOST: u32 = 200;
 
 /// How a formula is evaluated; the number is N, where it takes one.
 pub(super) struct Rule {
-    pub ratio: fn(&Swing, u32) -> Td,
+    pub ratio: fn(&Turning, u32) -> Td,
     /// Whether it grows without bound towards the top.
     pub diverges: bool,
 }
 
-const fn finite(ratio: fn(&Swing, u32) -> Td) -> Rule {
+pub(super) const fn finite(ratio: fn(&Turning, u32) -> Td) -> Rule {
     Rule { ratio, diverges: false }
 }
 
-const fn diverging(ratio: fn(&Swing, u32) -> Td) -> Rule {
+pub(super) const fn diverging(ratio: fn(&Turning, u32) -> Td) -> Rule {
     Rule { ratio, diverges: true }
 }
 
-/// In the order of the entries.
-pub(super) static RULES: [Rule; 16] = [
-    finite(|_, _| Td::ONE),
-    finite(|swing, _| series(swing, 2)),
-    finite(series),
-    finite(|swing, _| Td::ONE / (Td::ONE - swing.theta.square().scale(1.0 / 16.0))),
-    diverging(|swing, _| Td::ONE / swing.a.sqrt()),
-    diverging(|swing, _| exp(ln(swing.cardinal_sine()) * -0.375)),
-    finite(ganley),
-    diverging(lima_arun),
-    finite(|swing, steps| Td::ONE / means(swing.a, steps)),
-    finite(|swing, _| Td::ONE / means(swing.a, 2)),
-    diverging(|swing, _| ln(four_over(swing.a)) / TWO_PI_LONG.scale(0.25)),
-    diverging(chachiyo),
-    finite(|swing, _| pade(&SALAS_26, swing.m)),
-    finite(|swing, _| pade(&SALAS_27, swing.m)),
-    finite(|swing, _| pade(&SALAS_28, swing.m)),
-    diverging(exact),
-];
-
 /// 2 K / pi = 1/agm(1, a).
-pub(super) fn exact(swing: &Swing, _: u32) -> Td {
-    let (mut mean, mut b) = (Td::ONE, swing.a);
+pub(super) fn exact(turning: &Turning, _: u32) -> Td {
+    let (mut mean, mut b) = (Td::ONE, turning.a);
     loop {
         let next = (mean + b).scale(0.5);
         // After this step the two means differ by (mean - b)^2 / 8 mean, below 1e-50 of it: it is the limit.
@@ -65,7 +45,7 @@ pub(super) fn exact(swing: &Swing, _: u32) -> Td {
 }
 
 /// The arithmetic mean after some steps of the arithmetic-geometric one from 1 and a.
-fn means(a: Td, steps: u32) -> Td {
+pub(super) fn means(a: Td, steps: u32) -> Td {
     let (mut mean, mut b) = (Td::ONE, a);
     for _ in 0..steps {
         (mean, b) = ((mean + b).scale(0.5), (mean * b).sqrt());
@@ -74,8 +54,8 @@ fn means(a: Td, steps: u32) -> Td {
 }
 
 /// The series in theta_max to the power N.
-fn series(swing: &Swing, power: u32) -> Td {
-    let square = swing.theta.square();
+pub(super) fn series(turning: &Turning, power: u32) -> Td {
+    let square = turning.theta_max.square();
     let coefficients = &coefficients()[..=(power / 2) as usize];
     coefficients.iter().rev().fold(Td::ZERO, |sum, c| sum * square + *c)
 }
@@ -102,42 +82,42 @@ pub(super) fn coefficients() -> &'static [Td] {
 }
 
 /// (sin s / s)^(-1/2) with s = sqrt 3 theta_max/2.
-fn ganley(swing: &Swing, _: u32) -> Td {
-    let s = Td::from(3.0).sqrt() * swing.theta.scale(0.5);
+pub(super) fn ganley(turning: &Turning, _: u32) -> Td {
+    let s = Td::from(3.0).sqrt() * turning.theta_max.scale(0.5);
     (s / sine(s)).sqrt()
 }
 
 /// -ln a/(1 - a).
-fn lima_arun(swing: &Swing, _: u32) -> Td {
-    let rest = swing.one_minus_a();
-    if rest.hi < 0.5 { -ln_one_plus(-rest) / rest } else { -ln(swing.a) / rest }
+pub(super) fn lima_arun(turning: &Turning, _: u32) -> Td {
+    let rest = turning.one_minus_a();
+    if rest.hi < 0.5 { -ln_one_plus(-rest) / rest } else { -ln(turning.a) / rest }
 }
 
 /// 4/a.
-fn four_over(a: Td) -> Td {
+pub(super) fn four_over(a: Td) -> Td {
     Td::from(4.0) / a
 }
 
 /// (2/(n pi)) ln((4/a)^n + b), where n and b make it exact at rest and, to first order, next to it.
-fn chachiyo(swing: &Swing, _: u32) -> Td {
+pub(super) fn chachiyo(turning: &Turning, _: u32) -> Td {
     let quarter_turn = TWO_PI_LONG.scale(0.25);
     let ln_4 = LN_2.scale(2.0);
     let n = (ln_4 - ln(quarter_turn.scale(2.0))) / (quarter_turn - ln_4);
     let b = exp(n * quarter_turn) - exp(n * ln_4);
-    ln(exp(n * ln(four_over(swing.a))) + b) / (n * quarter_turn)
+    ln(exp(n * ln(four_over(turning.a))) + b) / (n * quarter_turn)
 }
 
 /// Coefficients of numerator and denominator, rising powers of m.
-struct Pade<const N: usize>([f64; N], [f64; N]);
+pub(super) struct Pade<const N: usize>([f64; N], [f64; N]);
 
-const SALAS_26: Pade<2> = Pade([-16.0, 5.0], [-16.0, 9.0]);
-const SALAS_27: Pade<3> = Pade([4864.0, -3984.0, 409.0], [4864.0, -5200.0, 1025.0]);
-const SALAS_28: Pade<4> = Pade(
+pub(super) const SALAS_26: Pade<2> = Pade([-16.0, 5.0], [-16.0, 9.0]);
+pub(super) const SALAS_27: Pade<3> = Pade([4864.0, -3984.0, 409.0], [4864.0, -5200.0, 1025.0]);
+pub(super) const SALAS_28: Pade<4> = Pade(
     [-24_653_824.0, 32_584_960.0, -10_617_024.0, 540_191.0],
     [-24_653_824.0, 38_748_416.0, -16_837_184.0, 1_708_091.0],
 );
 
-fn pade<const N: usize>(Pade(top, bottom): &Pade<N>, m: Td) -> Td {
+pub(super) fn pade<const N: usize>(Pade(top, bottom): &Pade<N>, m: Td) -> Td {
     // Far from 0 in powers of 1/m, so that none leaves the range.
     let far = m.hi < -exp2(40);
     let x = if far { Td::ONE / m } else { m };

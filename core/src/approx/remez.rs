@@ -6,7 +6,7 @@
 //! sign there.
 
 use super::search::peak;
-use super::swing::sine;
+use super::turning::sine;
 use crate::float::{Dd, TWO_PI_LONG, Td};
 
 /// Steps at most; each doubles the right digits once it is near.

@@ -4,8 +4,9 @@
 //! A polynomial is known by how far its coefficients depart from Taylor's, so that its distance from the sine is one
 //! series without cancellation, right to its own last digits.
 
-use super::entry::{Entry, Named};
+use super::entry::{Entry, Named, Orders, Row, entries, row};
 use super::remez;
+use super::salas::{CUBIC, DEGREES_70, DEGREES_120, QUINTIC};
 use super::search::{crossing, peak};
 use crate::domain::Domain;
 use crate::float::Td;
@@ -14,40 +15,61 @@ use core::f64::consts::{PI, TAU};
 const STATES_NO_RANGE: Entry =
     Entry { name: "", orders: None, formula: "", source: "", stated: "", stated_range: None, undefined: "" };
 
-/// Every polynomial for sin(phi); N is its degree, odd.
-pub static SINES: [Entry; 4] = [
-    Entry {
-        name: "salas-2",
-        formula: "φ − 40φ³/243",
-        source: "Salas 2019 (2)",
-        stated: "|φ| < 70 deg",
-        stated_range: Some([0.0, 7.0 / 18.0 * PI]),
-        ..STATES_NO_RANGE
-    },
-    Entry {
-        name: "salas-3",
-        formula: "φ − 40φ³/243 + φ⁵/131",
-        source: "Salas 2019 (3)",
-        stated: "|φ| ≤ 120 deg",
-        stated_range: Some([0.0, 2.0 / 3.0 * PI]),
-        ..STATES_NO_RANGE
-    },
-    Entry {
-        name: "taylor",
-        orders: Some([1, 99]),
-        formula: "φ − φ³/3! + φ⁵/5! − … to φ^N, N odd",
-        source: "Taylor series, DLMF 4.19.1",
-        ..STATES_NO_RANGE
-    },
-    Entry {
-        name: "best",
-        orders: Some([1, 21]),
-        formula: "the odd polynomial P of degree N with the least largest |sin φ − P(φ)| for |φ| ≤ phi_max, N odd",
-        source: "Chebyshev's alternation, by Remez's exchange",
-        stated: "|φ| ≤ phi_max",
-        ..STATES_NO_RANGE
-    },
+/// Where the coefficients come from; Salas's after the first.
+enum Kind {
+    Salas(&'static [[f64; 2]]),
+    Taylor,
+    Best,
+}
+
+static TABLE: [Row<Kind>; 4] = [
+    row(
+        Entry {
+            name: "salas-2",
+            formula: "φ − 40φ³/243",
+            source: "Salas 2019 (2)",
+            stated: "|φ| < 70 deg",
+            stated_range: Some([0.0, DEGREES_70]),
+            ..STATES_NO_RANGE
+        },
+        Kind::Salas(&[CUBIC]),
+    ),
+    row(
+        Entry {
+            name: "salas-3",
+            formula: "φ − 40φ³/243 + φ⁵/131",
+            source: "Salas 2019 (3)",
+            stated: "|φ| ≤ 120 deg",
+            stated_range: Some([0.0, DEGREES_120]),
+            ..STATES_NO_RANGE
+        },
+        Kind::Salas(&[CUBIC, QUINTIC]),
+    ),
+    row(
+        Entry {
+            name: "taylor",
+            orders: Some(Orders::every_second([1, 99])),
+            formula: "φ − φ³/3! + φ⁵/5! − … to φ^N, N odd",
+            source: "Taylor series, DLMF 4.19.1",
+            ..STATES_NO_RANGE
+        },
+        Kind::Taylor,
+    ),
+    row(
+        Entry {
+            name: "best",
+            orders: Some(Orders::every_second([1, 21])),
+            formula: "the odd polynomial P of degree N with the least largest |sin φ − P(φ)| for |φ| ≤ phi_max, N odd",
+            source: "Chebyshev's alternation, by Remez's exchange",
+            stated: "|φ| ≤ phi_max",
+            ..STATES_NO_RANGE
+        },
+        Kind::Best,
+    ),
 ];
+
+/// Every polynomial for sin(phi); N is its degree, odd.
+pub static SINES: [Entry; 4] = entries(&TABLE);
 
 /// Terms of a polynomial's distance from the sine after its own: they are below 2^-157 of it up to twice pi.
 const TERMS: usize = 48;
@@ -111,16 +133,11 @@ fn ordered(value: Td) -> (f64, f64, f64) {
 impl SineFormula {
     /// By its name, `name` or `name:N`; `phi_max` in (0, 2 pi] belongs to `best:N` and to it alone.
     pub fn named(name: &str, phi_max: Option<f64>) -> Result<SineFormula, Domain> {
-        let named = Named::find("sine", &SINES, name)?;
-        let Named { entry: Entry { name: kind, orders, .. }, order } = named;
-        if let (Some([least, most]), 0) = (orders, order % 2) {
-            let allowed = format!("{kind}:N with an odd N from {least} to {most}");
-            return Err(Domain::new("sine", format!("{name:?}"), allowed));
-        }
-        let count = order.div_ceil(2) as usize;
-        let (departures, exact) = match (*kind, phi_max) {
-            ("best", None) => return Err(Domain::new("phi_max", "none".to_string(), "given for best:N")),
-            ("best", Some(phi_max)) => {
+        let (named, kind) = Named::find("sine", &TABLE, name)?;
+        let count = named.order.div_ceil(2) as usize;
+        let (departures, exact) = match (kind, phi_max) {
+            (Kind::Best, None) => return Err(Domain::new("phi_max", "none".to_string(), "given for best:N")),
+            (Kind::Best, Some(phi_max)) => {
                 let phi_max = allowed(phi_max)?;
                 let departures = remez::departures(count, phi_max);
                 let allowed = "where the exchange of Remez ends";
@@ -129,15 +146,13 @@ impl SineFormula {
                 let exact = taylor(count).into_iter().zip(&departures).map(|(c, d)| c + *d).collect();
                 (departures, exact)
             }
-            (_, Some(phi_max)) => {
+            (Kind::Taylor | Kind::Salas(_), Some(phi_max)) => {
                 return Err(Domain::new("phi_max", format!("{phi_max:?}"), "left out but for best:N"));
             }
-            ("taylor", None) => (vec![Td::ZERO; count], taylor(count)),
-            _ => {
-                let cubic = Td::from(-40.0) / Td::from(243.0);
-                let quintic = Td::ONE / Td::from(131.0);
-                let exact =
-                    if *kind == "salas-2" { vec![Td::ONE, cubic] } else { vec![Td::ONE, cubic, quintic] };
+            (Kind::Taylor, None) => (vec![Td::ZERO; count], taylor(count)),
+            (Kind::Salas(quotients), None) => {
+                let rest = quotients.iter().map(|[above, below]| Td::from(*above) / Td::from(*below));
+                let exact: Vec<Td> = core::iter::once(Td::ONE).chain(rest).collect();
                 (exact.iter().zip(taylor(exact.len())).map(|(c, t)| *c - t).collect(), exact)
             }
         };
@@ -253,7 +268,6 @@ mod tests {
                 let least = best.largest_error(phi_max).unwrap().absolute;
                 let taylor = SineFormula::named(&format!("taylor:{order}"), None).unwrap();
                 let other = taylor.largest_error(phi_max).unwrap().absolute;
-                println!("{name} {phi_max} {least:e} {other:e}");
                 assert!(
                     least <= other && (least < 0.6 * other || other == 0.0),
                     "{name} {phi_max} {least:e} {other:e}"

@@ -4,25 +4,36 @@
 //! solution is compared with. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.1; Cromer,
 //! Am. J. Phys. 49 (1981) 455.
 
-use super::entry::{Entry, Named};
+use super::entry::{Entry, Named, Row, entries, row};
 use crate::domain::Domain;
 use crate::float::circle::reduce;
 use crate::float::series::sin_cos;
 
-/// The schemes, each of a fixed step.
-pub static SCHEMES: [Entry; 3] = [
-    scheme(
-        "euler",
-        "theta += h v and v -= h omega^2 sin theta, both from the old state",
-        "Euler 1768; order 1",
+/// From a state to the next: the step h and omega0^2.
+type Step = fn(State, f64, f64) -> State;
+
+static TABLE: [Row<Step>; 3] = [
+    row(
+        scheme(
+            "euler",
+            "theta += h v and v -= h omega^2 sin theta, both from the old state",
+            "Euler 1768; order 1",
+        ),
+        euler,
     ),
-    scheme(
-        "euler-cromer",
-        "v -= h omega^2 sin theta, then theta += h v from the new v",
-        "Cromer 1981; order 1, symplectic",
+    row(
+        scheme(
+            "euler-cromer",
+            "v -= h omega^2 sin theta, then theta += h v from the new v",
+            "Cromer 1981; order 1, symplectic",
+        ),
+        euler_cromer,
     ),
-    scheme("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"),
+    row(scheme("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
 ];
+
+/// The schemes, each of a fixed step.
+pub static SCHEMES: [Entry; 3] = entries(&TABLE);
 
 const fn scheme(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
     Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
@@ -31,8 +42,7 @@ const fn scheme(name: &'static str, formula: &'static str, source: &'static str)
 /// One of [`SCHEMES`].
 #[derive(Clone, Copy, Debug)]
 pub struct Scheme {
-    entry: &'static Entry,
-    step: fn(State, f64, f64) -> State,
+    step: Step,
 }
 
 /// Angle and velocity.
@@ -84,18 +94,8 @@ fn rk4(state: State, h: f64, omega2: f64) -> State {
 impl Scheme {
     /// By its name; the error lists the nearest first.
     pub fn named(name: &str) -> Result<Scheme, Domain> {
-        let entry = Named::find("scheme", &SCHEMES, name)?.entry;
-        let step = match entry.name {
-            "euler" => euler,
-            "euler-cromer" => euler_cromer,
-            _ => rk4,
-        };
-        Ok(Scheme { entry, step })
-    }
-
-    /// What is known of it.
-    pub fn entry(&self) -> &'static Entry {
-        self.entry
+        let (_, &step) = Named::find("scheme", &TABLE, name)?;
+        Ok(Scheme { step })
     }
 
     /// Angle and velocity at 0, h, 2 h, ... as many as the slices hold, both of one length.

@@ -46,20 +46,20 @@ impl Series {
 }
 
 impl Orbit {
-    /// The series, where the motion has one that is not a straight line or a single term.
-    fn series(&self) -> Option<Series> {
+    /// pi K'/2K of a libration and pi K'/K of a rotation, of its inner parameter, where the motion has a series that is not
+    /// a straight line or a single term; and which harmonics it has, every second one or all.
+    pub(crate) fn decay(&self) -> Option<(Dd, u32)> {
         let State { k, kc, power, .. } = State::new(self.theta0, self.velocity0, self.force).ok()?;
         match self.course {
-            Course::Libration(_) if power == 0 => {
-                let decay = HALF_PI * agm(kc) / agm(k);
-                Some(Series { factor: 4.0, decay, step: 2 })
-            }
-            Course::Rotation(_) => {
-                let decay = PI * agm(kc / k) / agm(Dd::ONE / k);
-                Some(Series { factor: 2.0, decay, step: 1 })
-            }
+            Course::Libration(_) if power == 0 => Some((HALF_PI * agm(kc) / agm(k), 2)),
+            Course::Rotation(_) => Some((PI * agm(kc / k) / agm(Dd::ONE / k), 1)),
             _ => None,
         }
+    }
+
+    fn series(&self) -> Option<Series> {
+        let (decay, step) = self.decay()?;
+        Some(Series { factor: if step == 2 { 4.0 } else { 2.0 }, decay, step: u64::from(step) })
     }
 
     /// The first n amplitudes of angle and velocity, n from 1 to [`MOST_HARMONICS`]; NaN on the separatrix, whose motion

@@ -1,4 +1,4 @@
-//! A swing by its turning angle or by its parameter, to triple-double: what the formulas of the period are formulas of.
+//! A turning angle, itself or by its parameter, to triple-double: what the formulas of the period are formulas of.
 //!
 //! m = sin^2(theta_max/2), a = cos(theta_max/2) = sqrt(1 - m), each formed without subtraction, so that nothing is lost
 //! next to rest and next to the top.
@@ -9,11 +9,11 @@ use crate::float::{Dd, TWO_PI_LONG, circle, series};
 /// Below it (m below its square) every ratio of periods is what it is at rest, to 120 digits; squares stay in range.
 const LEAST: f64 = 1e-60;
 
-/// One swing.
+/// One turning angle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Swing {
-    /// Turning angle; NaN for m < 0.
-    pub theta: Td,
+pub(super) struct Turning {
+    /// NaN for m < 0.
+    pub theta_max: Td,
     /// sin(theta_max/2); NaN for m < 0.
     pub s: Td,
     /// cos(theta_max/2).
@@ -22,9 +22,9 @@ pub(super) struct Swing {
     pub m: Td,
 }
 
-impl Swing {
+impl Turning {
     /// Of a turning angle from 0 to pi; `None` outside.
-    pub fn of_angle(theta_max: f64) -> Option<Swing> {
+    pub fn of_angle(theta_max: f64) -> Option<Turning> {
         if !(0.0..=core::f64::consts::PI).contains(&theta_max) {
             return None;
         }
@@ -36,43 +36,43 @@ impl Swing {
             let (a, s) = series::sin_cos(reduced.from_top.scale(0.5));
             (s, a)
         };
-        Some(Swing { theta: reduced.from_bottom, s, a, m: s.square() })
+        Some(Turning { theta_max: reduced.from_bottom, s, a, m: s.square() })
     }
 
     /// Of a parameter up to 1, also negative; `None` outside.
-    pub fn of_parameter(m: f64) -> Option<Swing> {
+    pub fn of_parameter(m: f64) -> Option<Turning> {
         if !(f64::NEG_INFINITY < m && m <= 1.0) {
             return None;
         }
         let m = if m.abs() < LEAST * LEAST { f64::copysign(LEAST * LEAST, m) } else { m };
-        Some(Swing::of_pair(Td::from(m), Dd::sum(1.0, -m).into()))
+        Some(Turning::of_pair(Td::from(m), Dd::sum(1.0, -m).into()))
     }
 
     /// Of the complement of a parameter, at least 0; `None` outside.
-    pub fn of_complement(mc: f64) -> Option<Swing> {
+    pub fn of_complement(mc: f64) -> Option<Turning> {
         let m = Dd::sum(1.0, -mc);
         if m.hi.abs() < LEAST * LEAST {
-            return Swing::of_parameter(m.hi);
+            return Turning::of_parameter(m.hi);
         }
-        (0.0..f64::INFINITY).contains(&mc).then(|| Swing::of_pair(m.into(), Td::from(mc)))
+        (0.0..f64::INFINITY).contains(&mc).then(|| Turning::of_pair(m.into(), Td::from(mc)))
     }
 
     /// Of a parameter in [0, 1] and its complement, of which the smaller one counts.
-    pub fn of_both(m: f64, mc: f64) -> Option<Swing> {
+    pub fn of_both(m: f64, mc: f64) -> Option<Turning> {
         if m <= 0.5 {
-            return Swing::of_parameter(f64::max(m, 0.0));
+            return Turning::of_parameter(f64::max(m, 0.0));
         }
-        (mc >= 0.0).then(|| Swing::of_pair(Dd::sum(1.0, -mc).into(), Td::from(mc)))
+        (mc >= 0.0).then(|| Turning::of_pair(Dd::sum(1.0, -mc).into(), Td::from(mc)))
     }
 
-    fn of_pair(m: Td, mc: Td) -> Swing {
+    fn of_pair(m: Td, mc: Td) -> Turning {
         let a = mc.sqrt();
         if m.hi < 0.0 {
             let none = Td::from(f64::NAN);
-            return Swing { theta: none, s: none, a, m };
+            return Turning { theta_max: none, s: none, a, m };
         }
         let s = m.sqrt();
-        Swing { theta: series::angle(s, a).scale(2.0), s, a, m }
+        Turning { theta_max: series::angle(s, a).scale(2.0), s, a, m }
     }
 
     /// 1 - a, without subtraction.
@@ -82,7 +82,7 @@ impl Swing {
 
     /// sin(theta_max)/theta_max.
     pub fn cardinal_sine(&self) -> Td {
-        (self.s * self.a).scale(2.0) / self.theta
+        (self.s * self.a).scale(2.0) / self.theta_max
     }
 }
 
@@ -105,9 +105,9 @@ mod tests {
     fn angle_and_parameter_name_the_same_swing() {
         for i in 1..400 {
             let m = f64::from(i) / 400.0;
-            let Some(swing) = Swing::of_parameter(m) else { panic!("{m}") };
-            let half = swing.theta.scale(0.5);
-            for (of, value) in [(sine(half), swing.s), (sine(TWO_PI_LONG.scale(0.25) - half), swing.a)] {
+            let Some(turning) = Turning::of_parameter(m) else { panic!("{m}") };
+            let half = turning.theta_max.scale(0.5);
+            for (of, value) in [(sine(half), turning.s), (sine(TWO_PI_LONG.scale(0.25) - half), turning.a)] {
                 let apart = (of - value).hi.abs();
                 assert!(apart < 1e-45, "{m} {apart:e}");
             }
@@ -117,10 +117,10 @@ mod tests {
     #[test]
     fn what_is_no_swing_is_none() {
         for theta_max in [-1e-300, 3.1415926535897936, f64::NAN, f64::INFINITY] {
-            assert!(Swing::of_angle(theta_max).is_none());
+            assert!(Turning::of_angle(theta_max).is_none());
         }
         for m in [1.0000000000000002, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(Swing::of_parameter(m).is_none());
+            assert!(Turning::of_parameter(m).is_none());
         }
     }
 }

@@ -1,0 +1,50 @@
+//! What the approximations of the angle share: sine and cosine of a phase, the turning angle, and the way back into the
+//! frame of the orbit.
+
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
+use crate::float::elementary::long_sin_cos;
+use crate::float::{Dd, PI, Wide, series};
+use crate::pendulum::Orbit;
+use crate::pendulum::state::State;
+
+/// Sine and cosine of pi f for |f| <= 1/2.
+pub(super) fn half_turn(f: Dd) -> (Dd, Dd) {
+    let size = f.abs();
+    let (sine, cosine) = if size.hi > 0.25 {
+        let (sine, cosine) = long_sin_cos((Dd::from(0.5) - size) * PI);
+        (cosine, sine)
+    } else {
+        long_sin_cos(size * PI)
+    };
+    (if f.hi < 0.0 { -sine } else { sine }, cosine)
+}
+
+/// Sine and cosine of pi (n + f) for a phase counted as whole and rest; `None` beyond 2^53 half turns.
+pub(super) fn counted(phase: &Phase, t: f64) -> Option<(Dd, Dd)> {
+    let (n, f) = phase.count(t, LAST_HALF_PERIOD);
+    if f.hi.is_nan() {
+        return None;
+    }
+    let (sine, cosine) = half_turn(f);
+    let side = alternating(n);
+    Some((sine.scale(side), cosine.scale(side)))
+}
+
+/// The angle in the frame of the orbit, from the canonical one, which goes upwards through 0 at phase 0.
+pub(super) fn framed(orbit: &Orbit, canonical: Wide) -> f64 {
+    let frame = &orbit.frame;
+    let angle = canonical * frame.side;
+    if frame.base.hi == 0.0 && frame.half_turn == 0.0 {
+        return angle.value();
+    }
+    (frame.base + PI * frame.half_turn + angle.to_dd()).value()
+}
+
+/// The turning angle of a libration, to all digits of a double-double.
+pub(super) fn turning_angle(orbit: &Orbit) -> Wide {
+    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
+        Ok(State { k, power, .. }) if power != 0 => Wide::new(k, power + 1),
+        Ok(State { k, kc, .. }) => Wide::new(series::angle(k.into(), kc.into()).to_dd(), 1),
+        Err(_) => Wide::ZERO,
+    }
+}
