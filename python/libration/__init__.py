@@ -12,7 +12,9 @@ Examples
 '2.922419'
 """
 
-from . import approx as approx
+from importlib import import_module
+from typing import Any
+
 from ._core import __version__
 from .action_angle import action, frequency, from_action_phase, phase
 from .arrays import advance, motion, theta, velocity
@@ -91,3 +93,10 @@ __all__ = [
     "theta4",
     "velocity",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """The packages that are loaded when they are asked for."""
+    if name in ("approx", "papers"):
+        return import_module(f".{name}", __name__)
+    raise AttributeError(f"module 'libration' has no attribute {name!r}")

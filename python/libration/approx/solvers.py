@@ -52,7 +52,7 @@ class NumericalFormula:
     >>> from libration import Pendulum, approx
     >>> euler = approx.numerical("euler:0.01")
     >>> f"{euler.of(Pendulum(1.0)).error(1).relative:.4f}"
-    '0.0314'
+    '0.0315'
     """
 
     name: str
