@@ -93,7 +93,7 @@ impl Elliptic {
                     Layout::around(&[[0.0, 1.5 * aspect], [1.0, 0.5 * aspect]])
                 }?;
                 let drawn = swing::Drawn { leg: along, base, far: base == Base::Turn, taken };
-                Arc::faithful(layout, &drawn, swing::SPREAD, swing::STEEPEST)
+                Arc::faithful(layout, &drawn, swing::SPREAD)
             }
             Way::Flight(Flight { pole, odd, .. }) => {
                 let aspect = self.lattice.aspect;
@@ -105,12 +105,7 @@ impl Elliptic {
                 } else {
                     Layout::around(&zeros)
                 }?;
-                Arc::faithful(
-                    layout,
-                    &flight::Drawn { way: along, odd, pole, beside: None },
-                    flight::SPREAD,
-                    flight::STEEPEST,
-                )
+                Arc::faithful(layout, &flight::Drawn { way: along, odd, pole, beside: None }, flight::SPREAD)
             }
         }
     }

@@ -59,9 +59,6 @@ fn four<L: Lane>(x: Loose<L>, [centre, rest]: &[f64; 2]) -> Loose<L> {
 /// Most that polynomials of a flight may spread: an error of a unit of |u| or two.
 pub(super) const SPREAD: f64 = 2.0;
 
-/// Most that a rounding of the mapped phase may cost, in its units.
-pub(super) const STEEPEST: f64 = 2.0;
-
 /// How a flight goes with time, and what its polynomials lack of u and u'.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Flight {

@@ -256,16 +256,11 @@ impl Theta {
             Way::Swing(Swing { base, taken, .. }) => {
                 let far = base != Base::Zero;
                 let drawn = swing::Drawn { leg: along, base, far, taken };
-                Arc::faithful(layout(taken, false)?, &drawn, swing::SPREAD, swing::STEEPEST)
+                Arc::faithful(layout(taken, false)?, &drawn, swing::SPREAD)
             }
             Way::Flight(Flight { pole, beside, odd, .. }) => {
                 let drawn = flight::Drawn { way: along, odd, pole, beside };
-                Arc::faithful(
-                    layout(Taken::Nothing, beside.is_some())?,
-                    &drawn,
-                    flight::SPREAD,
-                    flight::STEEPEST,
-                )
+                Arc::faithful(layout(Taken::Nothing, beside.is_some())?, &drawn, flight::SPREAD)
             }
         }
     }

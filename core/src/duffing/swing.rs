@@ -41,9 +41,6 @@ pub(super) enum Taken {
 /// Most that polynomials of a swing may spread: an error of some units of its least |u| and |u'|.
 pub(super) const SPREAD: f64 = 2.5;
 
-/// Most that a rounding of the mapped phase may cost, in its units.
-pub(super) const STEEPEST: f64 = 2.0;
-
 /// How a swing goes with time, and what its polynomials lack of u and u'.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {

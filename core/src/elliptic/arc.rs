@@ -44,6 +44,9 @@ pub(crate) struct Layout {
 /// Most that the last term may be of a value: those left out are some tenths of it.
 const LEFT_OUT: f64 = 2.3e-16; // 2^-52
 
+/// Most that a rounding of t may cost, in its units.
+const STEEPEST: f64 = 2.0;
+
 /// Where an arc is interpolated.
 #[derive(Clone, Copy)]
 pub(crate) struct Place<L: Lane> {
@@ -126,29 +129,26 @@ impl Powers {
         Powers { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
     }
 
-    /// What the terms after the leading one add up to at most, in units of the least of the values: as many units of
-    /// the last place the sum may lose.
-    fn spread(&self, values: &[f64]) -> f64 {
+    /// Whether it keeps the digits of the values at the points it goes through; the first doubt ends the look.
+    ///
+    /// The terms after the leading one add up to at most `most` times the least value: a unit of its last place each is
+    /// what the sum may lose. The last term, or a sixteenth of the one before, is small: a singularity nearer than those
+    /// of the layout shows there. A rounding of t, which grows from its end at -1, where x is 0, costs little.
+    fn keeps(&self, points: &[f64], values: &[f64], most: f64) -> bool {
+        let terms = &self.pairs.as_flattened()[..values.len() - 1];
         let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
-        self.pairs.as_flattened().iter().fold(0.0, |sum, term| sum + term.abs()) / least
-    }
-
-    /// What the last term is of the least of the values, or a sixteenth of the one before: the terms left out are smaller.
-    fn rest(&self, count: usize, values: &[f64]) -> f64 {
-        let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
+        let spread = terms.iter().fold(0.0, |sum, term| sum + term.abs());
         // t^k is 2^(1 - k) of Chebyshev's polynomial, and smaller ones.
-        let of = |k: usize| (self.pairs.as_flattened()[k - 1] * exp2(1 - k as i32)).abs();
-        of(count - 1).max(of(count - 2) / 16.0) / least
-    }
-
-    /// How much of a value a rounding of t is at most: that of t grows from its end at -1, where x is 0.
-    fn steepness(&self, points: &[f64], values: &[f64]) -> f64 {
-        let terms = self.pairs.as_flattened();
+        let of = |k: usize| (terms[k - 1] * exp2(1 - k as i32)).abs();
+        let last = of(terms.len()).max(of(terms.len() - 1) / 16.0);
         let slope = |t: f64| {
             terms.iter().enumerate().rev().fold(0.0, |sum, (k, term)| sum * t + term * (k + 1) as f64)
         };
-        let of = |(t, value): (&f64, &f64)| (1.0 + t) * (slope(*t) / value).abs();
-        points.iter().zip(values).map(of).fold(0.0, |most, each| if each <= most { most } else { each })
+        let cost = |(t, value): (&f64, &f64)| (1.0 + t) * (slope(*t) / value).abs();
+        // Each is false for NaN as well.
+        spread / least <= most
+            && last / least <= LEFT_OUT
+            && points.iter().zip(values).all(|each| cost(each) <= STEEPEST)
     }
 
     /// At t.
@@ -172,18 +172,20 @@ impl Arc {
         Arc::through(layout, curve).0
     }
 
-    /// Through a curve, if the terms after the leading one add up to at most that many times the least of the values,
-    /// a unit of the last place of it each being what the sum may lose, and a rounding of t costs at most so many.
-    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64, steepest: f64) -> Option<Arc> {
-        let (arc, [spread, steepness, rest]) = Arc::through(layout, curve);
-        // False for NaN as well. A singularity nearer than those of the layout shows in the last terms.
-        (spread <= most && steepness <= steepest && rest <= LEFT_OUT).then_some(arc)
+    /// Through a curve, if no digits are lost; `most` is what the terms after the leading one may add up to, in units of
+    /// the least value.
+    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64) -> Option<Arc> {
+        let (arc, values) = Arc::through(layout, curve);
+        let count = layout.count;
+        let points = &Interpolation::of(count).points[0];
+        let keeps = |powers: &Powers, values: &[f64; MOST]| powers.keeps(points, &values[..count], most);
+        (keeps(&arc.first, &values[0]) && keeps(&arc.second, &values[2])).then_some(arc)
     }
 
-    /// Through a curve, and the larger spread, steepness and rest of both functions.
+    /// Through a curve; both functions at the points of the interpolation, each as hi and lo.
     #[cold]
     #[inline(never)]
-    fn through(layout: Layout, curve: &impl Curve) -> (Arc, [f64; 3]) {
+    fn through(layout: Layout, curve: &impl Curve) -> (Arc, [[f64; MOST]; 4]) {
         let Layout { count, bend } = layout;
         let interpolation = Interpolation::of(count);
         let mut values = [[0.0; MOST]; 4];
@@ -191,14 +193,7 @@ impl Arc {
         let [first, first_rest, second, second_rest] = &values;
         let powers =
             |hi: &[f64], lo: &[f64]| Powers::new(&interpolation.coefficients([&hi[..count], &lo[..count]]));
-        let arc = Arc { layout, first: powers(first, first_rest), second: powers(second, second_rest) };
-        let larger = |a: f64, b: f64| if a <= b { b } else { a };
-        let (first, second) = (&first[..count], &second[..count]);
-        let spread = larger(arc.first.spread(first), arc.second.spread(second));
-        let points = &interpolation.points[0];
-        let steepness = larger(arc.first.steepness(points, first), arc.second.steepness(points, second));
-        let rest = larger(arc.first.rest(count, first), arc.second.rest(count, second));
-        (arc, [spread, steepness, rest])
+        (Arc { layout, first: powers(first, first_rest), second: powers(second, second_rest) }, values)
     }
 
     /// How many terms.
