@@ -212,9 +212,9 @@ def nearest(patterns, wanted):
     return sorted(patterns, key=lambda each: -SequenceMatcher(None, each.partition(":")[0], base).ratio())
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=1)
 def course(solution, periods):
-    """Instants and angles over so many periods; the last two are kept, for one table asks for each several times."""
+    """Instants and angles over so many periods; the last are kept: a table asks both for the top and for the error."""
     t = solution._instants(periods)
     return t, solution._rising(t)
 

@@ -3,14 +3,13 @@
 Everything that can be refused is refused before anything is evaluated; files appear whole or not at all.
 """
 
-import contextlib
 import math
 
-from libration.cli.files import staged, strict, write_table
+from libration.cli.files import strict, write_table
 from libration.cli.parameters import keyed, table_parameters
 from libration.cli.parser import Parser, Refusal, refusal
 from libration.cli.quantities import plain
-from libration.cli.sampling import PICTURES, TABLES, check_targets, form, plotter, written
+from libration.cli.sampling import check_targets, form, plotter, targets, written
 from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options, upright
 
 DESCRIPTION = """\
@@ -78,19 +77,15 @@ def run(words):
     check_targets(options)
     motion = moving(options, pendulum(given))
     solutions = different([solution(name, motion) for name in wanted], getattr(options, "with"))
-    with contextlib.ExitStack() as stack:
-        targets = {}
-        for option, suffixes in (("out", TABLES), ("plot", PICTURES)):
-            if (path := getattr(options, option)) is not None:
-                targets[option] = stack.enter_context(staged(f"--{option}", path, suffixes))
+    with targets(options) as (table, picture):
         draw = plotter("libration.approx.picture", "plot_comparison", "--plot", options.plot)
         spans = sorted({periods, LONG})
-        rows = [(name, made, [measured(name, made, each) for each in spans]) for name, made in solutions]
-        if "out" in targets:
+        rows = [(name, [measured(name, made, each) for each in spans]) for name, made in solutions]
+        if table:
             columns = sampled_angles(motion, solutions, periods)
-            write_table(targets["out"], options.out, table_parameters(given, motion), columns)
-        if "plot" in targets:
-            draw(motion, solutions, targets["plot"], periods=periods, form=form(options.plot))
+            write_table(table, options.out, table_parameters(given, motion), columns)
+        if picture:
+            draw(motion, solutions, picture, periods=periods, form=form(options.plot))
     files = written(options)
     if options.json:
         print_json(given, motion, spans, rows, files)
@@ -166,9 +161,10 @@ def reason(error, name):
 
 
 def measured(name, made, periods):
-    """The largest error over so many periods, or a Refusal."""
+    """The largest error over so many periods, and when a numerical swing goes over the top (else NaN), or a Refusal."""
     try:
-        return made.error(periods)
+        top = made.over_the_top(periods) if hasattr(made, "over_the_top") else math.nan
+        return made.error(periods), top
     except ValueError as error:
         raise refusal("--with", name, reason(error, name)) from error
 
@@ -199,17 +195,12 @@ def print_json(given, motion, spans, rows, files):
             "t_s": error.t,
             "t_per_period": error.t / motion.period,
             "undefined_from_s": error.undefined_from,
-            "over_the_top_s": over_the_top(made, periods),
+            "over_the_top_s": top,
         }
-        for name, made, errors in rows
-        for periods, error in zip(spans, errors, strict=True)
+        for name, errors in rows
+        for periods, (error, top) in zip(spans, errors, strict=True)
     ]
     print(strict(answer | {"files": files}))
-
-
-def over_the_top(made, periods):
-    """When a numerical swing goes over the top; NaN for the others."""
-    return made.over_the_top(periods) if hasattr(made, "over_the_top") else math.nan
 
 
 def print_text(motion, assumed, spans, rows, files):
@@ -231,13 +222,13 @@ def print_text(motion, assumed, spans, rows, files):
     print()
     print(f"{'largest error':{width}}", *(f"  {over(periods):>{block}}" for periods in spans), sep="")
     print(" " * width, *(f"  {'  '.join(heads)}" for _ in spans), sep="")
-    for name, made, errors in rows:
+    for name, errors in rows:
         cells = [
             f"  {cell:>{len(head)}}"
-            for error in errors
+            for error, _ in errors
             for head, cell in zip(heads, texts(error, motion, percent), strict=True)
         ]
-        print(f"{name:{width}}{''.join(cells)}{remarks(made, motion, max(spans), errors)}".rstrip())
+        print(f"{name:{width}}{''.join(cells)}{remarks(motion, errors)}".rstrip())
     if percent:
         print("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
@@ -258,13 +249,13 @@ def texts(error, motion, percent):
     return [*shown, f"{error.t / motion.period:.5g}"]
 
 
-def remarks(made, motion, longest, errors):
-    """What else a reader should know of one row."""
+def remarks(motion, errors):
+    """What else a reader should know of one row; the last error is that of the longest span."""
     said = []
-    gaps = [error.undefined_from for error in errors if not math.isnan(error.undefined_from)]
+    gaps = [error.undefined_from for error, _ in errors if not math.isnan(error.undefined_from)]
     if gaps:
         said.append(f"undefined from t/T = {gaps[0] / motion.period:.5g}")
-    top = over_the_top(made, longest)
+    top = errors[-1][1]
     if not math.isnan(top):
         said.append(f"goes over the top at t = {top:.4g} s")
     return "  " + "; ".join(said) if said else ""

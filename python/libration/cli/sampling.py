@@ -105,7 +105,8 @@ def check_targets(options):
 
 def read_files(options):
     """The files that are read and must not be written over."""
-    return () if options.times is None else (options.times,)
+    times = getattr(options, "times", None)
+    return () if times is None else (times,)
 
 
 def instants(options):
