@@ -26,7 +26,7 @@ use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
 use crate::float::elementary::quotient;
-use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use crate::lanes::{Formula, Lane, tabulate};
 
 /// What an evaluation returns first; where it returns no more, the rest is not computed.
 const U: bool = true;
@@ -129,9 +129,9 @@ pub(super) fn finished<const FIRST: bool, L: Lane>(orbit: &Duffing, t: L, u: L, 
     begun::<FIRST, L>([orbit.u0, orbit.velocity0], t, [u, velocity])
 }
 
-impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Bounded<'_, HYPERBOLIC, FIRST> {
+impl<const HYPERBOLIC: bool, const FIRST: bool> Formula<1, 2> for Bounded<'_, HYPERBOLIC, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Bounded(orbit, e) = self;
         let scaled = t * L::splat(e.scales.time);
         let (n, f) = e.phase.spread::<L>().count(scaled, LAST_HALF_PERIOD);
@@ -149,9 +149,9 @@ impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Bo
     }
 }
 
-impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Escape<'_, HYPERBOLIC, FIRST> {
+impl<const HYPERBOLIC: bool, const FIRST: bool> Formula<1, 2> for Escape<'_, HYPERBOLIC, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Escape(orbit, e) = self;
         let f = counted(&e.phase, t * L::splat(e.scales.time));
         let half = L::splat(0.5);
@@ -187,10 +187,8 @@ struct Fill<'a, 'b, const FIRST: bool, const R: usize> {
     results: [&'b mut [f64]; R],
 }
 
-impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+impl<const FIRST: bool, const R: usize> Fill<'_, '_, FIRST, R> {
+    fn run<const WIDE: bool>(mut self) {
         let (orbit, t, results) = (self.orbit, [self.t], &mut self.results);
         match &orbit.course {
             Course::Elliptic(e) => {
@@ -198,23 +196,35 @@ impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
                 if let Some(arc) = e.arc() {
                     return match &e.drawing.way {
                         Way::Swing(swing) => {
-                            sweep::<L, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
+                            tabulate::<WIDE, _, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
                         }
                         Way::Flight(flight) => {
-                            sweep::<L, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
+                            tabulate::<WIDE, _, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
                         }
                     };
                 }
                 let bounded = matches!(e.shape, Shape::Cn | Shape::Sn | Shape::Dn);
                 match (bounded, e.lattice.hyperbolic()) {
-                    (true, true) => sweep::<L, _, _, _>(&Bounded::<true, FIRST>(orbit, e), t, results),
-                    (true, false) => sweep::<L, _, _, _>(&Bounded::<false, FIRST>(orbit, e), t, results),
-                    (false, true) => sweep::<L, _, _, _>(&Escape::<true, FIRST>(orbit, e), t, results),
-                    (false, false) => sweep::<L, _, _, _>(&Escape::<false, FIRST>(orbit, e), t, results),
+                    (true, true) => {
+                        tabulate::<WIDE, _, _, _, _>(&Bounded::<true, FIRST>(orbit, e), t, results)
+                    }
+                    (true, false) => {
+                        tabulate::<WIDE, _, _, _, _>(&Bounded::<false, FIRST>(orbit, e), t, results)
+                    }
+                    (false, true) => {
+                        tabulate::<WIDE, _, _, _, _>(&Escape::<true, FIRST>(orbit, e), t, results)
+                    }
+                    (false, false) => {
+                        tabulate::<WIDE, _, _, _, _>(&Escape::<false, FIRST>(orbit, e), t, results)
+                    }
                 }
             }
-            Course::Simple(simple) => sweep::<L, _, _, _>(&Plainly::<FIRST>(orbit, simple), t, results),
-            Course::Still | Course::Straight => sweep::<L, _, _, _>(&Straight::<FIRST>(orbit), t, results),
+            Course::Simple(simple) => {
+                tabulate::<WIDE, _, _, _, _>(&Plainly::<FIRST>(orbit, simple), t, results)
+            }
+            Course::Still | Course::Straight => {
+                tabulate::<WIDE, _, _, _, _>(&Straight::<FIRST>(orbit), t, results)
+            }
         }
     }
 }
@@ -239,36 +249,36 @@ impl Duffing {
     /// 2^-100 of the condition.
     pub fn u(&self, t: f64) -> f64 {
         let mut u = [0.0];
-        single(self.fill::<U, 1>(&[t], [&mut u]));
+        self.fill::<U, 1>(&[t], [&mut u]).run::<false>();
         u[0]
     }
 
     /// u' at t; domain and error as for [`Duffing::u`].
     pub fn velocity(&self, t: f64) -> f64 {
         let mut velocity = [0.0];
-        single(self.fill::<VELOCITY, 1>(&[t], [&mut velocity]));
+        self.fill::<VELOCITY, 1>(&[t], [&mut velocity]).run::<false>();
         velocity[0]
     }
 
     /// u and u' at t, bit for bit those of [`Duffing::u`] and [`Duffing::velocity`].
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let (mut u, mut velocity) = ([0.0], [0.0]);
-        single(self.fill::<U, 2>(&[t], [&mut u, &mut velocity]));
+        self.fill::<U, 2>(&[t], [&mut u, &mut velocity]).run::<false>();
         (u[0], velocity[0])
     }
 
     /// [`Duffing::u`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
-        wide(self.fill::<U, 1>(t, [u]));
+        self.fill::<U, 1>(t, [u]).run::<true>();
     }
 
     /// [`Duffing::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        wide(self.fill::<VELOCITY, 1>(t, [velocity]));
+        self.fill::<VELOCITY, 1>(t, [velocity]).run::<true>();
     }
 
     /// [`Duffing::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
-        wide(self.fill::<U, 2>(t, [u, velocity]));
+        self.fill::<U, 2>(t, [u, velocity]).run::<true>();
     }
 }

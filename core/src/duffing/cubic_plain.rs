@@ -8,7 +8,7 @@ use super::cubic_course::{Course, Plain, Simple};
 use super::cubic_motion::{counted, finished};
 use crate::float::Dd;
 use crate::float::elementary::{exp, quotient, saturated_sinh_cosh, sech};
-use crate::lanes::{Lane, Sampler};
+use crate::lanes::{Formula, Lane};
 
 /// A hyperbolic motion.
 pub(super) struct Plainly<'a, const FIRST: bool>(pub &'a Duffing, pub &'a Simple);
@@ -65,9 +65,9 @@ fn exponential<L: Lane>(y: Dd<L>, size: Dd<L>, amplitude: Dd, scale: f64) -> L {
     L::select(near, value, L::select(L::splat(0.0).less(y.hi), far, low))
 }
 
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
+impl<const FIRST: bool> Formula<1, 2> for Plainly<'_, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Plainly(orbit, simple) = self;
         let y = self.argument(t);
         let one = L::splat(1.0);
@@ -132,9 +132,9 @@ impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Plainly<'_, FIRST> {
     }
 }
 
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Straight<'_, FIRST> {
+impl<const FIRST: bool> Formula<1, 2> for Straight<'_, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let orbit = self.0;
         // Zero, and NaN for t = NaN.
         let nothing = L::select(t.equal(t), L::splat(0.0), t);

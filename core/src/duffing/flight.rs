@@ -17,7 +17,7 @@ use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::double_double::{fast_two_sum, two_sum};
 use crate::float::loose::Loose;
-use crate::lanes::{Lane, Sampler};
+use crate::lanes::{Formula, Lane};
 
 /// What the poles of u are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,9 +151,9 @@ impl Flight {
     }
 }
 
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Flying<'_, FIRST> {
+impl<const FIRST: bool> Formula<1, 2> for Flying<'_, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Flight { pole, beside, odd, phase, from_pole, time, u: u_scale, velocity: velocity_scale } =
             self.flight;
         let passed = counted(phase, t * L::splat(*time));

@@ -30,7 +30,7 @@ use crate::float::double_double::two_sum;
 use crate::float::elementary::{quotient, saturated_sinh_cosh};
 use crate::float::exact::sum_of_products;
 use crate::float::wide::Wide;
-use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use crate::lanes::{Formula, Lane, tabulate};
 
 /// One solution c1 pq(Omega t + c2 | m), set up once for many times.
 ///
@@ -186,7 +186,7 @@ impl Form {
     /// as 2^100 half periods away. **Error** at most 4 ulp, plus 2^-100 of the condition.
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let (mut u, mut velocity) = ([0.0], [0.0]);
-        single(Fill { form: self, t: &[t], results: [&mut u, &mut velocity] });
+        Fill { form: self, t: &[t], results: [&mut u, &mut velocity] }.run::<false>();
         (u[0], velocity[0])
     }
     /// u at t, as in [`Form::motion`].
@@ -200,7 +200,7 @@ impl Form {
     /// [`Form::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
         assert!(u.len() == t.len() && velocity.len() == t.len(), "results of another length than the times");
-        wide(Fill { form: self, t, results: [u, velocity] });
+        Fill { form: self, t, results: [u, velocity] }.run::<true>();
     }
 
     /// The regimes that a form serves, found by trying it: p and Q = q c1^2 over a grid of whole numbers.
@@ -318,18 +318,18 @@ fn finished<L: Lane>(form: &Form, slope: Dd, ratio: &Ratio<L>) -> [L; 2] {
     [u * (above_sign * below_sign) * c1, velocity * (left_sign * right_sign) * c1]
 }
 
-impl<L: Lane, const HYPERBOLIC: bool> Sampler<L, 1, 2> for Doubly<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> Formula<1, 2> for Doubly<'_, HYPERBOLIC> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Doubly(form, slope) = self;
         let (_, ratio) = form.jacobi.ratio::<HYPERBOLIC, L>(t);
         finished::<L>(form, *slope, &ratio)
     }
 }
 
-impl<L: Lane> Sampler<L, 1, 2> for Singly<'_> {
+impl Formula<1, 2> for Singly<'_> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Singly(form, slope) = self;
         let Phase { rate, start } = form.argument;
         let (passed, error) = t.two_product(L::splat(rate.hi));
@@ -352,18 +352,16 @@ struct Fill<'a, 'b> {
     results: [&'b mut [f64]; 2],
 }
 
-impl Kernel for Fill<'_, '_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+impl Fill<'_, '_> {
+    fn run<const WIDE: bool>(mut self) {
         let (form, t, results) = (self.form, [self.t], &mut self.results);
         let slope = slope(form.which, &form.unit) * form.rate;
         if form.unit.mc.hi == 0.0 {
-            sweep::<L, _, _, _>(&Singly(form, slope), t, results);
+            tabulate::<WIDE, _, _, _, _>(&Singly(form, slope), t, results);
         } else if form.jacobi.lattice.hyperbolic() {
-            sweep::<L, _, _, _>(&Doubly::<true>(form, slope), t, results);
+            tabulate::<WIDE, _, _, _, _>(&Doubly::<true>(form, slope), t, results);
         } else {
-            sweep::<L, _, _, _>(&Doubly::<false>(form, slope), t, results);
+            tabulate::<WIDE, _, _, _, _>(&Doubly::<false>(form, slope), t, results);
         }
     }
 }

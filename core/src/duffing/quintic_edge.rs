@@ -23,7 +23,7 @@ use crate::float::elementary;
 use crate::float::loose::Loose;
 use crate::float::scaling::ldexp;
 use crate::float::wide::{Wide, exp};
-use crate::lanes::{Lane, Sampler};
+use crate::lanes::{Formula, Lane};
 
 /// What is over sqrt M.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,9 +151,9 @@ fn decay<L: Lane>(d: Dd<L>) -> [Loose<L>; 2] {
     [inverse, (sine * inverse).scale(L::splat(2.0))]
 }
 
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Along<'_, FIRST> {
+impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Along(motion, start) = self;
         let Edge { kind, base, rest, pole, velocity, scales, .. } = motion;
         let (one, zero) = (L::splat(1.0), L::splat(0.0));

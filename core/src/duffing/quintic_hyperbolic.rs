@@ -22,7 +22,7 @@ use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
 use crate::float::loose::Loose;
 use crate::float::scaling::ldexp;
 use crate::float::wide::Wide;
-use crate::lanes::{Lane, Sampler};
+use crate::lanes::{Formula, Lane};
 
 /// What is over sqrt M.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,9 +106,9 @@ fn tanh<L: Lane>(y: Dd<L>) -> Dd<L> {
     quotient(sine, cosine)
 }
 
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Along<'_, FIRST> {
+impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Along(motion, start) = self;
         let Hyperbolic { kind, base, rest, pole, velocity, scales, .. } = motion;
         let (l, m) = (Loose::splat(motion.l), Loose::splat(motion.m));

@@ -9,7 +9,7 @@ use super::quintic_hyperbolic::Along as Hyperbolically;
 use super::quintic_plain::Plain;
 use super::quintic_theta::Theta;
 use super::swing::{Swinging, begun};
-use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use crate::lanes::{Formula, Lane, tabulate};
 
 /// What an evaluation returns first; where it returns no more, the rest is not computed.
 const U: bool = true;
@@ -18,9 +18,9 @@ const VELOCITY: bool = false;
 /// A motion on one side of the theta functions.
 struct Along<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Theta, [f64; 2]);
 
-impl<L: Lane, const HYPERBOLIC: bool, const FIRST: bool> Sampler<L, 1, 2> for Along<'_, HYPERBOLIC, FIRST> {
+impl<const HYPERBOLIC: bool, const FIRST: bool> Formula<1, 2> for Along<'_, HYPERBOLIC, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Along(theta, start) = self;
         begun::<FIRST, L>(*start, t, theta.at::<HYPERBOLIC, L>(t))
     }
@@ -43,35 +43,33 @@ fn plainly(orbit: &CubicQuintic, plain: Option<&Plain>, t: f64) -> (f64, f64) {
     }
 }
 
-impl<const FIRST: bool, const R: usize> Kernel for Fill<'_, '_, FIRST, R> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+impl<const FIRST: bool, const R: usize> Fill<'_, '_, FIRST, R> {
+    fn run<const WIDE: bool>(mut self) {
         let (orbit, t, results) = (self.orbit, [self.t], &mut self.results);
         let plain = match &orbit.course {
             Course::Theta(theta) => {
                 let start = [orbit.u0, orbit.velocity0];
                 return match (theta.arc(), &theta.drawing.way) {
                     (Some(arc), Way::Swing(swing)) => {
-                        sweep::<L, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
+                        tabulate::<WIDE, _, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
                     }
                     (Some(arc), Way::Flight(flight)) => {
-                        sweep::<L, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
+                        tabulate::<WIDE, _, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
                     }
                     _ if theta.lattice.hyperbolic() => {
-                        sweep::<L, _, _, _>(&Along::<true, FIRST>(theta, start), t, results)
+                        tabulate::<WIDE, _, _, _, _>(&Along::<true, FIRST>(theta, start), t, results)
                     }
-                    _ => sweep::<L, _, _, _>(&Along::<false, FIRST>(theta, start), t, results),
+                    _ => tabulate::<WIDE, _, _, _, _>(&Along::<false, FIRST>(theta, start), t, results),
                 };
             }
             Course::Plain(_, Some(motion)) => {
                 let start = [orbit.u0, orbit.velocity0];
                 return match &**motion {
                     Ordinary::Hyperbolic(motion) => {
-                        sweep::<L, _, _, _>(&Hyperbolically::<FIRST>(motion, start), t, results)
+                        tabulate::<WIDE, _, _, _, _>(&Hyperbolically::<FIRST>(motion, start), t, results)
                     }
                     Ordinary::Edge(motion) => {
-                        sweep::<L, _, _, _>(&Outwards::<FIRST>(motion, start), t, results)
+                        tabulate::<WIDE, _, _, _, _>(&Outwards::<FIRST>(motion, start), t, results)
                     }
                 };
             }
@@ -108,36 +106,36 @@ impl CubicQuintic {
     /// 2^-100 of the condition.
     pub fn u(&self, t: f64) -> f64 {
         let mut u = [0.0];
-        single(self.fill::<U, 1>(&[t], [&mut u]));
+        self.fill::<U, 1>(&[t], [&mut u]).run::<false>();
         u[0]
     }
 
     /// u' at t; domain and error as for [`CubicQuintic::u`].
     pub fn velocity(&self, t: f64) -> f64 {
         let mut velocity = [0.0];
-        single(self.fill::<VELOCITY, 1>(&[t], [&mut velocity]));
+        self.fill::<VELOCITY, 1>(&[t], [&mut velocity]).run::<false>();
         velocity[0]
     }
 
     /// u and u' at t, bit for bit those of [`CubicQuintic::u`] and [`CubicQuintic::velocity`].
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let (mut u, mut velocity) = ([0.0], [0.0]);
-        single(self.fill::<U, 2>(&[t], [&mut u, &mut velocity]));
+        self.fill::<U, 2>(&[t], [&mut u, &mut velocity]).run::<false>();
         (u[0], velocity[0])
     }
 
     /// [`CubicQuintic::u`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
-        wide(self.fill::<U, 1>(t, [u]));
+        self.fill::<U, 1>(t, [u]).run::<true>();
     }
 
     /// [`CubicQuintic::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        wide(self.fill::<VELOCITY, 1>(t, [velocity]));
+        self.fill::<VELOCITY, 1>(t, [velocity]).run::<true>();
     }
 
     /// [`CubicQuintic::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
-        wide(self.fill::<U, 2>(t, [u, velocity]));
+        self.fill::<U, 2>(t, [u, velocity]).run::<true>();
     }
 }

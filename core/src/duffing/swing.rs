@@ -18,7 +18,7 @@ use crate::elliptic::arc::{Arc, Curve, Place, rounded_product, to_ends};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::Dd;
 use crate::float::loose::Loose;
-use crate::lanes::{Lane, Sampler};
+use crate::lanes::{Formula, Lane};
 
 /// Where the phase is counted from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,9 +112,9 @@ pub(super) fn begun<const FIRST: bool, L: Lane>(start: [f64; 2], t: L, [u, veloc
     if FIRST { [u, velocity] } else { [velocity, u] }
 }
 
-impl<L: Lane, const FIRST: bool> Sampler<L, 1, 2> for Swinging<'_, FIRST> {
+impl<const FIRST: bool> Formula<1, 2> for Swinging<'_, FIRST> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Swing { base, taken, phase, time, u: u_scale, velocity: velocity_scale } = self.swing;
         let (n, f) = phase.spread::<L>().count(t * L::splat(*time), LAST_HALF_PERIOD);
         let (p, r) = (self.arc.first(f), self.arc.second(f));

@@ -7,7 +7,7 @@
 use super::jacobi::{Jacobi, Range, Ratio, TINY};
 use crate::float::Dd;
 use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
-use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use crate::lanes::{Formula, Lane, tabulate};
 
 /// The twelve: pq is the function with the zeros of ps and the poles of qs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -120,14 +120,14 @@ impl Jacobi {
     /// ```
     pub fn glaisher(&self, which: Glaisher, u: f64) -> f64 {
         let mut value = [0.0];
-        single(Fill { jacobi: self, which, u: &[u], result: &mut value });
+        Fill { jacobi: self, which, u: &[u], result: &mut value }.run::<false>();
         value[0]
     }
 
     /// [`Jacobi::glaisher`] of every u, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn glaisher_into(&self, which: Glaisher, u: &[f64], out: &mut [f64]) {
         assert!(out.len() == u.len(), "results of another length than the arguments");
-        wide(Fill { jacobi: self, which, u, result: out });
+        Fill { jacobi: self, which, u, result: out }.run::<true>();
     }
 }
 
@@ -146,9 +146,9 @@ fn odd<L: Lane>([above, below]: [Letter; 2], u: L, value: L) -> L {
 
 struct Doubly<'a, const HYPERBOLIC: bool>(&'a Jacobi, [Letter; 2]);
 
-impl<L: Lane, const HYPERBOLIC: bool> Sampler<L, 1, 1> for Doubly<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> Formula<1, 1> for Doubly<'_, HYPERBOLIC> {
     #[inline(always)]
-    fn at(&self, [u]: [L; 1]) -> [L; 1] {
+    fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
         let (_, ratio) = self.0.ratio::<HYPERBOLIC, L>(u);
         let (above, above_sign) = part(&ratio, self.1[0]);
         let (below, below_sign) = part(&ratio, self.1[1]);
@@ -174,10 +174,10 @@ struct Singly([Letter; 2]);
 /// Where tanh is 1 to a double-double, and sinh is cosh.
 const LEVEL: f64 = 40.0;
 
-impl<L: Lane> Sampler<L, 1, 1> for Singly {
+impl Formula<1, 1> for Singly {
     /// tanh, sech and their quotients: from sinh and cosh where both matter, from e^-u where the range ends.
     #[inline(always)]
-    fn at(&self, [u]: [L; 1]) -> [L; 1] {
+    fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
         use Letter::{C, D, N, S};
         let sign = L::splat(1.0).copysign(u);
         let y = Dd::from_double(u.abs());
@@ -209,18 +209,16 @@ struct Fill<'a, 'b> {
     result: &'b mut [f64],
 }
 
-impl Kernel for Fill<'_, '_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(self) {
+impl Fill<'_, '_> {
+    fn run<const WIDE: bool>(self) {
         let Fill { jacobi, which, u, result } = self;
         let letters = which.letters();
         if jacobi.range == Range::One {
-            sweep::<L, _, _, _>(&Singly(letters), [u], &mut [result]);
+            tabulate::<WIDE, _, _, _, _>(&Singly(letters), [u], &mut [result]);
         } else if jacobi.lattice.hyperbolic() {
-            sweep::<L, _, _, _>(&Doubly::<true>(jacobi, letters), [u], &mut [result]);
+            tabulate::<WIDE, _, _, _, _>(&Doubly::<true>(jacobi, letters), [u], &mut [result]);
         } else {
-            sweep::<L, _, _, _>(&Doubly::<false>(jacobi, letters), [u], &mut [result]);
+            tabulate::<WIDE, _, _, _, _>(&Doubly::<false>(jacobi, letters), [u], &mut [result]);
         }
     }
 }

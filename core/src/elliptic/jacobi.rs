@@ -9,7 +9,7 @@ use super::phase::Phase;
 use super::theta::{Lattice, Thetas};
 use crate::float::elementary::{arctangent, long_sinh_cosh, quotient, saturated_sinh_cosh, sech};
 use crate::float::{Dd, PI, Wide, wide};
-use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use crate::lanes::{Formula, Lane, tabulate};
 
 /// Where the parameter lies, which decides the formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,7 +99,7 @@ impl Jacobi {
     /// **Error** at most 3 ulp (plus 2^-100 of the condition in u).
     pub fn values(&self, u: f64) -> (f64, f64, f64, f64) {
         let [mut sn, mut cn, mut dn, mut am] = [[0.0]; 4];
-        single(Fill { jacobi: self, u: &[u], results: [&mut sn, &mut cn, &mut dn, &mut am] });
+        Fill { jacobi: self, u: &[u], results: [&mut sn, &mut cn, &mut dn, &mut am] }.run::<false>();
         (sn[0], cn[0], dn[0], am[0])
     }
 
@@ -110,7 +110,7 @@ impl Jacobi {
             results.iter().all(|result| result.len() == u.len()),
             "results of another length than the arguments"
         );
-        wide(Fill { jacobi: self, u, results });
+        Fill { jacobi: self, u, results }.run::<true>();
     }
 
     #[inline(always)]
@@ -243,18 +243,18 @@ fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
 
 struct Doubly<'a, const HYPERBOLIC: bool>(&'a Jacobi);
 
-impl<L: Lane, const HYPERBOLIC: bool> Sampler<L, 1, 4> for Doubly<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> Formula<1, 4> for Doubly<'_, HYPERBOLIC> {
     #[inline(always)]
-    fn at(&self, [u]: [L; 1]) -> [L; 4] {
+    fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
         odd(u, self.0.elliptic::<HYPERBOLIC, L>(u))
     }
 }
 
 struct Singly<'a>(&'a Jacobi);
 
-impl<L: Lane> Sampler<L, 1, 4> for Singly<'_> {
+impl Formula<1, 4> for Singly<'_> {
     #[inline(always)]
-    fn at(&self, [u]: [L; 1]) -> [L; 4] {
+    fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
         odd(u, self.0.hyperbolic(u))
     }
 }
@@ -266,17 +266,15 @@ struct Fill<'a, 'b> {
     results: [&'b mut [f64]; 4],
 }
 
-impl Kernel for Fill<'_, '_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+impl Fill<'_, '_> {
+    fn run<const WIDE: bool>(mut self) {
         let (jacobi, u, results) = (self.jacobi, self.u, &mut self.results);
         if jacobi.range == Range::One {
-            sweep::<L, _, _, _>(&Singly(jacobi), [u], results);
+            tabulate::<WIDE, _, _, _, _>(&Singly(jacobi), [u], results);
         } else if jacobi.lattice.hyperbolic() {
-            sweep::<L, _, _, _>(&Doubly::<true>(jacobi), [u], results);
+            tabulate::<WIDE, _, _, _, _>(&Doubly::<true>(jacobi), [u], results);
         } else {
-            sweep::<L, _, _, _>(&Doubly::<false>(jacobi), [u], results);
+            tabulate::<WIDE, _, _, _, _>(&Doubly::<false>(jacobi), [u], results);
         }
     }
 }

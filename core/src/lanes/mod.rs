@@ -4,23 +4,29 @@
 //! IEEE operation (or an error-free pair of them), so all widths of one instruction set give the same bits.
 //! Instruction sets differ only in whether `mul_add` is fused.
 
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
 mod fused;
 mod scalar;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
+#[cfg(any(
+    all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)),
+    target_feature = "simd128"
+))]
 mod twice;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
+#[cfg(any(
+    all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)),
+    target_feature = "simd128"
+))]
 mod vector;
 #[cfg(target_feature = "simd128")]
 mod wasm;
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", not(one_instruction_set)))]
 #[path = "x86.rs"]
 mod host;
-#[cfg(target_arch = "aarch64")]
+#[cfg(all(target_arch = "aarch64", not(one_instruction_set)))]
 #[path = "neon.rs"]
 mod host;
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+#[cfg(any(one_instruction_set, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 #[path = "plain.rs"]
 mod host;
 
@@ -105,24 +111,72 @@ pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
     let mut at = 0;
     while at < rows {
         let rest = rows - at;
-        for (lane, argument) in lanes.iter_mut().zip(&arguments) {
-            *lane = if rest >= L::WIDTH {
-                L::load(&argument[at..])
+        let mut i = 0;
+        while i < A {
+            lanes[i] = if rest >= L::WIDTH {
+                L::load(&arguments[i][at..])
             } else {
-                padded[..rest].copy_from_slice(&argument[at..]);
+                padded[..rest].copy_from_slice(&arguments[i][at..]);
                 L::load(&padded)
             };
+            i += 1;
         }
-        for (result, value) in results.iter_mut().zip(sampler.at(lanes)) {
+        let values = sampler.at(lanes);
+        let mut i = 0;
+        while i < R {
             if rest >= L::WIDTH {
-                value.store(&mut result[at..]);
+                values[i].store(&mut results[i][at..]);
             } else {
-                value.store(&mut padded);
-                result[at..].copy_from_slice(&padded[..rest]);
+                values[i].store(&mut padded);
+                results[i][at..].copy_from_slice(&padded[..rest]);
             }
+            i += 1;
         }
         at += L::WIDTH;
     }
+}
+
+/// A function of A numbers with N results that serves every lane.
+pub trait Formula<const A: usize, const N: usize> {
+    /// The results at one lane of each argument; `#[inline(always)]`.
+    fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N];
+}
+
+/// A formula as the sampler of one lane.
+struct By<'a, S>(&'a S);
+
+impl<L: Lane, S: Formula<A, N>, const A: usize, const N: usize> Sampler<L, A, N> for By<'_, S> {
+    #[inline(always)]
+    fn at(&self, arguments: [L; A]) -> [L; N] {
+        self.0.at(arguments)
+    }
+}
+
+/// One formula, one loop: the only kernel of samples.
+struct Sweep<'s, 'a, 'b, S, const A: usize, const N: usize, const R: usize> {
+    formula: &'s S,
+    arguments: [&'a [f64]; A],
+    results: &'s mut [&'b mut [f64]; R],
+}
+
+impl<S: Formula<A, N>, const A: usize, const N: usize, const R: usize> Kernel
+    for Sweep<'_, '_, '_, S, A, N, R>
+{
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        sweep::<L, A, N, R>(&By(self.formula), self.arguments, self.results)
+    }
+}
+
+/// The formula at every row, on the widest lanes or on lanes of width one.
+pub fn tabulate<const WIDE: bool, S: Formula<A, N>, const A: usize, const N: usize, const R: usize>(
+    formula: &S,
+    arguments: [&[f64]; A],
+    results: &mut [&mut [f64]; R],
+) {
+    let sweep = Sweep::<S, A, N, R> { formula, arguments, results };
+    if WIDE { wide(sweep) } else { single(sweep) }
 }
 
 /// What a processor can do that changes the last digits or the speed.
@@ -145,15 +199,7 @@ impl InstructionSet {
     pub fn available() -> &'static [InstructionSet] {
         const ALL: [InstructionSet; 3] =
             [InstructionSet::Plain, InstructionSet::Fused, InstructionSet::Avx512];
-        #[cfg(target_arch = "x86_64")]
-        let count = {
-            let fused =
-                std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
-            1 + usize::from(fused) + usize::from(fused && std::arch::is_x86_feature_detected!("avx512f"))
-        };
-        #[cfg(not(target_arch = "x86_64"))]
-        let count = if cfg!(target_arch = "aarch64") { 2 } else { 1 };
-        &ALL[..count]
+        &ALL[..host::instruction_sets()]
     }
 
     /// The set in use: the best one, unless [`InstructionSet::force`] has chosen another.

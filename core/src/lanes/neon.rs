@@ -8,6 +8,11 @@ use super::twice::Twice;
 use super::vector::vector;
 use core::arch::aarch64::*;
 
+/// How many of `InstructionSet` this processor has.
+pub fn instruction_sets() -> usize {
+    2
+}
+
 /// Width one.
 #[inline]
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {

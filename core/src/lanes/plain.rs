@@ -3,6 +3,11 @@
 
 use super::Kernel;
 
+/// How many of `InstructionSet` this processor has.
+pub fn instruction_sets() -> usize {
+    1
+}
+
 /// Not on this processor.
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<f64>()

@@ -31,7 +31,8 @@ impl Lane for f64 {
     fn mul_add(self, factor: f64, term: f64) -> f64 {
         self * factor + term
     }
-    #[inline(always)]
+    /// Not inlined: long, and everywhere.
+    #[inline(never)]
     fn two_product(self, factor: f64) -> (f64, f64) {
         let (a, up_a) = if f64::abs(self) > HUGE { (self * DOWN, UP) } else { (self, 1.0) };
         let (b, up_b) = if f64::abs(factor) > HUGE { (factor * DOWN, UP) } else { (factor, 1.0) };

@@ -9,6 +9,12 @@ use super::twice::Twice;
 use super::vector::vector;
 use core::arch::x86_64::*;
 
+/// How many of `InstructionSet` this processor has.
+pub fn instruction_sets() -> usize {
+    let fused = std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
+    1 + usize::from(fused) + usize::from(fused && std::arch::is_x86_feature_detected!("avx512f"))
+}
+
 /// Width one, compiled for AVX2 with FMA.
 #[inline]
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {

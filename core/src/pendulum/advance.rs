@@ -15,7 +15,6 @@ use crate::elliptic::theta::Lattice;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
 use crate::float::scaling::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
-use crate::lanes::single;
 
 /// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
 ///
@@ -31,11 +30,12 @@ use crate::lanes::single;
 pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
     let (mut next_theta, mut next_velocity) = ([f64::NAN], [f64::NAN]);
     if let Some(omega) = frequency.downward_root() {
-        single(Rows {
+        Rows {
             arguments: [&[theta], &[velocity], &[dt], &[omega.hi]],
             omega_rest: omega.lo,
             results: [&mut next_theta, &mut next_velocity],
-        });
+        }
+        .run::<false>();
     }
     match (next_theta[0], next_velocity[0]) {
         (theta, velocity) if !(theta.is_nan() || velocity.is_nan()) => (theta, velocity),

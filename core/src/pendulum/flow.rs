@@ -15,7 +15,7 @@ use crate::float::double_double::two_sum;
 use crate::float::elementary::arctangent;
 use crate::float::loose::Loose;
 use crate::float::{Dd, PI, TWO_PI, series};
-use crate::lanes::{Lane, Sampler};
+use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 
 /// Beyond so many half periods times 1 - m a row is left apart: what double-doubles lose of the period next to the
 /// separatrix adds up.
@@ -123,12 +123,32 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
     }
 }
 
+/// One start, many times: set up on the lanes that it is swept over.
+pub(super) struct Alike<'s, 'a, 'b, const ROTATION: bool, const HYPERBOLIC: bool> {
+    pub theta: f64,
+    pub velocity: f64,
+    pub omega: [f64; 2],
+    pub dt: &'a [f64],
+    pub results: &'s mut [&'b mut [f64]; 2],
+}
+
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for Alike<'_, '_, '_, ROTATION, HYPERBOLIC> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let omega = Loose::new(L::splat(self.omega[0]), L::splat(self.omega[1]));
+        let (theta, velocity) = (L::splat(self.theta), L::splat(self.velocity));
+        let start = Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
+        sweep::<L, _, _, _>(&start, [self.dt], self.results)
+    }
+}
+
 /// A start of its own in every row of theta, velocity, dt, omega0; the double is what every omega0 lacks.
 pub(super) struct Own<const ROTATION: bool, const HYPERBOLIC: bool>(pub f64);
 
-impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 4, 2> for Own<ROTATION, HYPERBOLIC> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for Own<ROTATION, HYPERBOLIC> {
     #[inline(always)]
-    fn at(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
+    fn at<L: Lane>(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
         let omega = Loose::new(omega, L::splat(self.0));
         Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
     }

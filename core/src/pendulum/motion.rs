@@ -6,7 +6,7 @@ use super::canonical::{AngleOnly, Both, Path, Ridge, Spin, Sway, Swing, Velocity
 use super::orbit::{Course, Orbit};
 use crate::float::elementary::arctangent;
 use crate::float::{Dd, PI, TWO_PI, circle};
-use crate::lanes::{Kernel, Lane, Sampler, single, sweep, wide};
+use crate::lanes::{Formula, Kernel, Lane, single, tabulate};
 use core::marker::PhantomData;
 
 /// An angle 2 pi (frame.turns + turns) + local, with local in [-pi, pi].
@@ -67,9 +67,9 @@ impl<P: Path, W: Wanted> Along<'_, P, W> {
     }
 }
 
-impl<L: Lane, P: Path, W: Wanted> Sampler<L, 1, 2> for Along<'_, P, W> {
+impl<P: Path, W: Wanted> Formula<1, 2> for Along<'_, P, W> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let (theta, velocity) = self.sample(t);
         W::first(theta, velocity)
     }
@@ -101,9 +101,9 @@ impl<W> Straight<'_, W> {
     }
 }
 
-impl<L: Lane, W: Wanted> Sampler<L, 1, 2> for Straight<'_, W> {
+impl<W: Wanted> Formula<1, 2> for Straight<'_, W> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 2] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let (theta, velocity) = self.sample(t);
         W::first(theta, velocity)
     }
@@ -145,14 +145,12 @@ macro_rules! on_path {
     }};
 }
 
-impl<W: Wanted, const R: usize> Kernel for Fill<'_, '_, W, R> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+impl<W: Wanted, const R: usize> Fill<'_, '_, W, R> {
+    fn run<const WIDE: bool>(mut self) {
         let (orbit, t, results, wanted) = (self.orbit, [self.t], &mut self.results, self.wanted);
         on_path!(orbit,
-            path => sweep::<L, _, _, _>(&Along(orbit, path, wanted), t, results),
-            straight => sweep::<L, _, _, _>(&Straight(orbit, wanted), t, results)
+            path => tabulate::<WIDE, _, _, _, _>(&Along(orbit, path, wanted), t, results),
+            straight => tabulate::<WIDE, _, _, _, _>(&Straight(orbit, wanted), t, results)
         )
     }
 }
@@ -176,37 +174,37 @@ impl Orbit {
     /// away. **Error** at most 4 ulp of max(|theta|, 2^-30 of the largest), plus 2^-100 of the condition.
     pub fn theta(&self, t: f64) -> f64 {
         let mut theta = [0.0];
-        single(self.fill::<AngleOnly, 1>(&[t], [&mut theta]));
+        self.fill::<AngleOnly, 1>(&[t], [&mut theta]).run::<false>();
         theta[0]
     }
 
     /// Angular velocity at t; domain and error as for [`Orbit::theta`].
     pub fn velocity(&self, t: f64) -> f64 {
         let mut velocity = [0.0];
-        single(self.fill::<VelocityOnly, 1>(&[t], [&mut velocity]));
+        self.fill::<VelocityOnly, 1>(&[t], [&mut velocity]).run::<false>();
         velocity[0]
     }
 
     /// Angle and angular velocity at t, bit for bit those of [`Orbit::theta`] and [`Orbit::velocity`].
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let (mut theta, mut velocity) = ([0.0], [0.0]);
-        single(self.fill::<Both, 2>(&[t], [&mut theta, &mut velocity]));
+        self.fill::<Both, 2>(&[t], [&mut theta, &mut velocity]).run::<false>();
         (theta[0], velocity[0])
     }
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        wide(self.fill::<AngleOnly, 1>(t, [theta]));
+        self.fill::<AngleOnly, 1>(t, [theta]).run::<true>();
     }
 
     /// [`Orbit::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        wide(self.fill::<VelocityOnly, 1>(t, [velocity]));
+        self.fill::<VelocityOnly, 1>(t, [velocity]).run::<true>();
     }
 
     /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
-        wide(self.fill::<Both, 2>(t, [theta, velocity]));
+        self.fill::<Both, 2>(t, [theta, velocity]).run::<true>();
     }
 
     /// Whole turns n and the angle in [-pi, pi) with theta = 2 pi n + angle.

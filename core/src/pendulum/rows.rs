@@ -1,12 +1,11 @@
 //! Rows with states of their own: a block of them sorted by the formula they ask for, and each class swept over lanes.
 
-use super::flow::{Own, Start};
+use super::flow::{Alike, Own};
 use crate::elliptic::lattices::LEAST_COMPLEMENT;
 use crate::elliptic::phase::alternating;
 use crate::float::circle::{FAR, half_turns};
 use crate::float::elementary::sin_cos;
-use crate::float::loose::Loose;
-use crate::lanes::{Kernel, Lane, Sampler, sweep, wide};
+use crate::lanes::{Formula, Lane, tabulate, wide};
 
 /// The formula that a row asks for.
 mod class {
@@ -33,9 +32,9 @@ const LARGE: f64 = 1e100;
 /// The class of theta, velocity, omega0, from 1 - kappa^2 to a few roundings.
 struct Classify;
 
-impl<L: Lane> Sampler<L, 3, 1> for Classify {
+impl Formula<3, 1> for Classify {
     #[inline(always)]
-    fn at(&self, [theta, velocity, omega]: [L; 3]) -> [L; 1] {
+    fn at<L: Lane>(&self, [theta, velocity, omega]: [L; 3]) -> [L; 1] {
         let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
         let (j, rest) = half_turns(theta);
         let x = (velocity / (omega + omega)).abs();
@@ -115,8 +114,7 @@ fn repeats(column: &[f64]) -> bool {
 
 impl Rows<'_, '_> {
     /// All rows by the formula of one class; `alike` where they have one start.
-    #[inline(always)]
-    fn sweep_class<L: Lane>(
+    fn sweep_class<const WIDE: bool>(
         class: usize,
         alike: bool,
         omega_rest: f64,
@@ -127,13 +125,15 @@ impl Rows<'_, '_> {
         macro_rules! flow {
             ($rotation:literal, $hyperbolic:literal) => {{
                 if alike {
-                    let omega = Loose::new(L::splat(omega[0]), L::splat(omega_rest));
-                    let (theta, velocity) = (L::splat(theta[0]), L::splat(velocity[0]));
-                    let start = Start::<L, $rotation, $hyperbolic>::new(theta, velocity, omega);
-                    sweep::<L, _, _, _>(&start, [dt], results)
+                    let omega = [omega[0], omega_rest];
+                    let (theta, velocity) = (theta[0], velocity[0]);
+                    wide(Alike::<$rotation, $hyperbolic> { theta, velocity, omega, dt, results })
                 } else {
-                    let own = Own::<$rotation, $hyperbolic>(omega_rest);
-                    sweep::<L, _, _, _>(&own, arguments, results)
+                    tabulate::<WIDE, _, _, _, _>(
+                        &Own::<$rotation, $hyperbolic>(omega_rest),
+                        arguments,
+                        results,
+                    )
                 }
             }};
         }
@@ -151,16 +151,15 @@ impl Rows<'_, '_> {
     }
 
     /// Up to a block of rows, by their classes.
-    #[inline(always)]
-    fn block<L: Lane>(omega_rest: f64, arguments: [&[f64]; 4], results: &mut [&mut [f64]; 2]) {
+    fn block<const WIDE: bool>(omega_rest: f64, arguments: [&[f64]; 4], results: &mut [&mut [f64]; 2]) {
         let rows = arguments[0].len();
         let mut codes = [0.0; BLOCK];
         let [theta, velocity, _, omega] = arguments;
-        sweep::<L, _, _, _>(&Classify, [theta, velocity, omega], &mut [&mut codes[..rows]]);
+        tabulate::<WIDE, _, _, _, _>(&Classify, [theta, velocity, omega], &mut [&mut codes[..rows]]);
         let codes = &codes[..rows];
         if codes.iter().all(|code| *code == codes[0]) {
-            let alike = rows > L::WIDTH && [theta, velocity, omega].iter().all(|column| repeats(column));
-            return Self::sweep_class::<L>(codes[0] as usize, alike, omega_rest, arguments, results);
+            let alike = rows > ENOUGH && [theta, velocity, omega].iter().all(|column| repeats(column));
+            return Self::sweep_class::<WIDE>(codes[0] as usize, alike, omega_rest, arguments, results);
         }
         let mut sorted = Sorted::new(codes);
         for (class, members) in sorted.members.iter().enumerate() {
@@ -172,7 +171,7 @@ impl Rows<'_, '_> {
             }
             let mut places = sorted.results.each_mut().map(|column| &mut column[..members.len()]);
             let gathered = first_rows(&sorted.arguments, members.len());
-            Self::sweep_class::<L>(class, false, omega_rest, gathered, &mut places);
+            Self::sweep_class::<WIDE>(class, false, omega_rest, gathered, &mut places);
             for (result, column) in results.iter_mut().zip(&sorted.results) {
                 for (value, row) in column.iter().zip(members) {
                     result[usize::from(*row)] = *value;
@@ -182,10 +181,11 @@ impl Rows<'_, '_> {
     }
 }
 
-impl Kernel for Rows<'_, '_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+/// More rows than a lane: a set-up in common pays.
+const ENOUGH: usize = 16;
+
+impl Rows<'_, '_> {
+    pub fn run<const WIDE: bool>(mut self) {
         let rows = self.arguments[0].len();
         let mut from = 0;
         while from < rows {
@@ -195,7 +195,7 @@ impl Kernel for Rows<'_, '_> {
                 *argument = &argument[from..to];
             }
             let mut results = self.results.each_mut().map(|result| &mut result[from..to]);
-            Self::block::<L>(self.omega_rest, arguments, &mut results);
+            Self::block::<WIDE>(self.omega_rest, arguments, &mut results);
             from = to;
         }
     }
@@ -211,7 +211,7 @@ pub(super) fn fill(
     let rows = arguments[0].len();
     let fits = arguments.iter().all(|column| column.len() == rows);
     assert!(fits && theta.len() == rows && velocity.len() == rows, "rows of another length than the first");
-    wide(Rows { arguments, omega_rest: 0.0, results: [theta, velocity] });
+    Rows { arguments, omega_rest: 0.0, results: [&mut *theta, &mut *velocity] }.run::<true>();
     for row in 0..rows {
         if theta[row].is_nan() || velocity[row].is_nan() {
             (theta[row], velocity[row]) = apart(arguments.map(|column| column[row]));

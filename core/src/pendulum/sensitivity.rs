@@ -25,7 +25,6 @@ use crate::float::elementary::long_sinh_cosh;
 use crate::float::scaling::ldexp;
 use crate::float::wide::exp;
 use crate::float::{Dd, PI, Wide};
-use crate::lanes::{single, wide};
 
 /// Rows: angle, velocity. Columns: their derivatives by the initial angle, the initial velocity and omega0.
 pub type Jacobian = [[f64; 3]; 2];
@@ -296,7 +295,7 @@ impl Sensitivity {
     /// angle, the largest velocity and omega0.
     pub fn at(&self, t: f64) -> Jacobian {
         let mut slopes = [[0.0]; 6];
-        self.sample(&[t], slopes.each_mut().map(|column| column.as_mut_slice()), |fill| single(fill));
+        self.sample(&[t], slopes.each_mut().map(|column| column.as_mut_slice()), |fill| fill.run::<false>());
         let [[a], [b], [c], [d], [e], [f]] = slopes;
         [[a, b, c], [d, e, f]]
     }
@@ -308,7 +307,7 @@ impl Sensitivity {
             slopes.iter().all(|column| column.len() == t.len()),
             "results of another length than the times"
         );
-        self.sample(t, slopes, |fill| wide(fill));
+        self.sample(t, slopes, |fill| fill.run::<true>());
     }
 
     /// By Carlson's integrals in double-double.

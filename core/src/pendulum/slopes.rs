@@ -12,7 +12,7 @@ use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::Lattice;
 use crate::float::{HALF_PI, PI, Wide};
-use crate::lanes::{Kernel, Lane, Sampler, sweep};
+use crate::lanes::{Formula, Lane, tabulate};
 
 /// Least 1 - m: below, too many of a double's digits cancel.
 const LEAST_COMPLEMENT: f64 = 1e-3;
@@ -154,11 +154,9 @@ impl Slopes {
 
 struct On<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Slopes);
 
-impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 6>
-    for On<'_, ROTATION, HYPERBOLIC>
-{
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<1, 6> for On<'_, ROTATION, HYPERBOLIC> {
     #[inline(always)]
-    fn at(&self, [t]: [L; 1]) -> [L; 6] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 6] {
         self.0.at::<ROTATION, HYPERBOLIC, L>(t)
     }
 }
@@ -170,16 +168,14 @@ pub(super) struct Fill<'a, 'b> {
     pub results: [&'b mut [f64]; 6],
 }
 
-impl Kernel for Fill<'_, '_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
+impl Fill<'_, '_> {
+    pub(super) fn run<const WIDE: bool>(mut self) {
         let (slopes, t, results) = (self.slopes, [self.t], &mut self.results);
         match (slopes.rotation, slopes.lattice.hyperbolic()) {
-            (false, false) => sweep::<L, _, _, _>(&On::<false, false>(slopes), t, results),
-            (false, true) => sweep::<L, _, _, _>(&On::<false, true>(slopes), t, results),
-            (true, false) => sweep::<L, _, _, _>(&On::<true, false>(slopes), t, results),
-            (true, true) => sweep::<L, _, _, _>(&On::<true, true>(slopes), t, results),
+            (false, false) => tabulate::<WIDE, _, _, _, _>(&On::<false, false>(slopes), t, results),
+            (false, true) => tabulate::<WIDE, _, _, _, _>(&On::<false, true>(slopes), t, results),
+            (true, false) => tabulate::<WIDE, _, _, _, _>(&On::<true, false>(slopes), t, results),
+            (true, true) => tabulate::<WIDE, _, _, _, _>(&On::<true, true>(slopes), t, results),
         }
     }
 }
