@@ -24,21 +24,22 @@
 //! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
 
 pub mod approx;
-pub mod duffing;
 pub mod elliptic;
 pub mod float;
 pub mod lanes;
+mod motion;
+pub mod oscillator;
 pub mod pendulum;
 
 mod domain;
 
 pub use domain::Domain;
-pub use duffing::{CubicQuintic, Duffing, Form};
 pub use elliptic::{
     Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf,
     carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,
     incomplete_pi, inverse_jacobi, nome,
 };
+pub use oscillator::{CubicQuintic, Duffing, Form};
 pub use pendulum::{Fourier, Frequency, Jacobian, Orbit, Regime, Sensitivity, advance, advance_into};
 
 /// Version of the core, and of everything built on it.

@@ -1,7 +1,7 @@
 //! What holds for every orbit of the cubic-quintic oscillator whatever its inputs: energy, the equation itself, time
 //! reversal, the cubic oscillator as the case gamma = 0, scaling by powers of two, passages, and every exact boundary.
 
-use libration::duffing::Regime;
+use libration::oscillator::Regime;
 use libration::{CubicQuintic, Duffing};
 
 /// A sequence without a library: the same numbers on every machine.

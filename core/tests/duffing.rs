@@ -2,8 +2,8 @@
 
 mod oscillator;
 
-use libration::duffing::{Regime, duffing_motion_into};
 use libration::lanes::InstructionSet;
+use libration::oscillator::{Regime, duffing_motion_into};
 use libration::{Duffing, Glaisher};
 use oscillator::{Spread, energy, energy_scale, example, scales};
 use std::sync::Mutex;

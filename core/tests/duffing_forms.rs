@@ -2,7 +2,7 @@
 
 mod oscillator;
 
-use libration::duffing::Regime;
+use libration::oscillator::Regime;
 use libration::{Duffing, Form, Frequency, Glaisher, Orbit};
 use oscillator::{Spread, energy, energy_scale, scales};
 

@@ -3,8 +3,8 @@
 mod ruler;
 
 use libration::Duffing;
-use libration::duffing::duffing_motion_into;
 use libration::lanes::InstructionSet;
+use libration::oscillator::duffing_motion_into;
 use ruler::{Row, distance, rows, summary, ulp};
 use std::collections::BTreeMap;
 

@@ -2,7 +2,7 @@
 
 mod ruler;
 
-use libration::pendulum::second::Hessians;
+use libration::pendulum::second_derivatives::Hessians;
 use libration::{Frequency, Orbit};
 use ruler::rows;
 

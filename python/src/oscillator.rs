@@ -1,6 +1,6 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
-use libration::duffing::{Companion, CubicQuintic as Quintic, Duffing as Cubic, Form};
+use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, Form};
 use libration::{Frequency, Glaisher};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
@@ -197,7 +197,7 @@ impl DuffingForm {
     #[staticmethod]
     fn table() -> Vec<(&'static str, Vec<&'static str>)> {
         let line = |(which, regimes): (Glaisher, Vec<_>)| {
-            (which.name(), regimes.into_iter().map(libration::duffing::Regime::name).collect())
+            (which.name(), regimes.into_iter().map(libration::oscillator::Regime::name).collect())
         };
         Form::table().into_iter().map(line).collect()
     }

@@ -6,10 +6,10 @@
 use super::angle_phase::{counted, framed, turning_angle};
 use super::salas::{CUBIC, QUINTIC};
 use crate::domain::Domain;
-use crate::duffing::{CubicQuintic, Duffing};
 use crate::elliptic::phase::Phase;
-use crate::float::scaling::{exp2, ldexp};
-use crate::float::{Dd, PI, Td, Wide};
+use crate::float::exponent::{exp2, ldexp};
+use crate::float::{Dd, PI, Scaled, Td};
+use crate::oscillator::{CubicQuintic, Duffing};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::{Elliptic, carried};
 
@@ -20,10 +20,10 @@ pub(super) struct Linear {
     /// omega0 is its root times 2^power.
     power: i32,
     period: f64,
-    start: Wide,
-    velocity: Wide,
+    start: Scaled,
+    velocity: Scaled,
     /// velocity0/omega0.
-    swing: Wide,
+    swing: Scaled,
 }
 
 /// Phases below this the cosine does not show, in any digit of a double-double.
@@ -35,13 +35,13 @@ const NONE: i32 = -5000;
 impl Linear {
     pub fn new(orbit: &Orbit) -> Linear {
         let (root, power) = orbit.force.root().unwrap_or((Td::ONE, NONE));
-        let omega = Wide::new(root.to_dd(), power);
-        let velocity = Wide::from(orbit.velocity0);
+        let omega = Scaled::new(root.to_dd(), power);
+        let velocity = Scaled::from(orbit.velocity0);
         Linear {
             phase: Phase { rate: root.to_dd() / PI, start: Dd::ZERO },
             power,
-            period: (Wide::from(PI.scale(2.0)) / omega).value(),
-            start: Wide::from(orbit.theta0),
+            period: (Scaled::from(PI.scale(2.0)) / omega).value(),
+            start: Scaled::from(orbit.theta0),
             velocity,
             swing: velocity / omega,
         }
@@ -53,7 +53,7 @@ impl Linear {
             return (self.start + self.velocity * t).value();
         }
         let Some((sine, cosine)) = counted(&self.phase, passed) else { return f64::NAN };
-        (self.start * Wide::from(cosine) + self.swing * Wide::from(sine)).value()
+        (self.start * Scaled::from(cosine) + self.swing * Scaled::from(sine)).value()
     }
 
     pub fn period(&self) -> f64 {
@@ -66,7 +66,7 @@ impl Linear {
 pub(super) struct Trigonometric {
     phase: Phase,
     /// The turning angle that time counts from.
-    turning: Wide,
+    turning: Scaled,
     /// lambda.
     flattening: Dd,
     period: f64,
@@ -88,19 +88,19 @@ impl Trigonometric {
         // Released at the upper or the lower turning point, or past the lower one since phase -1/2.
         let upper = orbit.velocity0 == 0.0 && start.hi > 0.0;
         let since = if upper { start - whole(0.5) } else { start + whole(0.5) };
-        let omega = Wide::new(root.to_dd() * square.sqrt(), power);
+        let omega = Scaled::new(root.to_dd() * square.sqrt(), power);
         Some(Trigonometric {
             phase: Phase { rate: elliptic.phase.rate * ratio, start: since * ratio },
             turning: if upper { size } else { -size },
             flattening: above / below,
-            period: (Wide::from(PI.scale(2.0)) / omega).value(),
+            period: (Scaled::from(PI.scale(2.0)) / omega).value(),
         })
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some((sine, cosine)) = counted(&self.phase, t * orbit.time_scale) else { return f64::NAN };
         let root = (Dd::ONE + self.flattening * sine.square()).sqrt();
-        framed(orbit, self.turning * Wide::from(cosine / root))
+        framed(orbit, self.turning * Scaled::from(cosine / root))
     }
 
     pub fn period(&self) -> f64 {
@@ -118,7 +118,7 @@ pub(super) enum SineModel {
 /// omega0^2 times a number, rounded once.
 fn coefficient(orbit: &Orbit, [above, below]: [f64; 2]) -> f64 {
     let (a, b, c) = orbit.force.factors();
-    (Wide::from(a) * b * above / (Wide::from(c) * below)).value()
+    (Scaled::from(a) * b * above / (Scaled::from(c) * below)).value()
 }
 
 impl SineModel {

@@ -3,7 +3,7 @@
 
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::elementary::long_sin_cos;
-use crate::float::{Dd, PI, Wide, series};
+use crate::float::{Dd, PI, Scaled, series};
 use crate::pendulum::Orbit;
 use crate::pendulum::state::State;
 
@@ -31,7 +31,7 @@ pub(super) fn counted(phase: &Phase, t: f64) -> Option<(Dd, Dd)> {
 }
 
 /// The angle in the frame of the orbit, from the canonical one, which goes upwards through 0 at phase 0.
-pub(super) fn framed(orbit: &Orbit, canonical: Wide) -> f64 {
+pub(super) fn framed(orbit: &Orbit, canonical: Scaled) -> f64 {
     let frame = &orbit.frame;
     let angle = canonical * frame.side;
     if frame.base.hi == 0.0 && frame.half_turn == 0.0 {
@@ -41,10 +41,10 @@ pub(super) fn framed(orbit: &Orbit, canonical: Wide) -> f64 {
 }
 
 /// The turning angle of a libration, to all digits of a double-double.
-pub(super) fn turning_angle(orbit: &Orbit) -> Wide {
+pub(super) fn turning_angle(orbit: &Orbit) -> Scaled {
     match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
-        Ok(State { k, power, .. }) if power != 0 => Wide::new(k, power + 1),
-        Ok(State { k, kc, .. }) => Wide::new(series::angle(k.into(), kc.into()).to_dd(), 1),
-        Err(_) => Wide::ZERO,
+        Ok(State { k, power, .. }) if power != 0 => Scaled::new(k, power + 1),
+        Ok(State { k, kc, .. }) => Scaled::new(series::angle(k.into(), kc.into()).to_dd(), 1),
+        Err(_) => Scaled::ZERO,
     }
 }

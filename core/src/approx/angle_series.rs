@@ -8,10 +8,10 @@
 //! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2019 (17), (20)-(22).
 
 use super::angle_phase::{framed, half_turn, turning_angle};
-use crate::elliptic::phase::{LAST_HALF_PERIOD, Reduced, alternating};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, ReducedPhase, alternating};
 use crate::float::elementary::arctangent;
-use crate::float::wide::exp;
-use crate::float::{Dd, HALF_PI, TWO_PI, Wide};
+use crate::float::scaled::exp;
+use crate::float::{Dd, HALF_PI, Scaled, TWO_PI};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::{Course, Elliptic};
 use crate::pendulum::state::State;
@@ -49,7 +49,7 @@ impl Point<'_> {
     /// cos(theta/2), never negative in libration.
     fn half_cosine(&self) -> Dd {
         let sign = 1f64.copysign(self.f.hi);
-        let at = Reduced { n: Dd::ZERO, sign, f: self.f.scale(sign), parity: alternating(self.n) };
+        let at = ReducedPhase { n: Dd::ZERO, sign, f: self.f.scale(sign), parity: alternating(self.n) };
         self.elliptic.lattice.long_values(&at)[2]
     }
 }
@@ -57,7 +57,7 @@ impl Point<'_> {
 /// scale times the sum of c_i sin(j_i phi) with j_i = first, first + step, ... and c_0 = 1.
 #[derive(Clone, Debug)]
 struct Sum {
-    scale: Wide,
+    scale: Scaled,
     coefficients: Vec<Dd>,
     first: u32,
     step: u32,
@@ -89,14 +89,14 @@ fn multiple(turn: Turn, order: u32) -> Turn {
 
 impl Sum {
     /// The first terms of a series of positive terms that fall at least like `ratio`, or all from `first` on.
-    fn new(first: u32, step: u32, count: usize, ratio: f64, term: impl Fn(u32) -> Wide) -> Sum {
+    fn new(first: u32, step: u32, count: usize, ratio: f64, term: impl Fn(u32) -> Scaled) -> Sum {
         let scale = term(first);
         let mut coefficients = Vec::new();
         if scale.is_zero() {
             return Sum { scale, coefficients, first, step };
         }
         let mut j = first;
-        let inverse = Wide::ONE / scale;
+        let inverse = Scaled::ONE / scale;
         while coefficients.len() < count.min(MOST) {
             let c = (term(j) * inverse).to_dd();
             // What follows is below c/(1 - ratio).
@@ -109,7 +109,7 @@ impl Sum {
         Sum { scale, coefficients, first, step }
     }
 
-    fn at(&self, sine: Dd, cosine: Dd) -> Wide {
+    fn at(&self, sine: Dd, cosine: Dd) -> Scaled {
         let turn = (sine, cosine);
         let step = multiple(turn, self.step);
         let mut here = multiple(turn, self.first);
@@ -118,25 +118,25 @@ impl Sum {
             sum = sum + *c * here.0;
             here = times(here, step);
         }
-        Wide::from(sum) * self.scale
+        Scaled::from(sum) * self.scale
     }
 }
 
 /// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation; and the step of the harmonics.
-fn decay(orbit: &Orbit) -> (Wide, u32) {
+fn decay(orbit: &Orbit) -> (Scaled, u32) {
     if let Some((decay, step)) = orbit.decay() {
         return (exp(-decay), step);
     }
     match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
         // The nome is m/16 to all digits.
-        Ok(State { k, power, .. }) if power != 0 => (Wide::new(k, power - 2), 2),
-        _ => (Wide::ZERO, 2),
+        Ok(State { k, power, .. }) if power != 0 => (Scaled::new(k, power - 2), 2),
+        _ => (Scaled::ZERO, 2),
     }
 }
 
 /// base^j.
-fn power(base: Wide, order: u32) -> Wide {
-    let (mut result, mut square, mut left) = (Wide::ONE, base, order);
+fn power(base: Scaled, order: u32) -> Scaled {
+    let (mut result, mut square, mut left) = (Scaled::ONE, base, order);
     while left > 0 {
         if left & 1 == 1 {
             result = result * square;
@@ -148,10 +148,10 @@ fn power(base: Wide, order: u32) -> Wide {
 }
 
 /// a_j of the angle: 8 r^j/(j (1 + r^2j)) in libration, half of it in rotation.
-fn angle_term(r: Wide, step: u32, j: u32) -> Wide {
+fn angle_term(r: Scaled, step: u32, j: u32) -> Scaled {
     let r = power(r, j);
     let factor = if step == 2 { 8.0 } else { 4.0 };
-    r * factor / ((Wide::ONE + r.square()) * f64::from(j))
+    r * factor / ((Scaled::ONE + r.square()) * f64::from(j))
 }
 
 /// A series cut after N terms, and what is left out.
@@ -162,7 +162,7 @@ struct Cut {
 }
 
 impl Cut {
-    fn new(order: u32, step: u32, ratio: f64, term: impl Fn(u32) -> Wide) -> Cut {
+    fn new(order: u32, step: u32, ratio: f64, term: impl Fn(u32) -> Scaled) -> Cut {
         Cut {
             head: Sum::new(1, step, order as usize, ratio, &term),
             tail: Sum::new(1 + step * order, step, MOST, ratio, &term),
@@ -191,7 +191,7 @@ impl Series {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
         let mut angle = self.cut.head.at(point.sine, point.cosine);
         if matches!(orbit.course, Course::Rotation(_)) {
-            angle = Wide::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
+            angle = Scaled::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
         }
         framed(orbit, angle)
     }
@@ -205,10 +205,10 @@ impl Series {
 /// theta_max sin(pi phase).
 #[derive(Clone, Debug)]
 pub(super) struct Harmonic {
-    theta_max: Wide,
+    theta_max: Scaled,
     /// All harmonics but the first, and their sum where the phase is 1/2.
     tail: Sum,
-    top: Wide,
+    top: Scaled,
 }
 
 impl Harmonic {
@@ -220,14 +220,14 @@ impl Harmonic {
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
-        framed(orbit, self.theta_max * Wide::from(point.sine))
+        framed(orbit, self.theta_max * Scaled::from(point.sine))
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
         let left = self.tail.at(point.sine, point.cosine);
-        ((self.top * Wide::from(point.sine) - left) * orbit.frame.side).value()
+        ((self.top * Scaled::from(point.sine) - left) * orbit.frame.side).value()
     }
 }
 
@@ -245,10 +245,10 @@ impl Arcsine {
             Course::Libration(elliptic) => elliptic.lattice.quarter,
             _ => HALF_PI,
         };
-        let factor = Wide::from(TWO_PI / quarter);
+        let factor = Scaled::from(TWO_PI / quarter);
         let term = |j| {
             let r = power(r, j);
-            factor * r / (Wide::ONE - r.square())
+            factor * r / (Scaled::ONE - r.square())
         };
         Arcsine { cut: Cut::new(order, step, ratio, term) }
     }
@@ -256,13 +256,13 @@ impl Arcsine {
     /// 1 - |k sn_N|: below 0 the arcsine has no value.
     pub fn margin(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
-        (Wide::ONE - self.cut.head.at(point.sine, point.cosine).abs()).value()
+        (Scaled::ONE - self.cut.head.at(point.sine, point.cosine).abs()).value()
     }
 
     /// k sn_N and the cosine that belongs to it.
-    fn side(&self, point: &Point) -> Option<(Wide, Dd)> {
+    fn side(&self, point: &Point) -> Option<(Scaled, Dd)> {
         let sine = self.cut.head.at(point.sine, point.cosine);
-        let square = (Wide::ONE - sine) * (Wide::ONE + sine);
+        let square = (Scaled::ONE - sine) * (Scaled::ONE + sine);
         if square.is_negative() { None } else { Some((sine, square.sqrt().to_dd())) }
     }
 
@@ -278,7 +278,7 @@ impl Arcsine {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
         let Some((_, cosine)) = self.side(&point) else { return f64::NAN };
         let left = self.cut.tail.at(point.sine, point.cosine);
-        let tangent = left / Wide::from(cosine + point.half_cosine());
+        let tangent = left / Scaled::from(cosine + point.half_cosine());
         -(quarter_of(tangent) * orbit.frame.side).value()
     }
 }
@@ -287,19 +287,19 @@ impl Arcsine {
 const TINY: i32 = -300;
 
 /// Four times the arctangent.
-fn quarter_of(tangent: Wide) -> Wide {
+fn quarter_of(tangent: Scaled) -> Scaled {
     if tangent.is_zero() || tangent.power() < TINY {
         return tangent.shift(2);
     }
-    let angle = Wide::new(arctangent(tangent.abs().to_dd(), Dd::ONE), 2);
+    let angle = Scaled::new(arctangent(tangent.abs().to_dd(), Dd::ONE), 2);
     if tangent.is_negative() { -angle } else { angle }
 }
 
 /// Twice the angle with this sine and this cosine >= 0.
-fn arcsine(sine: Wide, cosine: Dd) -> Wide {
+fn arcsine(sine: Scaled, cosine: Dd) -> Scaled {
     if sine.is_zero() || sine.power() < TINY {
         return sine.shift(1);
     }
-    let angle = Wide::new(arctangent(sine.abs().to_dd(), cosine), 1);
+    let angle = Scaled::new(arctangent(sine.abs().to_dd(), cosine), 1);
     if sine.is_negative() { -angle } else { angle }
 }

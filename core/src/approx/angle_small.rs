@@ -10,8 +10,8 @@
 use super::angle_phase::counted;
 use crate::elliptic::phase::Phase;
 use crate::float::elementary::arctangent;
-use crate::float::scaling::ldexp;
-use crate::float::{Dd, PI, Wide};
+use crate::float::exponent::ldexp;
+use crate::float::{Dd, PI, Scaled};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::Elliptic;
 use crate::pendulum::state::{Frame, State};
@@ -45,11 +45,11 @@ impl Start {
             return f64::NAN;
         }
         let half = if self.power != 0 {
-            Wide::new(opposite / adjacent, self.power)
+            Scaled::new(opposite / adjacent, self.power)
         } else {
             let size = arctangent(opposite.abs(), adjacent.abs());
             let size = if adjacent.hi < 0.0 { PI - size } else { size };
-            Wide::from(if opposite.hi < 0.0 { -size } else { size })
+            Scaled::from(if opposite.hi < 0.0 { -size } else { size })
         };
         let angle = half.shift(1) * self.frame.side;
         if self.frame.base.hi == 0.0 {

@@ -4,9 +4,9 @@
 //!   k s_k = sum j a_j c_(k-j),   k c_k = -sum j a_j s_(k-j),   (k + 1)(k + 2) a_(k+2) = -s_k,
 //! in units of time short enough for |a_1| <= 1. Source: derivatives of sin theta and cos theta.
 
-use crate::float::circle::{self, Reduced};
-use crate::float::scaling::ldexp;
-use crate::float::{Dd, HALF_PI, Wide, series};
+use crate::float::angle_reduction::{self, ReducedAngle};
+use crate::float::exponent::ldexp;
+use crate::float::{Dd, HALF_PI, Scaled, series};
 use crate::pendulum::Orbit;
 
 /// sum a_k (unit t)^k.
@@ -14,12 +14,12 @@ use crate::pendulum::Orbit;
 pub(super) struct Polynomial {
     coefficients: Vec<Dd>,
     /// 1/s: omega0 times a power of two.
-    unit: Wide,
+    unit: Scaled,
 }
 
 /// Sine and cosine of any angle.
 fn sine_cosine(theta: f64) -> (Dd, Dd) {
-    let Reduced { side, from_bottom, from_top, .. } = circle::reduce(theta);
+    let ReducedAngle { side, from_bottom, from_top, .. } = angle_reduction::reduce(theta);
     let beyond = from_top.hi < from_bottom.hi;
     let near = if beyond { from_top } else { from_bottom };
     let (sine, cosine) = if near.hi > 0.5 * HALF_PI.hi {
@@ -35,8 +35,8 @@ impl Polynomial {
     /// `None` without a force.
     pub fn new(orbit: &Orbit, order: u32) -> Option<Polynomial> {
         let (root, power) = orbit.force.root()?;
-        let omega = Wide::new(root.to_dd(), power);
-        let ratio = Wide::from(orbit.velocity0) / omega;
+        let omega = Scaled::new(root.to_dd(), power);
+        let ratio = Scaled::from(orbit.velocity0) / omega;
         let shorter = if ratio.is_zero() { 0 } else { (ratio.power() + 1).max(0) };
         // omega0^2 in units of the square of time, with its sign.
         let force = ldexp(if orbit.force.upside_down() { -1.0 } else { 1.0 }, -2 * shorter);
@@ -66,6 +66,6 @@ impl Polynomial {
             return f64::NAN;
         }
         let x = self.unit * t;
-        self.coefficients.iter().rev().fold(Wide::ZERO, |sum, a| sum * x + Wide::from(*a)).value()
+        self.coefficients.iter().rev().fold(Scaled::ZERO, |sum, a| sum * x + Scaled::from(*a)).value()
     }
 }

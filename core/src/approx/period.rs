@@ -11,8 +11,8 @@ use super::period_rules::{
 use super::search::{crossing, peak};
 use super::turning::Turning;
 use crate::domain::Domain;
+use crate::float::exponent::ldexp;
 use crate::float::exponential::{exp, ln};
-use crate::float::scaling::ldexp;
 use crate::float::{TWO_PI_LONG, Td};
 use crate::pendulum::{Orbit, Regime};
 use core::f64::consts::PI;

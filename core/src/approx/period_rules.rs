@@ -5,8 +5,8 @@
 //! which T solves as a function of its turning angle; all terms of the recurrence are positive, so none cancel.
 
 use super::turning::{Turning, sine};
+use crate::float::exponent::exp2;
 use crate::float::exponential::{exp, ln, ln_one_plus};
-use crate::float::scaling::exp2;
 use crate::float::triple_double::Td;
 use crate::float::{LN_2, TWO_PI_LONG};
 use std::sync::OnceLock;

@@ -6,7 +6,7 @@
 
 use super::entry::{Entry, Named, Row, entries, row};
 use crate::domain::Domain;
-use crate::float::circle::reduce;
+use crate::float::angle_reduction::reduce;
 use crate::float::series::sin_cos;
 
 /// From a state to the next: the step h and omega0^2.

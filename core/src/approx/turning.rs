@@ -4,7 +4,7 @@
 //! next to rest and next to the top.
 
 use crate::float::triple_double::Td;
-use crate::float::{Dd, TWO_PI_LONG, circle, series};
+use crate::float::{Dd, TWO_PI_LONG, angle_reduction, series};
 
 /// Below it (m below its square) every ratio of periods is what it is at rest, to 120 digits; squares stay in range.
 const LEAST: f64 = 1e-60;
@@ -28,7 +28,7 @@ impl Turning {
         if !(0.0..=core::f64::consts::PI).contains(&theta_max) {
             return None;
         }
-        let reduced = circle::reduce(f64::max(theta_max, LEAST));
+        let reduced = angle_reduction::reduce(f64::max(theta_max, LEAST));
         let half = reduced.from_bottom.scale(0.5);
         let (s, a) = if half.hi <= core::f64::consts::FRAC_PI_4 {
             series::sin_cos(half)

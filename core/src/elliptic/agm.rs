@@ -3,7 +3,7 @@
 //! Source: DLMF 19.8.1, 19.8.5. Converges quadratically for any k' > 0; no cancellation.
 
 use crate::float::elementary::horner;
-use crate::float::loose::Loose;
+use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, HALF_PI};
 use crate::lanes::Lane;
 
@@ -27,8 +27,11 @@ pub fn agm(b: Dd) -> Dd {
 ///
 /// With t = (1 - sqrt b)/(1 + sqrt b) = 2 lambda, the means after two steps are (1 + sqrt b)^2/4 times 1 +- t^2.
 #[inline(always)]
-pub(crate) fn agm_near<L: Lane>(b: Loose<L>, one_minus_square: Loose<L>) -> (Loose<L>, L) {
-    let one = Loose::from_double(L::splat(1.0));
+pub(crate) fn agm_near<L: Lane>(
+    b: Unnormalised<L>,
+    one_minus_square: Unnormalised<L>,
+) -> (Unnormalised<L>, L) {
+    let one = Unnormalised::from_double(L::splat(1.0));
     let sum = one.plus_smaller(b.root());
     let mean = sum.square().scale(L::splat(0.25));
     let t = one_minus_square.over(one.plus_smaller(b) * mean).scale(L::splat(0.25));
@@ -37,9 +40,9 @@ pub(crate) fn agm_near<L: Lane>(b: Loose<L>, one_minus_square: Loose<L>) -> (Loo
 
 /// agm(1, b) over lanes, of b in [2^-20, 1].
 #[inline(always)]
-pub(crate) fn agm_far<L: Lane>(b: Loose<L>) -> Loose<L> {
+pub(crate) fn agm_far<L: Lane>(b: Unnormalised<L>) -> Unnormalised<L> {
     let half = L::splat(0.5);
-    let mut pair = (Loose::from_double(L::splat(1.0)), b);
+    let mut pair = (Unnormalised::from_double(L::splat(1.0)), b);
     for step in 0..5 {
         let (a, b) = pair;
         let product = if step == 0 { b } else { a * b };
@@ -52,11 +55,11 @@ pub(crate) fn agm_far<L: Lane>(b: Loose<L>) -> Loose<L> {
 
 /// agm(1 + x, 1 - x) for |x| <= 0.02, to 2^-100.
 #[inline(always)]
-fn agm_of_pair<L: Lane>(x: Loose<L>) -> Loose<L> {
+fn agm_of_pair<L: Lane>(x: Unnormalised<L>) -> Unnormalised<L> {
     let square = x.square();
-    let exact = |numerator: f64, power: f64| Loose::from_double(L::splat(numerator / power));
+    let exact = |numerator: f64, power: f64| Unnormalised::from_double(L::splat(numerator / power));
     let tail = horner(&[11.0 / 256.0, 469.0 / 16384.0, 1379.0 / 65536.0, 17223.0 / 1_048_576.0], square.hi);
-    let inner = exact(5.0, 64.0).plus_smaller(square * Loose::from_double(tail));
+    let inner = exact(5.0, 64.0).plus_smaller(square * Unnormalised::from_double(tail));
     let outer = exact(1.0, 4.0).plus_smaller(square * inner);
     exact(1.0, 1.0).minus_smaller(square * outer)
 }

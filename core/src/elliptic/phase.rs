@@ -18,7 +18,7 @@ pub struct Phase<L = f64> {
 }
 
 /// n + sign * f half periods.
-pub struct Reduced<L: Lane> {
+pub struct ReducedPhase<L: Lane> {
     /// Nearest whole number of half periods.
     pub n: Dd<L>,
     /// +1 or -1: the sign of the rest.
@@ -47,6 +47,15 @@ impl Phase {
     #[inline(always)]
     pub fn spread<L: Lane>(&self) -> Phase<L> {
         Phase { rate: Dd::splat(self.rate), start: Dd::splat(self.start) }
+    }
+
+    /// t rate + start, without reduction.
+    #[inline(always)]
+    pub(crate) fn counted<L: Lane>(&self, t: L) -> Dd<L> {
+        let (passed, error) = t.two_product(L::splat(self.rate.hi));
+        let error = t.mul_add(L::splat(self.rate.lo), error);
+        let (y, rest) = two_sum(passed, L::splat(self.start.hi));
+        Dd::ordered_sum(y, rest + (error + L::splat(self.start.lo)))
     }
 }
 
@@ -82,12 +91,12 @@ impl<L: Lane> Phase<L> {
 
     /// The reduced phase at t.
     #[inline(always)]
-    pub fn reduce(&self, t: L) -> Reduced<L> {
+    pub fn reduce(&self, t: L) -> ReducedPhase<L> {
         let (turned, [whole, carry], f) = self.rounded(t);
         let f = within(turned, END, f);
         let sign = L::splat(1.0).copysign(f.hi);
         let parity = alternating(whole) * alternating(carry);
-        Reduced { n: Dd::sum(whole, carry), sign, f: f.scale(sign), parity }
+        ReducedPhase { n: Dd::sum(whole, carry), sign, f: f.scale(sign), parity }
     }
 }
 

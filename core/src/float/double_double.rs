@@ -3,7 +3,7 @@
 //! Relative errors in units of 2^-106: sum 3, product 5, quotient 10, square root 4.
 //! Source: Joldes, Muller & Popescu, ACM TOMS 44 (2017) 15.
 
-use super::scaling::{exp2, ldexp};
+use super::exponent::{exp2, ldexp};
 use crate::lanes::Lane;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -4,8 +4,8 @@
 //! Method: fixed point, so wide that every product of eight doubles fits: integers cannot err, whatever the sizes.
 
 use super::double_double::Dd;
-use super::scaling::{exponent, mantissa};
-use super::wide::Wide;
+use super::exponent::{exponent, mantissa};
+use super::scaled::Scaled;
 
 /// 64-bit words of the sum; and the place of the binary point.
 const WORDS: usize = 272;
@@ -17,7 +17,7 @@ const PRODUCT: usize = 7;
 const BITS: i32 = 52;
 
 /// The sum of products, each of at most eight doubles, rounded once: zero only if it is exactly zero.
-pub(crate) fn sum_of_products(products: &[&[f64]]) -> Wide {
+pub(crate) fn sum_of_products(products: &[&[f64]]) -> Scaled {
     let mut sum = [0u64; WORDS];
     for factors in products {
         add(&mut sum, factors);
@@ -26,7 +26,7 @@ pub(crate) fn sum_of_products(products: &[&[f64]]) -> Wide {
     if negative {
         negate(&mut sum);
     }
-    let Some(top) = sum.iter().rposition(|word| *word != 0) else { return Wide::ZERO };
+    let Some(top) = sum.iter().rposition(|word| *word != 0) else { return Scaled::ZERO };
     // Three words hold at least 129 bits.
     let mut value = Dd::ZERO;
     let lowest = top.saturating_sub(2);
@@ -35,7 +35,7 @@ pub(crate) fn sum_of_products(products: &[&[f64]]) -> Wide {
             value = value.scale(4_294_967_296.0) + Dd::from(half as f64);
         }
     }
-    let value = Wide::new(value, 64 * lowest as i32 - POINT);
+    let value = Scaled::new(value, 64 * lowest as i32 - POINT);
     if negative { -value } else { value }
 }
 

@@ -3,7 +3,7 @@
 //! Methods: e^y = 2^k (cosh r + sinh r) with |r| <= ln 2 / 2; ln(1 + x) = 2 artanh(x/(2 + x)) by its series, after a
 //! power of two where |x| is not small: relative digits also next to 1.
 
-use super::scaling::{exp2, exponent};
+use super::exponent::{exp2, exponent};
 use super::triple_double::Td;
 use super::{LN_2, series};
 use crate::lanes::Lane;

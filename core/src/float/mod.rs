@@ -1,20 +1,19 @@
 //! Arithmetic beyond one double, and the only door to sine, cosine, exponential, arctangent.
 
-pub mod circle;
+pub mod angle_reduction;
 pub mod double_double;
 pub mod elementary;
 pub(crate) mod exact;
+pub mod exponent;
 pub mod exponential;
-pub(crate) mod interpolation;
-pub(crate) mod loose;
-pub mod scaling;
+pub mod scaled;
 pub mod series;
 pub mod triple_double;
-pub mod wide;
+pub(crate) mod unnormalised;
 
 pub use double_double::Dd;
+pub use scaled::Scaled;
 pub use triple_double::Td;
-pub use wide::Wide;
 
 /// pi to a double-double.
 pub const PI: Dd = TWO_PI.half();

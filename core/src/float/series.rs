@@ -4,8 +4,8 @@
 use super::TWO_PI_LONG;
 use super::double_double::Dd;
 use super::elementary::arctangent;
-use super::loose::Loose;
 use super::triple_double::Td;
+use super::unnormalised::Unnormalised;
 use crate::lanes::Lane;
 
 /// Sine and cosine of an angle in [0, pi/4], to triple-double.
@@ -33,17 +33,17 @@ pub fn angle(sine: Td, cosine: Td) -> Td {
 
 /// Sine of |z| <= pi/4 (a little beyond does no harm) to all digits of a double-double, over lanes.
 #[inline(always)]
-pub(crate) fn sine<L: Lane>(z: Loose<L>) -> Loose<L> {
+pub(crate) fn sine<L: Lane>(z: Unnormalised<L>) -> Unnormalised<L> {
     let x = z.square();
     // A term below 2^-53 of the first needs one word only.
     let mut tail = L::splat(0.0);
     for c in ODD[7..].iter().rev() {
         tail = L::splat(c.hi) - x.hi * tail;
     }
-    let mut sum = Loose::from_double(tail);
+    let mut sum = Unnormalised::from_double(tail);
     for c in [Td::ONE].iter().chain(&ODD[..7]).rev() {
         let below = x * sum;
-        let c = Loose::new(L::splat(c.hi), L::splat(c.mid));
+        let c = Unnormalised::new(L::splat(c.hi), L::splat(c.mid));
         sum = c.minus_smaller(below);
     }
     z * sum

@@ -6,12 +6,12 @@
 
 #[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
 mod fused;
-mod scalar;
 #[cfg(any(
     all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)),
     target_feature = "simd128"
 ))]
-mod twice;
+mod pair;
+mod scalar;
 #[cfg(any(
     all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)),
     target_feature = "simd128"
@@ -234,7 +234,7 @@ impl InstructionSet {
 
 /// The widest lane of `Plain`. WebAssembly cannot be asked what it has: its lanes are there if compiled for.
 #[cfg(target_feature = "simd128")]
-type WidePlain = twice::Twice<wasm::F64x2>;
+type WidePlain = pair::Pair<wasm::F64x2>;
 #[cfg(not(target_feature = "simd128"))]
 type WidePlain = f64;
 

@@ -4,7 +4,7 @@
 
 use super::Kernel;
 use super::fused::Fused;
-use super::twice::Twice;
+use super::pair::Pair;
 use super::vector::vector;
 use core::arch::aarch64::*;
 
@@ -22,7 +22,7 @@ pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
 /// Width four.
 #[inline]
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<Twice<F64x2>>()
+    kernel.run::<Pair<F64x2>>()
 }
 
 /// Not on this processor, and never in use there.

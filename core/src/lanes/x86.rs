@@ -5,7 +5,7 @@
 
 use super::Kernel;
 use super::fused::Fused;
-use super::twice::Twice;
+use super::pair::Pair;
 use super::vector::vector;
 use core::arch::x86_64::*;
 
@@ -31,7 +31,7 @@ pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx2,fma")]
     fn enter<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<Twice<F64x4>>()
+        kernel.run::<Pair<F64x4>>()
     }
     // SAFETY: see the top of this file.
     unsafe { enter(kernel) }
@@ -42,7 +42,7 @@ pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
 pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx512f")]
     fn enter<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<Twice<F64x8>>()
+        kernel.run::<Pair<F64x8>>()
     }
     // SAFETY: see the top of this file.
     unsafe { enter(kernel) }

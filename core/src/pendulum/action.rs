@@ -11,13 +11,13 @@ use super::frequency::Frequency;
 use super::orbit::{Course, Orbit};
 use super::state::State;
 use crate::domain::Domain;
-use crate::elliptic::complete::{complete_difference_dd, complete_e_dd, complete_k_dd};
+use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd, complete_k_dd};
 use crate::elliptic::parameter::Parameter;
-use crate::elliptic::phase::Reduced;
-use crate::elliptic::theta::Lattice;
+use crate::elliptic::phase::ReducedPhase;
+use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
-use crate::float::scaling::{exponent, ldexp, mantissa};
-use crate::float::{Dd, HALF_PI, PI, TWO_PI, Wide, circle};
+use crate::float::exponent::{exponent, ldexp, mantissa};
+use crate::float::{Dd, HALF_PI, PI, Scaled, TWO_PI, angle_reduction};
 
 /// pi/8.
 const EIGHTH_PI: Dd = PI.half().half().half();
@@ -53,15 +53,15 @@ impl Orbit {
     }
 
     /// [`Orbit::frequency`] in more digits and beyond the range.
-    pub(super) fn mean_frequency(&self) -> Wide {
+    pub(super) fn mean_frequency(&self) -> Scaled {
         match &self.course {
-            Course::Libration(elliptic) => Wide::from(elliptic.phase.rate * PI) * self.time_scale,
+            Course::Libration(elliptic) => Scaled::from(elliptic.phase.rate * PI) * self.time_scale,
             Course::Rotation(elliptic) => {
-                Wide::from(elliptic.phase.rate * TWO_PI) * (self.time_scale * self.frame.side)
+                Scaled::from(elliptic.phase.rate * TWO_PI) * (self.time_scale * self.frame.side)
             }
-            Course::Free => Wide::from(self.velocity0),
-            Course::Still if self.period().is_finite() => Wide::from(self.omega0()),
-            Course::Still | Course::Separatrix(..) => Wide::ZERO,
+            Course::Free => Scaled::from(self.velocity0),
+            Course::Still if self.period().is_finite() => Scaled::from(self.omega0()),
+            Course::Still | Course::Separatrix(..) => Scaled::ZERO,
         }
     }
 
@@ -150,26 +150,26 @@ pub fn state_of(action: f64, phase: f64, direction: f64, frequency: Frequency) -
 }
 
 /// Angle, and velocity/2 omega0 over a power of two, of a libration with J pi/8 omega0 = `share`.
-fn libration_state(share: Dd, ratio: Dd, power: i32, at: Reduced<f64>) -> (Dd, Dd, i32) {
+fn libration_state(share: Dd, ratio: Dd, power: i32, at: ReducedPhase<f64>) -> (Dd, Dd, i32) {
     if share.hi < TINY {
         // kappa^2 = J/2 omega0, beside an even power of two.
         let odd = power.rem_euclid(2);
         let k = ratio.scale(if odd == 1 { 1.0 } else { 0.5 }).sqrt();
         let power = (power - odd) / 2;
-        let lattice = Lattice::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE);
+        let lattice = NevilleTheta::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE);
         let [sine, cosine, _] = lattice.long_values(&at);
         return ((k * sine).scale(2.0).ldexp(power), k * cosine, power);
     }
     let Parameter { m, mc } = parameter_of_libration(share);
     let k = m.sqrt();
-    let [sn, cn, dn] = Lattice::new(m, mc, k, mc.sqrt()).long_values(&at);
+    let [sn, cn, dn] = NevilleTheta::new(m, mc, k, mc.sqrt()).long_values(&at);
     (arctangent((k * sn).abs(), dn).scale(2f64.copysign(sn.hi)), k * cn, 0)
 }
 
 /// Angle and |velocity|/2 omega0 of a rotation with J pi/4 omega0 = `share`.
-fn rotation_state(share: Dd, at: Reduced<f64>) -> (Dd, Dd) {
+fn rotation_state(share: Dd, at: ReducedPhase<f64>) -> (Dd, Dd) {
     let (m, Parameter { m: inner, mc }) = parameter_of_rotation(share);
-    let [sn, cn, dn] = Lattice::new(inner, mc, inner.sqrt(), mc.sqrt()).long_values(&at);
+    let [sn, cn, dn] = NevilleTheta::new(inner, mc, inner.sqrt(), mc.sqrt()).long_values(&at);
     (arctangent(sn.abs(), cn).scale(2f64.copysign(sn.hi)), m.sqrt() * dn)
 }
 
@@ -179,21 +179,21 @@ const TINY: f64 = 1e-60;
 const FREE: f64 = 1.3e30;
 
 /// A phase in half periods of a libration, pi each.
-fn half_periods(phase: f64) -> Reduced<f64> {
-    let circle::Reduced { side, from_bottom, from_top, .. } = circle::reduce(phase);
+fn half_periods(phase: f64) -> ReducedPhase<f64> {
+    let angle_reduction::ReducedAngle { side, from_bottom, from_top, .. } = angle_reduction::reduce(phase);
     let beyond = from_top.hi < from_bottom.hi;
     let (rest, sign, parity) = if beyond { (from_top, -side, -1.0) } else { (from_bottom, side, 1.0) };
-    Reduced { n: Dd::ZERO, sign, f: rest.to_dd() / PI, parity }
+    ReducedPhase { n: Dd::ZERO, sign, f: rest.to_dd() / PI, parity }
 }
 
 /// A phase in half periods of a rotation, 2 pi each, counted from its stable equilibrium: what its angle counts from.
-fn turns(phase: f64, upside_down: bool) -> (Dd, Reduced<f64>) {
-    let circle::Reduced { side, from_bottom, from_top, .. } = circle::reduce(phase);
+fn turns(phase: f64, upside_down: bool) -> (Dd, ReducedPhase<f64>) {
+    let angle_reduction::ReducedAngle { side, from_bottom, from_top, .. } = angle_reduction::reduce(phase);
     let (rest, sign) = if upside_down { (from_top, -side) } else { (from_bottom, side) };
     let rest = rest.to_dd();
     let base = Dd::from(phase) - rest * sign;
     let base = if base.hi.abs() < 1.0 { Dd::ZERO } else { base };
-    (base, Reduced { n: Dd::ZERO, sign, f: rest / TWO_PI, parity: 1.0 })
+    (base, ReducedPhase { n: Dd::ZERO, sign, f: rest / TWO_PI, parity: 1.0 })
 }
 
 /// Newton's steps for an increasing function of x > 0 with this excess over its target and this slope; a step never takes

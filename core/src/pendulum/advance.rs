@@ -5,15 +5,15 @@
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
+use super::batch::{Rows, fill};
 use super::frequency::Frequency;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
-use super::rows::{Rows, fill};
 use super::state::State;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
-use crate::elliptic::theta::Lattice;
+use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
-use crate::float::scaling::ldexp;
+use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
 
 /// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
@@ -115,9 +115,9 @@ fn step(state: &State, dt: f64) -> Step {
     }
     let rotation = regime == Regime::Rotation;
     let (lattice, stretch) = if rotation {
-        (Lattice::new(Dd::ONE / m, -mc / m, Dd::ONE / k, kc / k), omega * k)
+        (NevilleTheta::new(Dd::ONE / m, -mc / m, Dd::ONE / k, kc / k), omega * k)
     } else {
-        (Lattice::new(m.ldexp(2 * power), mc, k.ldexp(power), kc), omega)
+        (NevilleTheta::new(m.ldexp(2 * power), mc, k.ldexp(power), kc), omega)
     };
     let phase = Phase { rate: stretch / lattice.quarter.scale(2.0), start: Dd::ZERO };
     let at = phase.reduce(dt);

@@ -12,7 +12,7 @@ use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
 use crate::float::elementary::sech;
-use crate::float::{Dd, HALF_PI, PI, Wide};
+use crate::float::{Dd, HALF_PI, PI, Scaled};
 
 /// Amplitudes of the harmonics j = 1, 2, ... of angle and velocity.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,12 +72,13 @@ impl Orbit {
         }
         let amplitudes = self.amplitudes(n as u64);
         let frequency = self.mean_frequency();
-        let rate = |(a, j): (&Wide, u64)| if a.is_zero() { 0.0 } else { (*a * frequency * j as f64).value() };
+        let rate =
+            |(a, j): (&Scaled, u64)| if a.is_zero() { 0.0 } else { (*a * frequency * j as f64).value() };
         let velocity = amplitudes.iter().zip(1u64..).map(rate).collect();
-        Ok(Fourier { theta: amplitudes.into_iter().map(Wide::value).collect(), velocity })
+        Ok(Fourier { theta: amplitudes.into_iter().map(Scaled::value).collect(), velocity })
     }
 
-    fn amplitudes(&self, n: u64) -> Vec<Wide> {
+    fn amplitudes(&self, n: u64) -> Vec<Scaled> {
         if let Some(series) = self.series() {
             // A rotation about the other equilibrium has its phase from this one, half a turn away.
             let turned = series.step == 1 && self.frame.half_turn != 0.0;
@@ -85,20 +86,20 @@ impl Orbit {
             return (1..=n)
                 .map(|j| {
                     let (value, power) = series.harmonic(j);
-                    Wide::from(value) * Wide::from(power) * side(j)
+                    Scaled::from(value) * Scaled::from(power) * side(j)
                 })
                 .collect();
         }
-        let mut amplitudes = vec![Wide::ZERO; n as usize];
+        let mut amplitudes = vec![Scaled::ZERO; n as usize];
         match self.course {
             Course::Libration(_) => {
                 // Of a swing of next to nothing a_3 = theta_max^3/192 is the last that a double may hold.
-                amplitudes[0] = Wide::from(self.theta_max());
+                amplitudes[0] = Scaled::from(self.theta_max());
                 if n > 2 {
                     amplitudes[2] = amplitudes[0] * self.tiny_distortion();
                 }
             }
-            Course::Separatrix(..) => amplitudes.fill(Wide::from(f64::NAN)),
+            Course::Separatrix(..) => amplitudes.fill(Scaled::from(f64::NAN)),
             _ => {}
         }
         amplitudes

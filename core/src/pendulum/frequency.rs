@@ -2,7 +2,7 @@
 //! or as gravity and length.
 
 use crate::domain::Domain;
-use crate::float::scaling::{exponent, mantissa};
+use crate::float::exponent::{exponent, mantissa};
 use crate::float::{Dd, Td};
 
 /// Standard gravity in m/s^2, taken where a length comes without gravity.

@@ -1,22 +1,22 @@
 //! theta'' + omega0^2 sin theta = 0 from any initial state, in every regime.
 
 pub mod action;
+mod addition_theorem;
 pub mod advance;
-mod arc;
-mod canonical;
-mod flow;
+mod batch;
 pub mod fourier;
 pub mod frequency;
+mod interpolant;
 pub mod motion;
 pub mod orbit;
+pub mod passages;
 pub mod regime;
-mod rows;
-pub mod second;
+pub mod second_derivatives;
 pub mod sensitivity;
-mod slopes;
+mod sensitivity_lanes;
 pub mod state;
 pub mod states;
-pub mod time;
+mod theta_quotients;
 
 pub use advance::{advance, advance_into};
 pub use fourier::Fourier;

@@ -1,11 +1,11 @@
 //! Angle and velocity of an orbit at any time, over lanes: the canonical motion (canonical.rs) in the frame of the
 //! orbit, its side, turns and start.
 
-use super::arc::Arc;
-use super::canonical::{AngleOnly, Both, Path, Ridge, Spin, Sway, Swing, VelocityOnly, Wanted};
+use super::interpolant::OrbitInterpolant;
 use super::orbit::{Course, Orbit};
+use super::theta_quotients::{AngleOnly, Both, Path, Ridge, Spin, Sway, Swing, VelocityOnly, Wanted};
 use crate::float::elementary::arctangent;
-use crate::float::{Dd, PI, TWO_PI, circle};
+use crate::float::{Dd, PI, TWO_PI, angle_reduction};
 use crate::lanes::{Formula, Kernel, Lane, single, tabulate};
 use core::marker::PhantomData;
 
@@ -136,7 +136,7 @@ macro_rules! on_path {
         }
     };
     ($layout:ident, $elliptic:ident, $rotation:literal, $path:ident => $do:expr) => {{
-        let arc = $elliptic.arc.get_or_init(|| Arc::new::<$rotation>($elliptic, $layout));
+        let arc = $elliptic.arc.get_or_init(|| OrbitInterpolant::new::<$rotation>($elliptic, $layout));
         on_path!(@ $path, Sway::<$rotation>($elliptic, arc), $do)
     }};
     (@ $path:ident, $formula:expr, $do:expr) => {{
@@ -239,7 +239,7 @@ impl Orbit {
             Course::Still | Course::Free => {
                 // Far out the second word has turns of its own.
                 let total = self.frame.base + local;
-                let [hi, lo] = [total.hi, total.lo].map(circle::reduce);
+                let [hi, lo] = [total.hi, total.lo].map(angle_reduction::reduce);
                 let rest = (hi.from_bottom * hi.side + lo.from_bottom * lo.side).to_dd();
                 let shift = (rest.hi / TWO_PI.hi).round();
                 (hi.turns + lo.turns + shift, rest - TWO_PI * shift)

@@ -5,23 +5,23 @@
 //! and the phase at t is start + rate t in half periods (libration, rotation) or in units of 1/omega0
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
-use super::arc::{Arc, Layout};
 use super::frequency::Frequency;
+use super::interpolant::{Layout, OrbitInterpolant};
 use super::regime::Regime;
 use super::state::{Frame, Plain, State};
 use crate::domain::Domain;
-use crate::elliptic::carlson::rf_of_roots;
+use crate::elliptic::integrals::carlson_duplication::rf_of_roots;
 use crate::elliptic::phase::Phase;
-use crate::elliptic::theta::Lattice;
+use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
-use crate::float::scaling::ldexp;
+use crate::float::exponent::ldexp;
 use crate::float::{Dd, TWO_PI};
 use std::sync::OnceLock;
 
 /// An orbit that theta functions describe.
 #[derive(Clone, Debug)]
 pub(crate) struct Elliptic {
-    pub lattice: Lattice,
+    pub lattice: NevilleTheta,
     pub phase: Phase,
     /// Factors of tan of the half angle, counted from the bottom and from the quarter period.
     pub tangent: [Dd; 2],
@@ -29,7 +29,7 @@ pub(crate) struct Elliptic {
     pub velocity: [Dd; 2],
     /// The polynomials of the motion, where they serve; made when the first sample is asked for.
     pub layout: Option<Layout>,
-    pub arc: OnceLock<Arc>,
+    pub arc: OnceLock<OrbitInterpolant>,
 }
 
 /// The formula that the regime asks for.
@@ -146,7 +146,7 @@ impl Orbit {
         let layout = |lattice| if frame.half_turn == 0.0 && power == 0 { Layout::of(lattice) } else { None };
         let (course, period, theta_max) = match regime {
             Regime::Libration => {
-                let lattice = Lattice::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);
+                let lattice = NevilleTheta::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);
                 let halves = lattice.quarter.scale(2.0);
                 let start = if x.hi == 0.0 { Dd::from(f64::copysign(0.5, s.hi)) } else { start() / halves };
                 let rate = rate / halves;
@@ -167,7 +167,7 @@ impl Orbit {
             Regime::Rotation => {
                 // The parameter is 1/m, its modulus 1/k, its complementary modulus kc/k.
                 let (inner, inner_c) = (Dd::ONE / k, kc / k);
-                let lattice = Lattice::new(Dd::ONE / m, -mc / m, inner, inner_c);
+                let lattice = NevilleTheta::new(Dd::ONE / m, -mc / m, inner, inner_c);
                 let halves = lattice.quarter.scale(2.0);
                 let rate = rate * k / halves;
                 let speed = (omega * k).scale(2.0);

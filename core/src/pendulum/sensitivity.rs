@@ -14,17 +14,17 @@
 
 use super::orbit::{Course, Orbit, carried};
 use super::regime::Regime;
-use super::slopes::{Fill, Slopes};
+use super::sensitivity_lanes::{Fill, Slopes};
 use super::state::State;
-use crate::elliptic::carlson::{THIRD, rd, rf};
-use crate::elliptic::complete::{complete_difference_dd, complete_e_dd};
+use crate::elliptic::integrals::carlson_duplication::{THIRD, rd, rf};
+use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
-use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, Reduced};
-use crate::elliptic::theta::Lattice;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, ReducedPhase};
+use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::long_sinh_cosh;
-use crate::float::scaling::ldexp;
-use crate::float::wide::exp;
-use crate::float::{Dd, PI, Wide};
+use crate::float::exponent::ldexp;
+use crate::float::scaled::exp;
+use crate::float::{Dd, PI, Scaled};
 
 /// Rows: angle, velocity. Columns: their derivatives by the initial angle, the initial velocity and omega0.
 pub type Jacobian = [[f64; 3]; 2];
@@ -34,10 +34,10 @@ const UNDEFINED: Jacobian = [[f64::NAN; 3]; 2];
 /// The two solutions at a phase; next to the top they leave the range of the doubles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Solutions {
-    pub a: Wide,
-    pub b: Wide,
-    pub p: Wide,
-    pub q: Wide,
+    pub a: Scaled,
+    pub b: Scaled,
+    pub p: Scaled,
+    pub q: Scaled,
 }
 
 /// A motion that theta functions describe.
@@ -45,9 +45,9 @@ pub(super) struct Solutions {
 pub(super) struct Periodic {
     pub rotation: bool,
     pub parameter: Parameter,
-    pub lattice: Lattice,
+    pub lattice: NevilleTheta,
     /// What a half period adds to p/a.
-    shift: Wide,
+    shift: Scaled,
 }
 
 /// The formula that the regime asks for.
@@ -93,9 +93,9 @@ pub struct Sensitivity {
 const TOP: f64 = 1e-60;
 
 /// p and q next to the top, where a and b are as on the separatrix, but for the size of cn beside dn.
-fn top([sn, cn, dn]: [Dd; 3]) -> [Wide; 2] {
-    let q = Wide::ONE / Wide::from(dn + cn);
-    [q * Wide::from(sn), q]
+fn top([sn, cn, dn]: [Dd; 3]) -> [Scaled; 2] {
+    let q = Scaled::ONE / Scaled::from(dn + cn);
+    [q * Scaled::from(sn), q]
 }
 
 /// m int cn^2 from 0 to the u of sn, cn, dn.
@@ -105,7 +105,7 @@ pub(super) fn cosine_integral(m: Dd, [sn, cn, dn]: [Dd; 3]) -> Dd {
 }
 
 /// p and q of a libration between the quarter periods.
-fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> [Wide; 2] {
+fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> [Scaled; 2] {
     let [sn, cn, dn] = values;
     if dn.hi < TOP {
         return top(values);
@@ -113,22 +113,22 @@ fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> [Wide; 2] {
     let (s2, c2, d2) = (sn.square(), cn.square(), dn.square());
     if m.hi > 0.5 && c2.hi > mc.hi {
         let integral = sn * (rf(c2, d2, Dd::ONE) + s2 * THIRD * rd(Dd::ONE, d2, c2));
-        return [cn * integral, Dd::ONE / cn - sn * dn * integral].map(Wide::from);
+        return [cn * integral, Dd::ONE / cn - sn * dn * integral].map(Scaled::from);
     }
     // The integral of nc^2 has a pole at the quarter period; that of cn^2 has none, and mc is not small beside cn^2.
     let integral = cosine_integral(m, values);
-    [(sn * dn - cn * integral) / mc, (sn * dn * integral + cn * (mc - m * s2)) / mc].map(Wide::from)
+    [(sn * dn - cn * integral) / mc, (sn * dn * integral + cn * (mc - m * s2)) / mc].map(Scaled::from)
 }
 
 /// p and q of a rotation between the quarter periods.
-fn spin(Parameter { m, .. }: Parameter, values: [Dd; 3]) -> [Wide; 2] {
+fn spin(Parameter { m, .. }: Parameter, values: [Dd; 3]) -> [Scaled; 2] {
     let [sn, cn, dn] = values;
     if dn.hi < TOP {
         return top(values);
     }
     let (s2, c2, d2) = (sn.square(), cn.square(), dn.square());
     let integral = sn * (rf(c2, d2, Dd::ONE) + m * s2 * THIRD * rd(c2, Dd::ONE, d2));
-    [dn * integral, Dd::ONE / dn - m * sn * cn * integral].map(Wide::from)
+    [dn * integral, Dd::ONE / dn - m * sn * cn * integral].map(Scaled::from)
 }
 
 /// Hyperbolic angles up to here have their sine without cancellation, and beyond it only one exponential counts.
@@ -142,11 +142,11 @@ fn bounded(rate: Dd, t: f64) -> Dd {
 }
 
 /// sinh y and cosh y.
-fn hyperbolic(y: Dd) -> [Wide; 2] {
+fn hyperbolic(y: Dd) -> [Scaled; 2] {
     let sign = 1f64.copysign(y.hi);
     if y.hi.abs() < NEAR {
         let (sinh, cosh) = long_sinh_cosh(y.abs());
-        return [sinh * sign, cosh].map(Wide::from);
+        return [sinh * sign, cosh].map(Scaled::from);
     }
     let half = exp(y.abs()).shift(-1);
     [half * sign, half]
@@ -155,8 +155,8 @@ fn hyperbolic(y: Dd) -> [Wide; 2] {
 /// The solutions on the separatrix.
 fn ridge(y: Dd) -> Solutions {
     let [sinh, cosh] = hyperbolic(y);
-    let a = Wide::ONE / cosh;
-    let (b, y) = (a.square() * sinh, Wide::from(y));
+    let a = Scaled::ONE / cosh;
+    let (b, y) = (a.square() * sinh, Scaled::from(y));
     Solutions { a, b, p: (sinh + y * a).shift(-1), q: (cosh + a - y * b).shift(-1) }
 }
 
@@ -173,10 +173,10 @@ impl Periodic {
     }
 
     /// At a reduced phase.
-    fn at(&self, at: Reduced<f64>) -> Solutions {
-        let values = self.lattice.long_values(&Reduced { parity: 1.0, ..at });
+    fn at(&self, at: ReducedPhase<f64>) -> Solutions {
+        let values = self.lattice.long_values(&ReducedPhase { parity: 1.0, ..at });
         let Solutions { a, b, p, q } = self.solutions(values);
-        let periods = self.shift * Wide::from(at.n);
+        let periods = self.shift * Scaled::from(at.n);
         let sign = if self.rotation { 1.0 } else { at.parity };
         Solutions { a: a * sign, b: b * sign, p: (p + periods * a) * sign, q: (q - periods * b) * sign }
     }
@@ -185,7 +185,7 @@ impl Periodic {
 impl Sensitivity {
     /// Of an orbit, by its own initial angle, initial velocity and omega0 = sqrt|omega0^2|.
     pub fn new(orbit: &Orbit) -> Sensitivity {
-        let origin = Solutions { a: Wide::ONE, b: Wide::ZERO, p: Wide::ZERO, q: Wide::ONE };
+        let origin = Solutions { a: Scaled::ONE, b: Scaled::ZERO, p: Scaled::ZERO, q: Scaled::ONE };
         let still = Sensitivity {
             kind: Kind::Straight,
             slopes: None,
@@ -233,8 +233,8 @@ impl Sensitivity {
         let periodic = Periodic {
             rotation: false,
             parameter: Parameter { m: Dd::ZERO, mc: Dd::ONE },
-            lattice: Lattice::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE),
-            shift: Wide::ZERO,
+            lattice: NevilleTheta::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE),
+            shift: Scaled::ZERO,
         };
         Sensitivity {
             kind: Kind::Periodic(Box::new(periodic)),
@@ -253,7 +253,7 @@ impl Sensitivity {
             Course::Libration(elliptic) => {
                 let parameter = Parameter { m: m.ldexp(2 * power), mc };
                 let shift =
-                    Wide::from(complete_difference_dd(parameter).scale(-2.0)) / Wide::from(kc).square();
+                    Scaled::from(complete_difference_dd(parameter).scale(-2.0)) / Scaled::from(kc).square();
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: false, parameter, lattice, shift };
                 let start = periodic.solutions([s / k, x / k, c]);
@@ -266,7 +266,7 @@ impl Sensitivity {
             }
             Course::Rotation(elliptic) => {
                 let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
-                let shift = Wide::from(complete_e_dd(parameter).scale(2.0)) / Wide::from(kc / k).square();
+                let shift = Scaled::from(complete_e_dd(parameter).scale(2.0)) / Scaled::from(kc / k).square();
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: true, parameter, lattice, shift };
                 let start = periodic.solutions([s, c, x / k]);
@@ -274,9 +274,9 @@ impl Sensitivity {
                 Sensitivity { kind, phase: elliptic.phase, start, stretch: k, ..common }
             }
             Course::Separatrix(phase, _) => {
-                let (inverse, b, y) = (Wide::ONE / Wide::from(c), s * c, phase.start);
-                let p = (inverse * Wide::from(s) + Wide::from(y * c)).shift(-1);
-                let q = (inverse + Wide::from(c - y * b)).shift(-1);
+                let (inverse, b, y) = (Scaled::ONE / Scaled::from(c), s * c, phase.start);
+                let p = (inverse * Scaled::from(s) + Scaled::from(y * c)).shift(-1);
+                let q = (inverse + Scaled::from(c - y * b)).shift(-1);
                 let start = Solutions { a: c.into(), b: b.into(), p, q };
                 Sensitivity { kind: Kind::Separatrix, phase: *phase, start, ..common }
             }
@@ -339,12 +339,12 @@ impl Sensitivity {
     }
 
     fn assembled(&self, passed: f64, now: &Solutions) -> Jacobian {
-        let [k, x, stretch, omega] = [self.k, self.x, self.stretch, self.omega].map(Wide::from);
+        let [k, x, stretch, omega] = [self.k, self.x, self.stretch, self.omega].map(Scaled::from);
         let (k, x, omega) = (k.shift(self.power), x.shift(self.power), omega.shift(self.omega_power));
         let start = &self.start;
         let by_velocity = (start.a * now.p - start.p * now.a) / stretch;
         let rate_by_velocity = start.a * now.q + start.p * now.b;
-        let turned = Wide::from(self.omega.ldexp(carried(self.omega_power).0)) * passed;
+        let turned = Scaled::from(self.omega.ldexp(carried(self.omega_power).0)) * passed;
         let by_force = k * now.a * turned - x * by_velocity;
         let rate_by_force = k * now.a - stretch * k * now.b * turned - x * rate_by_velocity;
         let twice = 2.0 * self.side;
@@ -352,12 +352,13 @@ impl Sensitivity {
             [now.a * start.q + now.p * start.b, by_velocity / omega, by_force * twice / omega],
             [(now.q * start.b - now.b * start.q) * stretch * omega, rate_by_velocity, rate_by_force * twice],
         ]
-        .map(|row| row.map(Wide::value))
+        .map(|row| row.map(Scaled::value))
     }
 
     /// On the upper equilibrium: cosh y, and sinh y over and times omega0.
     fn balance(&self, y: Dd) -> Jacobian {
-        let ([sinh, cosh], omega) = (hyperbolic(y), Wide::from(self.omega).shift(self.omega_power));
-        [[cosh, sinh / omega, Wide::ZERO], [sinh * omega, cosh, Wide::ZERO]].map(|row| row.map(Wide::value))
+        let ([sinh, cosh], omega) = (hyperbolic(y), Scaled::from(self.omega).shift(self.omega_power));
+        [[cosh, sinh / omega, Scaled::ZERO], [sinh * omega, cosh, Scaled::ZERO]]
+            .map(|row| row.map(Scaled::value))
     }
 }

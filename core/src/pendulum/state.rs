@@ -7,8 +7,8 @@
 
 use super::frequency::Frequency;
 use super::regime::Regime;
-use crate::float::circle::{self, Reduced};
-use crate::float::scaling::{exponent, ldexp, mantissa};
+use crate::float::angle_reduction::{self, ReducedAngle};
+use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::series;
 use crate::float::triple_double::exact_sum;
 use crate::float::{Dd, Td};
@@ -83,7 +83,7 @@ impl State {
     pub fn new(theta: f64, velocity: f64, frequency: Frequency) -> Result<State, Plain> {
         let plain = if velocity == 0.0 { Plain::Still } else { Plain::Free };
         let (omega, omega_power) = frequency.root().ok_or(plain)?;
-        let reduced = circle::reduce(theta);
+        let reduced = angle_reduction::reduce(theta);
         let x_power = if velocity == 0.0 { i32::MIN / 2 } else { exponent(velocity) - 1 - omega_power };
         if x_power > FAST {
             return Err(Plain::Free);
@@ -127,7 +127,7 @@ impl State {
     }
 }
 
-fn frame(theta: f64, reduced: &Reduced, upside_down: bool, side: f64) -> Frame {
+fn frame(theta: f64, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Frame {
     let distance = reduced.from_bottom * reduced.side;
     let base = if reduced.turns == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
     let half_turn = if upside_down { reduced.side } else { 0.0 };
@@ -135,7 +135,7 @@ fn frame(theta: f64, reduced: &Reduced, upside_down: bool, side: f64) -> Frame {
 }
 
 /// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.
-pub(super) fn half_angle(reduced: &Reduced, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
+pub(super) fn half_angle(reduced: &ReducedAngle, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
     let (low, high) = (reduced.from_bottom, reduced.from_top);
     let near = if low.hi < high.hi { low } else { high };
     let near_stable = (low.hi < high.hi) != upside_down;

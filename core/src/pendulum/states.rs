@@ -4,9 +4,9 @@
 //! repeats. NaN where an argument is out of the domain of [`Orbit`]; panics where the lengths differ.
 //! **Error** at most 8 ulp of the largest angle and velocity of the orbit.
 
+use super::batch::fill;
 use super::frequency::Frequency;
 use super::orbit::Orbit;
-use super::rows::fill;
 
 /// Angle and velocity of every row.
 ///

@@ -1,0 +1,14 @@
+//! Elliptic integrals: Carlson's symmetric ones, Legendre's complete and incomplete ones. Source: DLMF chapter 19.
+
+pub mod carlson;
+pub mod carlson_duplication;
+pub mod complete;
+pub mod heuman_lambda;
+pub mod incomplete;
+pub mod third_kind;
+
+pub use carlson::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
+pub use complete::{complete_e, complete_k};
+pub use heuman_lambda::heuman_lambda;
+pub use incomplete::{incomplete_e, incomplete_f};
+pub use third_kind::{complete_pi, incomplete_pi};

@@ -1,0 +1,148 @@
+//! The inverses of Glaisher's twelve functions.
+//!
+//! Method: with Delta(p, q) = ps^2 - qs^2, that is Delta(n, d) = m, Delta(d, c) = 1 - m, Delta(n, c) = 1, every inverse is one
+//! R_F whose arguments are sums of x^2 (or 1) and Delta x^2 (or Delta); each is formed so that it subtracts only where the
+//! range ends. Source: DLMF 22.15, 19.25.28 to 19.25.34.
+
+use super::glaisher::{Glaisher, Letter};
+use crate::elliptic::agm::quarter_period;
+use crate::elliptic::integrals::carlson::rf;
+use crate::elliptic::integrals::complete::complete_k_dd;
+use crate::elliptic::parameter::Parameter;
+use crate::float::{Dd, Scaled};
+
+/// The first zero of cn for m < 1, of dn for m > 1; infinite at m = 1.
+pub(super) fn real_quarter(parameter: Parameter) -> Dd {
+    if parameter.mc.hi > 0.0 {
+        return complete_k_dd(parameter);
+    }
+    let unit = parameter.unit();
+    if unit.kc.hi == 0.0 { Dd::from(f64::INFINITY) } else { unit.k * quarter_period(unit.kc) }
+}
+
+/// Delta(p, q) for p, q among c, d, n.
+fn delta(p: Letter, q: Letter, parameter: Parameter) -> Scaled {
+    use Letter::{C, D, N};
+    let [m, mc] = [parameter.m, parameter.mc].map(Scaled::from);
+    match (p, q) {
+        (N, D) => m,
+        (D, N) => -m,
+        (D, C) => mc,
+        (C, D) => -mc,
+        (N, C) => Scaled::ONE,
+        (C, N) => -Scaled::ONE,
+        _ => Scaled::ZERO,
+    }
+}
+
+/// The two of c, d, n that are not this one.
+fn others(letter: Letter) -> [Letter; 2] {
+    use Letter::{C, D, N};
+    match letter {
+        C => [D, N],
+        D => [C, N],
+        _ => [C, D],
+    }
+}
+
+fn outside() -> Scaled {
+    Scaled::from(f64::NAN)
+}
+
+/// For sp(u) = x (`zero`): u/x. For ps(u) = x (else): u >= 0. p is `letter`, and `square` is x^2, x >= 0.
+fn odd(letter: Letter, zero: bool, square: Scaled, parameter: Parameter) -> Scaled {
+    let (base, factor) = if zero { (Scaled::ONE, square) } else { (square, Scaled::ONE) };
+    let [mut p, mut q] = others(letter);
+    if delta(p, q, parameter).is_negative() {
+        (p, q) = (q, p);
+    }
+    // The lower is a difference only if the range ends there; the upper is that and Delta(p, q) >= 0.
+    let below = delta(q, letter, parameter);
+    let lower = base + below * factor;
+    let upper = if below.is_negative() {
+        lower + delta(p, q, parameter) * factor
+    } else {
+        base + delta(p, letter, parameter) * factor
+    };
+    if lower.is_negative() { outside() } else { rf(base, lower, upper) }
+}
+
+/// The u >= 0 of an even pq at |x|.
+fn even(p: Letter, q: Letter, x: f64, parameter: Parameter) -> Scaled {
+    if x == 1.0 {
+        return Scaled::ZERO;
+    }
+    let r = match others(p) {
+        [first, second] if first == q => second,
+        [first, _] => first,
+    };
+    let square = Scaled::from(x).square();
+    let distance = delta(q, p, parameter);
+    let w = Scaled::from(Dd::sum(1.0, -x)) * Scaled::from(Dd::sum(1.0, x)) / distance;
+    if distance.is_zero() || w.is_negative() {
+        return outside();
+    }
+    // 1 + Delta(r, q) w, which is also (Delta(r, p) - Delta(r, q) x^2)/Delta(q, p): the one that does not subtract, or
+    // else the one of smaller terms.
+    let (ratio, offset) = (delta(r, q, parameter), delta(r, p, parameter));
+    let sums = ratio.is_negative() != offset.is_negative();
+    let smaller = distance.abs() - offset.abs();
+    let last = if !ratio.is_negative() || (!sums && smaller.is_negative()) {
+        Scaled::ONE + ratio * w
+    } else {
+        (offset - ratio * square) / distance
+    };
+    if last.is_negative() { outside() } else { w.sqrt() * rf(square, Scaled::ONE, last) }
+}
+
+/// arcpq(x | m): the u with pq(u | m) = x on the principal branch.
+///
+/// | argument | domain |
+/// |---|---|
+/// | `which` | the function pq |
+/// | `x` | its real range, else NaN; an infinity is the zero of qp |
+/// | `parameter` | any |
+///
+/// The odd functions sn, sc, sd give u between the first zeros of their derivative or their first poles around 0, ns, cs, ds
+/// the branch next to their pole at 0: odd in x. The even functions give the least u >= 0. For 0 <= m <= 1 that is arcsn
+/// in `[-K, K]`, arccn, arccd in `[0, 2K]`, arcdn in `[0, K]`. A constant function (dn at m = 0, cd at m = 1) gives 0 at 1.
+///
+/// **Error** at most 3 ulp, plus 2^-98 of the condition in x and m.
+///
+/// **Source** DLMF 22.15, 19.25.28 to 19.25.34.
+///
+/// ```
+/// use libration::{Glaisher, Parameter, inverse_jacobi};
+/// let u = inverse_jacobi(Glaisher::Sn, 0.5, Parameter::from_m(0.5));
+/// assert_eq!(format!("{u:.12}"), "0.535622732805");
+/// ```
+pub fn inverse_jacobi(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
+    let [p, q] = which.letters();
+    if x.is_nan() || parameter.mc.hi.is_nan() {
+        return f64::NAN;
+    }
+    if x.is_infinite() {
+        return inverse(q, p, f64::copysign(0.0, x), parameter);
+    }
+    inverse(p, q, x, parameter)
+}
+
+fn inverse(p: Letter, q: Letter, x: f64, parameter: Parameter) -> f64 {
+    if p == Letter::S {
+        return if x == 0.0 { x } else { (odd(q, true, Scaled::from(x).square(), parameter) * x).value() };
+    }
+    if q == Letter::S {
+        return odd(p, false, Scaled::from(x).square(), parameter).value().copysign(x);
+    }
+    let u = even(p, q, x.abs(), parameter);
+    if x >= 0.0 {
+        return u.value();
+    }
+    // Negative values stand beyond the zero or the pole at the end of the quarter period.
+    let turning = if parameter.mc.hi > 0.0 { Letter::C } else { Letter::D };
+    let both = p != Letter::N && q != Letter::N;
+    if parameter.mc.hi == 0.0 || (p != turning && q != turning && !both) {
+        return f64::NAN;
+    }
+    (Scaled::from(real_quarter(parameter).scale(2.0)) - u).value()
+}

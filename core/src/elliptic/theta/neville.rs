@@ -1,0 +1,308 @@
+//! The four theta functions of one parameter 0 <= m <= 1, normalised to 1 at the origin, over lanes.
+//!
+//! With z = pi v / 2K, x = sin^2 z and the nome q <= e^-pi of m <= 1/2, every theta function is a cubic in x
+//! (the next term is q^16):
+//!   theta1 ~ sin z (1 + ...),  theta2 ~ cos z (1 + ...),  theta3 ~ 1 + ...,  theta4 ~ 1 + ...
+//! For m > 1/2 Jacobi's imaginary transformation gives the same cubics in x = -sinh^2 y, y = pi v / 2K', with
+//! the complementary nome, and theta2 and theta4 change places. Folded to |v| <= K/2, every correction stays
+//! below 0.2 and nothing cancels. With A = 2K/pi (2K'/pi):
+//!   sn = A theta1/theta4,  cn = theta2/theta4,  dn = theta3/theta4           for |v| <= K/2,
+//!   sn = theta2/theta3,    cn = k' A theta1/theta3,  dn = k' theta4/theta3   with v counted from K.
+//! Source: DLMF 20.2, 20.7(viii), 22.2; Whittaker & Watson ch. 21.
+
+use crate::elliptic::agm::agm;
+use crate::elliptic::nome::small_nome;
+use crate::elliptic::phase::ReducedPhase;
+use crate::float::elementary::{long_sin_cos, long_sinh_cosh, sin_cos, sinh_cosh};
+use crate::float::exponent::{exponent, mantissa};
+use crate::float::{Dd, HALF_PI, PI};
+use crate::lanes::Lane;
+
+/// Which nome is the small one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Side {
+    /// m <= 1/2: the nome of m, circular functions.
+    Circular,
+    /// m > 1/2: the nome of mc, hyperbolic functions.
+    Hyperbolic,
+}
+
+/// x (c[0] + x (c[1] + x c[2])), with the first coefficient as hi + lo: its rounding would be the same for
+/// every sample of an orbit, and so would not average out.
+#[derive(Clone, Copy, Debug)]
+struct Correction {
+    first: Dd,
+    second: f64,
+    third: f64,
+}
+
+impl Correction {
+    /// From q-series: each argument is one coefficient of x before normalisation by `origin`.
+    fn new(origin: Dd, first: Dd, second: f64, third: f64) -> Correction {
+        Correction { first: first / origin, second: second / origin.hi, third: third / origin.hi }
+    }
+    /// The same in double-double, good to 2^-66.
+    fn long_at(&self, x: Dd) -> Dd {
+        x * (self.first + Dd::product(x.hi, self.second + x.hi * self.third))
+    }
+    #[inline(always)]
+    fn at<L: Lane>(&self, x: L) -> L {
+        let tail = L::splat(self.third).mul_add(x, L::splat(self.second));
+        x * (L::splat(self.first.hi) + tail.mul_add(x, L::splat(self.first.lo)))
+    }
+    /// Derivative of the logarithm of 1 + the correction, by x.
+    #[inline(always)]
+    fn logarithmic_slope<L: Lane>(&self, x: L) -> L {
+        let tail = L::splat(3.0 * self.third).mul_add(x, L::splat(2.0 * self.second));
+        tail.mul_add(x, L::splat(self.first.hi)) / (L::splat(1.0) + self.at(x))
+    }
+}
+
+/// The period lattice of one parameter and its theta functions, set up once.
+#[derive(Clone, Debug)]
+pub struct NevilleTheta {
+    side: Side,
+    /// Circular or hyperbolic angle of one half period 2K.
+    pub angle: Dd,
+    /// 2K/pi or 2K'/pi: the factor A of theta1.
+    pub theta1_factor: Dd,
+    /// Quarter period K (infinite at m = 1).
+    pub quarter: Dd,
+    /// Complementary modulus k'.
+    pub kc: Dd,
+    /// K'/K to two digits, not above it.
+    pub aspect: f64,
+    theta: [Correction; 4],
+}
+
+/// The theta functions at one reduced argument: theta1 without the factor A; `folded` where the argument is
+/// counted from K.
+pub struct Thetas<L: Lane> {
+    /// theta1/A, theta2, theta3, theta4.
+    pub theta: [Dd<L>; 4],
+    /// Whether the argument is counted from K.
+    pub folded: L::Mask,
+}
+
+/// Where sinh^2 is larger, its nome is 0 in double: the product must not become 0 times infinity.
+const LARGE: f64 = 1e300;
+
+#[inline(always)]
+fn bounded_square<L: Lane>(sine: L) -> L {
+    let square = sine * sine;
+    L::select(L::splat(LARGE).less(square), L::splat(LARGE), square)
+}
+
+/// Whether half periods f in [0, 1/2] are nearer to K, and their distance from 0 or from K.
+#[inline(always)]
+pub(crate) fn fold<L: Lane>(f: Dd<L>) -> (L::Mask, Dd<L>) {
+    let folded = L::splat(0.25).less(f.hi);
+    (folded, Dd::select(folded, Dd::ordered_sum(L::splat(0.5) - f.hi, -f.lo), f))
+}
+
+impl NevilleTheta {
+    /// From m, k and k' of 0 <= m < 1 (k and k' apart, because either may be below the range of its square).
+    pub fn new(m: Dd, mc: Dd, k: Dd, kc: Dd) -> NevilleTheta {
+        let mean = agm(kc);
+        let quarter = HALF_PI / mean;
+        if m.hi <= mc.hi {
+            let q = small_nome(m, kc);
+            let theta = corrections(q);
+            return NevilleTheta {
+                aspect: least_aspect(q.hi),
+                side: Side::Circular,
+                angle: PI,
+                theta1_factor: Dd::ONE / mean,
+                quarter,
+                kc,
+                theta,
+            };
+        }
+        let other = agm(k);
+        let theta = corrections(small_nome(mc, k));
+        let angle = PI * other / mean;
+        let aspect = PI.hi / angle.hi;
+        NevilleTheta {
+            side: Side::Hyperbolic,
+            angle,
+            theta1_factor: Dd::ONE / other,
+            quarter,
+            kc,
+            aspect,
+            theta,
+        }
+    }
+
+    /// Whether [`NevilleTheta::thetas_on`] takes the hyperbolic side.
+    pub fn hyperbolic(&self) -> bool {
+        self.side == Side::Hyperbolic
+    }
+
+    /// Theta functions at v = 2K f, 0 <= f <= 1/2, for a lattice on that side.
+    #[inline(always)]
+    pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
+        let (folded, v) = fold(f);
+        let angle = v * Dd::splat(self.angle);
+        let [t1, t2, t3, t4] = &self.theta;
+        let one = Dd::from_double(L::splat(1.0));
+        let theta = if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let x = -bounded_square(sine.hi);
+            [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let x = sine.hi * sine.hi;
+            [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
+        };
+        Thetas { theta, folded }
+    }
+
+    /// sn, cn, dn in double at 2K f, 0 <= f <= 1/2; whether that is nearer to K; and the slope of ln theta4 there (of ln theta3,
+    /// counted from K) by its circular or hyperbolic angle, which is Jacobi's zeta but for factors.
+    #[inline(always)]
+    pub(crate) fn short_values<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> ([L; 3], L::Mask, L) {
+        let (folded, v) = fold(f);
+        let angle = v * Dd::splat(self.angle);
+        let [t1, t2, t3, t4] = &self.theta;
+        let (factor, kc) = (L::splat(self.theta1_factor.hi), L::splat(self.kc.hi));
+        let one = L::splat(1.0);
+        let (theta, near, far) = if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let (sine, cosine) = (sine.hi, cosine.hi);
+            let x = -(sine * sine);
+            let twice = sine * cosine * L::splat(-2.0);
+            let tail = t2.logarithmic_slope(x) * twice;
+            let theta = [sine * (one + t1.at(x)), one + t4.at(x), one + t3.at(x), cosine * (one + t2.at(x))];
+            (theta, sine / cosine + tail, t3.logarithmic_slope(x) * twice)
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let (sine, cosine) = (sine.hi, cosine.hi);
+            let x = sine * sine;
+            let twice = sine * cosine * L::splat(2.0);
+            let theta = [sine * (one + t1.at(x)), cosine * (one + t2.at(x)), one + t3.at(x), one + t4.at(x)];
+            (theta, t4.logarithmic_slope(x) * twice, t3.logarithmic_slope(x) * twice)
+        };
+        let [t1, t2, t3, t4] = theta;
+        let below = one / L::select(folded, t3, t4);
+        let (t1, upper) = (t1 * factor, kc * below);
+        let sn = L::select(folded, t2, t1) * below;
+        let cn = L::select(folded, t1 * upper, t2 * below);
+        let dn = L::select(folded, t4 * upper, t3 * below);
+        ([sn, cn, dn], folded, L::select(folded, far, near))
+    }
+
+    /// [`NevilleTheta::thetas_on`] good to 2^-64: for steps that are repeated, whose errors would add up.
+    pub fn long_thetas(&self, f: Dd) -> Thetas<f64> {
+        let folded = f.hi > 0.25;
+        let v = if folded { Dd::from(0.5) - f } else { f };
+        let angle = v * self.angle;
+        let [t1, t2, t3, t4] = &self.theta;
+        let times = |lead: Dd, correction: Dd| lead + lead * correction;
+        let theta = match self.side {
+            Side::Circular => {
+                let (sine, cosine) = long_sin_cos(angle);
+                let x = sine.square();
+                [
+                    times(sine, t1.long_at(x)),
+                    times(cosine, t2.long_at(x)),
+                    times(Dd::ONE, t3.long_at(x)),
+                    times(Dd::ONE, t4.long_at(x)),
+                ]
+            }
+            Side::Hyperbolic => {
+                let (sine, cosine) = long_sinh_cosh(angle);
+                let square = sine.square();
+                let x = if square.hi > LARGE { Dd::from(-LARGE) } else { -square };
+                [
+                    times(sine, t1.long_at(x)),
+                    times(Dd::ONE, t4.long_at(x)),
+                    times(Dd::ONE, t3.long_at(x)),
+                    times(cosine, t2.long_at(x)),
+                ]
+            }
+        };
+        Thetas { theta, folded }
+    }
+
+    /// sn, cn, dn at a reduced phase, with the digits of [`NevilleTheta::long_thetas`].
+    pub fn long_values(&self, at: &ReducedPhase<f64>) -> [Dd; 3] {
+        let Thetas { theta: [t1, t2, t3, t4], folded } = self.long_thetas(at.f);
+        let t1 = t1 * self.theta1_factor;
+        let [sn, cn, dn] = if folded {
+            [t2 / t3, self.kc * t1 / t3, self.kc * t4 / t3]
+        } else {
+            [t1 / t4, t2 / t4, t3 / t4]
+        };
+        [sn.scale(at.sign * at.parity), cn.scale(at.parity), dn]
+    }
+}
+
+/// -ln q/pi from below, with a straight line for the logarithm of the mantissa.
+fn least_aspect(q: f64) -> f64 {
+    const LN_2_OVER_PI: f64 = 0.220_635_600_152_651_6;
+    let logarithm = if q == 0.0 { -1075.0 } else { f64::from(exponent(q)) + mantissa(q) - 0.91 };
+    -LN_2_OVER_PI * logarithm
+}
+
+/// theta1/sin, theta2/cos, theta3, theta4 as cubics in x = sin^2 z, a row for each power of x; the columns are powers of
+/// q: 0, 2, 6, 12 for the first two, 0, 1, 4, 9 for the others.
+const SERIES: [[[f64; 4]; 4]; 4] = [
+    [[1.0, -3.0, 5.0, -7.0], [0.0, 4.0, -20.0, 56.0], [0.0, 0.0, 16.0, -112.0], [0.0, 0.0, 0.0, 64.0]],
+    [[1.0, 1.0, 1.0, 1.0], [0.0, -4.0, -12.0, -24.0], [0.0, 0.0, 16.0, 80.0], [0.0, 0.0, 0.0, -64.0]],
+    [[1.0, 2.0, 2.0, 2.0], [0.0, -4.0, -16.0, -36.0], [0.0, 0.0, 16.0, 96.0], [0.0, 0.0, 0.0, -64.0]],
+    [[1.0, -2.0, 2.0, -2.0], [0.0, 4.0, -16.0, 36.0], [0.0, 0.0, 16.0, -96.0], [0.0, 0.0, 0.0, 64.0]],
+];
+
+/// Corrections of theta1/sin, theta2/cos, theta3, theta4 in powers of sin^2.
+fn corrections(q: Dd) -> [Correction; 4] {
+    let q2 = q.square();
+    let q4 = q2.square();
+    let (q6, q9, q12) = (q4.hi * q2.hi, q4.hi * q4.hi * q.hi, q4.hi * q4.hi * q4.hi);
+    let powers = [(q2, Dd::from(q6), q12), (q2, Dd::from(q6), q12), (q, q4, q9), (q, q4, q9)];
+    core::array::from_fn(|i| {
+        let (first, second, third) = powers[i];
+        let [origin, one, two, three] = SERIES[i].map(|[a, b, c, d]| {
+            let small = second * c + Dd::from(third * d);
+            if b == 0.0 { small } else { Dd::from(a) + first * b + small }
+        });
+        Correction::new(origin, one, two.hi, three.hi)
+    })
+}
+
+/// A [`Correction`] per lane, in double.
+#[derive(Clone, Copy)]
+pub(crate) struct ShortCorrection<L: Lane>([L; 3]);
+
+impl<L: Lane> ShortCorrection<L> {
+    /// Of the row `function` of the series, in the powers of q that its columns name.
+    #[inline(always)]
+    fn new(function: usize, [first, second, third]: [L; 3]) -> Self {
+        let mut rows = [L::splat(0.0); 4];
+        for (row, [a, b, c, d]) in rows.iter_mut().zip(SERIES[function]) {
+            let small = second.mul_add(L::splat(c), third * L::splat(d));
+            *row = first.mul_add(L::splat(b), small) + L::splat(a);
+        }
+        let [origin, one, two, three] = rows;
+        let inverse = L::splat(1.0) / origin;
+        ShortCorrection([one * inverse, two * inverse, three * inverse])
+    }
+    #[inline(always)]
+    pub fn at(&self, x: L) -> L {
+        let [first, second, third] = self.0;
+        x * third.mul_add(x, second).mul_add(x, first)
+    }
+}
+
+/// [`corrections`] of a nome per lane, in double.
+#[inline(always)]
+pub(crate) fn short_corrections<L: Lane>(q: L) -> [ShortCorrection<L>; 4] {
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    let (q6, q9, q12) = (q4 * q2, q4 * q4 * q, q4 * q4 * q4);
+    [
+        ShortCorrection::new(0, [q2, q6, q12]),
+        ShortCorrection::new(1, [q2, q6, q12]),
+        ShortCorrection::new(2, [q, q4, q9]),
+        ShortCorrection::new(3, [q, q4, q9]),
+    ]
+}

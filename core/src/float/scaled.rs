@@ -1,0 +1,225 @@
+//! A double-double times a power of two, so that squares, cubes and quotients of any doubles stay in range: for set-ups
+//! and integrals whose result is a double although the steps to it are not.
+//!
+//! Relative errors are those of [`Dd`]. The part is in [1, 2) (its sign apart); zero, infinity and NaN have power 0.
+
+use super::double_double::Dd;
+use super::exponent::{exp2, exponent, ldexp};
+use super::triple_double::Td;
+use super::{LN_2, series};
+use crate::lanes::Lane;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// part * 2^power.
+#[derive(Clone, Copy, Debug)]
+pub struct Scaled {
+    part: Dd,
+    power: i32,
+}
+
+/// Arguments of the exponential: powers of results stay far from the range of i32, also after sums and products of some.
+const END: f64 = 1e8;
+const INVERSE_LN_2: f64 = 1.4426950408889634;
+
+/// Below, a term no longer counts in the sum.
+const FAR: i32 = 240;
+
+impl Scaled {
+    /// Zero.
+    pub const ZERO: Scaled = Scaled { part: Dd::ZERO, power: 0 };
+    /// One.
+    pub const ONE: Scaled = Scaled { part: Dd::ONE, power: 0 };
+
+    /// part * 2^power of any part.
+    #[inline]
+    pub fn new(part: Dd, power: i32) -> Scaled {
+        if part.hi == 0.0 || !part.hi.is_finite() {
+            return Scaled { part: Dd::from(part.hi), power: 0 };
+        }
+        let e = exponent(part.hi);
+        let part = if e.abs() <= 1000 { part.scale(exp2(-e)) } else { part.ldexp(-e) };
+        Scaled { part, power: power + e }
+    }
+    /// The nearest double, rounded once more among the subnormal numbers.
+    pub fn value(self) -> f64 {
+        if self.part.hi == 0.0 { self.part.hi } else { ldexp(self.part.value(), self.power) }
+    }
+    /// As a double-double, each word rounded once where it leaves the normal numbers.
+    pub fn to_dd(self) -> Dd {
+        self.part.ldexp(self.power)
+    }
+    /// Times 2^power, exactly.
+    pub fn shift(self, power: i32) -> Scaled {
+        if self.is_zero() || !self.is_finite() {
+            return self;
+        }
+        Scaled { part: self.part, power: self.power + power }
+    }
+    /// Exponent of the value.
+    pub fn power(self) -> i32 {
+        self.power
+    }
+    /// The value over its power of two, in [1, 2) but for its sign; zero, infinite or NaN where the value is.
+    pub fn part(self) -> Dd {
+        self.part
+    }
+    /// Absolute value.
+    pub fn abs(self) -> Scaled {
+        Scaled { part: self.part.abs(), power: self.power }
+    }
+    /// Whether it is zero.
+    pub fn is_zero(self) -> bool {
+        self.part.hi == 0.0
+    }
+    /// Whether it is below zero.
+    pub fn is_negative(self) -> bool {
+        self.part.hi < 0.0
+    }
+    /// Whether it is above zero.
+    pub fn is_positive(self) -> bool {
+        self.part.hi > 0.0
+    }
+    /// Whether it is neither infinite nor NaN.
+    pub fn is_finite(self) -> bool {
+        self.part.hi.is_finite()
+    }
+    /// Whether it is NaN.
+    pub fn is_nan(self) -> bool {
+        self.part.hi.is_nan()
+    }
+    /// Square root; NaN below zero.
+    pub fn sqrt(self) -> Scaled {
+        if self.is_zero() || !self.is_finite() {
+            return Scaled { part: Dd::from(f64::sqrt(self.part.hi)), power: 0 };
+        }
+        let odd = self.power & 1;
+        let part = if odd == 1 { self.part.scale(2.0) } else { self.part };
+        Scaled::new(part.sqrt(), (self.power - odd) / 2)
+    }
+    /// The square.
+    pub fn square(self) -> Scaled {
+        self * self
+    }
+}
+
+/// e^y of any y: 0 or infinite far beyond the range of every use.
+pub fn exp(y: Dd) -> Scaled {
+    if y.hi.abs() >= END || y.hi.is_nan() {
+        return Scaled::from(if y.hi > 0.0 { f64::INFINITY } else { y.hi * 0.0 });
+    }
+    let k = Lane::round(y.hi * INVERSE_LN_2);
+    let (sine, cosine) = series::sinh_cosh(Td::from(y) - LN_2 * k);
+    Scaled::new((cosine + sine).to_dd(), k as i32)
+}
+
+/// ln x of a finite x > 0, to all digits also next to 1.
+pub fn ln(x: f64) -> Dd {
+    let power = exponent(x);
+    let mantissa = ldexp(x, -power);
+    let (power, mantissa) =
+        if mantissa > core::f64::consts::SQRT_2 { (power + 1, 0.5 * mantissa) } else { (power, mantissa) };
+    // 2 artanh s, s = (x - 1)/(x + 1): s^2 < 0.0295, so that 22 terms reach 2^-112.
+    let s = Dd::sum(mantissa, -1.0) / Dd::sum(mantissa, 1.0);
+    let square = s.square();
+    let mut sum = Dd::ZERO;
+    for k in (0..22).rev() {
+        sum = sum * square + Dd::ONE / Dd::from(f64::from(2 * k + 1));
+    }
+    LN_2.to_dd() * f64::from(power) + (s * sum).scale(2.0)
+}
+
+impl From<Dd> for Scaled {
+    fn from(value: Dd) -> Scaled {
+        Scaled::new(value, 0)
+    }
+}
+
+impl From<f64> for Scaled {
+    fn from(value: f64) -> Scaled {
+        Scaled::new(Dd::from(value), 0)
+    }
+}
+
+impl Neg for Scaled {
+    type Output = Scaled;
+    fn neg(self) -> Scaled {
+        Scaled { part: -self.part, power: self.power }
+    }
+}
+
+impl Add for Scaled {
+    type Output = Scaled;
+    #[inline]
+    fn add(self, other: Scaled) -> Scaled {
+        if !self.is_finite() || !other.is_finite() {
+            return Scaled::from(self.part.hi + other.part.hi);
+        }
+        let (large, small) = if other.is_zero() || (!self.is_zero() && self.power >= other.power) {
+            (self, other)
+        } else {
+            (other, self)
+        };
+        let apart = large.power - small.power;
+        if small.is_zero() || apart > FAR {
+            return large;
+        }
+        Scaled::new(large.part + small.part.scale(exp2(-apart)), large.power)
+    }
+}
+
+impl Sub for Scaled {
+    type Output = Scaled;
+    fn sub(self, other: Scaled) -> Scaled {
+        self + -other
+    }
+}
+
+impl Mul for Scaled {
+    type Output = Scaled;
+    #[inline]
+    fn mul(self, other: Scaled) -> Scaled {
+        let lead = self.part.hi * other.part.hi;
+        if lead == 0.0 || !lead.is_finite() {
+            return Scaled::from(lead);
+        }
+        Scaled::new(self.part * other.part, self.power + other.power)
+    }
+}
+
+impl Mul<f64> for Scaled {
+    type Output = Scaled;
+    fn mul(self, factor: f64) -> Scaled {
+        self * Scaled::from(factor)
+    }
+}
+
+impl Div for Scaled {
+    type Output = Scaled;
+    #[inline]
+    fn div(self, other: Scaled) -> Scaled {
+        let lead = self.part.hi / other.part.hi;
+        if lead == 0.0 || !lead.is_finite() || !other.is_finite() {
+            return Scaled::from(lead);
+        }
+        Scaled::new(self.part / other.part, self.power - other.power)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn range_is_no_limit() {
+        let tiny = Scaled::from(5e-324);
+        assert_eq!((tiny * tiny * tiny).sqrt().value(), 0.0);
+        assert_eq!((tiny * tiny * tiny / (tiny * tiny)).value(), 5e-324);
+        assert_eq!((Scaled::from(1e300).square().sqrt()).value(), 1e300);
+        assert_eq!((Scaled::from(3.0) + Scaled::from(1e-300) - Scaled::from(3.0)).value(), 0.0);
+        assert_eq!((Scaled::from(0.75) - Scaled::from(1.0)).value(), -0.25);
+        assert!(
+            (Scaled::ZERO / Scaled::ZERO).is_nan() && (Scaled::ONE / Scaled::ZERO).value() == f64::INFINITY
+        );
+        assert!((Scaled::ZERO + Scaled::from(2.0)).value() == 2.0 && (-Scaled::ONE).sqrt().is_nan());
+    }
+}

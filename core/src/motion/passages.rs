@@ -1,0 +1,66 @@
+//! The times at which a motion comes by, again and again: what all passages share.
+
+use crate::domain::Domain;
+use crate::elliptic::phase::LAST_HALF_PERIOD;
+use crate::float::Dd;
+
+/// Most passages in one answer.
+pub const MOST_TIMES: f64 = 1e7;
+
+/// An interval of times, both ends included.
+#[derive(Clone, Copy)]
+pub(crate) struct Interval {
+    start: f64,
+    stop: f64,
+}
+
+impl Interval {
+    /// An error for a NaN, and for a start after the stop.
+    pub fn new(start: f64, stop: f64) -> Result<Interval, Domain> {
+        Domain::check("start", start, !start.is_nan(), "a number")?;
+        Domain::check("stop", stop, !stop.is_nan(), "a number")?;
+        if stop < start {
+            return Err(Domain::new("stop", format!("{stop:?}"), format!("not before start, {start:?}")));
+        }
+        Ok(Interval { start, stop })
+    }
+
+    /// Whether a time is in it.
+    pub fn holds(self, time: f64) -> bool {
+        (self.start..=self.stop).contains(&time)
+    }
+
+    /// The times in it, rising, of phases since t = 0 that come by every `spacing` half periods; the phase runs `rate` > 0
+    /// half periods per time times `scale`.
+    pub fn repeated(self, rate: Dd, scale: f64, phases: &[Dd], spacing: f64) -> Result<Vec<f64>, Domain> {
+        let passed = |t: f64| if t.is_finite() { (rate * (t * scale)).hi } else { t };
+        let (first, last) = (passed(self.start), passed(self.stop));
+        let repeats = |at: Dd| ((first - at.hi) / spacing, (last - at.hi) / spacing);
+        let (mut count, mut low, mut high) = (0.0, f64::INFINITY, f64::NEG_INFINITY);
+        for at in phases {
+            let (from, to) = repeats(*at);
+            count += (to.floor() - from.ceil() + 1.0).max(0.0);
+            (low, high) = (low.min(from.floor()), high.max(to.ceil()));
+        }
+        if count > MOST_TIMES {
+            let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
+            let (argument, allowed) = ("passages from start to stop", "at most 10000000");
+            return Err(Domain::new(argument, given, allowed));
+        }
+        let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
+        Domain::check("stop", self.stop, near, "within 2^53 half periods, like start")?;
+        let mut times = Vec::with_capacity(count as usize + 2);
+        let mut repeat = low - 1.0;
+        while repeat <= high + 1.0 {
+            for at in phases {
+                let t = ((*at + Dd::from(repeat * spacing)) / rate).value() / scale;
+                if self.holds(t) {
+                    times.push(t);
+                }
+            }
+            repeat += 1.0;
+        }
+        times.sort_by(f64::total_cmp);
+        Ok(times)
+    }
+}

@@ -1,0 +1,115 @@
+//! One orbit of u'' + alpha u + beta u^3 + gamma u^5 = 0, set up once: regime, period, range, energy and escapes.
+//!
+//! With v = 1/u^2, v'^2 = 4 C(v), C(v) = 2E v^3 - alpha v^2 - beta v/2 - gamma/3: a cubic, so that every motion is an elliptic
+//! function of Legendre's kind or, where a root is double or E = 0, an elementary one; u escapes where v = 0 and passes 0
+//! where v is infinite. All signs that decide the regime are exact (quintic_exact.rs).
+//! Source: derived; Belendez et al., J. Vib. Control 22 (2016) 2914, for motions released at rest about u = 0.
+
+use super::regime::Regime;
+use super::set_up::{Course, Marker, SetUp, Spring, Way, course};
+use crate::domain::Domain;
+use crate::float::scaled::Scaled;
+
+/// One orbit of u'' + alpha u + beta u^3 + gamma u^5 = 0, set up once for many times.
+///
+/// ```
+/// use libration::CubicQuintic;
+/// let spring = CubicQuintic::new(1.0, 0.0, 1.0, 1.0, 1.0)?;
+/// assert_eq!(spring.regime().name(), "libration");
+/// assert_eq!(format!("{:.9} {:.9}", spring.period(), spring.u(1.0)), "4.123945209 0.041948934");
+/// # Ok::<(), libration::Domain>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct CubicQuintic {
+    pub(super) u0: f64,
+    pub(super) velocity0: f64,
+    force: [f64; 3],
+    pub(super) spring: Spring,
+    pub(super) course: Course,
+    pub(super) marker: Option<Marker>,
+    pub(super) way: Way,
+    regime: Regime,
+    period: f64,
+    range: (f64, f64),
+    escapes: (f64, f64),
+}
+
+impl CubicQuintic {
+    /// Sets up the orbit through u0 with velocity0 at t = 0.
+    ///
+    /// | argument | domain |
+    /// |---|---|
+    /// | `u0`, `velocity0` | finite |
+    /// | `alpha`, `beta`, `gamma` | finite, of any signs |
+    pub fn new(u0: f64, velocity0: f64, alpha: f64, beta: f64, gamma: f64) -> Result<CubicQuintic, Domain> {
+        let named =
+            [("u0", u0), ("velocity0", velocity0), ("alpha", alpha), ("beta", beta), ("gamma", gamma)];
+        for (name, value) in named {
+            Domain::check(name, value, value.is_finite(), "finite")?;
+        }
+        let force = [alpha, beta, gamma];
+        let spring = Spring::new(u0, velocity0, force);
+        let SetUp { course, marker, regime, period, range, escapes, way } =
+            course(&spring, u0, velocity0, force);
+        Ok(CubicQuintic {
+            u0,
+            velocity0,
+            force,
+            spring,
+            course,
+            marker,
+            way,
+            regime,
+            period: period.value(),
+            range: (range[0].value(), range[1].value()),
+            escapes: (escapes[0].value(), escapes[1].value()),
+        })
+    }
+
+    /// Regime, decided exactly.
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+    /// Period of a libration, of a well and of a harmonic oscillator; at rest that of small oscillations about a stable
+    /// equilibrium; else infinite. **Error** at most 4 ulp (plus 2^-100 of its condition).
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+    /// Lowest and highest u over the whole motion, limits included; infinite where it escapes.
+    pub fn range(&self) -> (f64, f64) {
+        self.range
+    }
+    /// u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6, from a sum without rounding; infinite beyond the range of doubles.
+    pub fn energy(&self) -> f64 {
+        (self.spring.a.to_wide() / Scaled::from(12.0)).value()
+    }
+    /// When u becomes infinite: above 0, or infinite if it never does. **Error** at most 1e-14 of it, plus
+    /// 2^-100 of its condition.
+    pub fn escape_time(&self) -> f64 {
+        self.escapes.1
+    }
+    /// When u came from infinity: below 0, or minus infinity if it never did. Error as for [`Self::escape_time`].
+    pub fn escape_time_backward(&self) -> f64 {
+        self.escapes.0
+    }
+    /// u at t = 0.
+    pub fn u0(&self) -> f64 {
+        self.u0
+    }
+    /// u' at t = 0.
+    pub fn velocity0(&self) -> f64 {
+        self.velocity0
+    }
+    /// The linear stiffness.
+    pub fn alpha(&self) -> f64 {
+        self.force[0]
+    }
+    /// The cubic stiffness.
+    pub fn beta(&self) -> f64 {
+        self.force[1]
+    }
+    /// The quintic stiffness.
+    pub fn gamma(&self) -> f64 {
+        self.force[2]
+    }
+}

@@ -1,0 +1,99 @@
+//! When a value is passed: the inverse of the motion.
+//!
+//! With 6 u'^2 at the value from a sum without rounding, its marks are those of a start there (quintic_marks.rs), so that
+//! passages keep their digits at zeros, turning points and next to escapes.
+
+use super::argument::Mark;
+use super::cubic_quintic::CubicQuintic;
+use super::quintic_exact::Exact;
+use super::set_up::Course;
+use crate::domain::Domain;
+use crate::elliptic::phase::Phase;
+use crate::float::Dd;
+use crate::float::scaled::Scaled;
+use crate::motion::passages::Interval;
+
+impl CubicQuintic {
+    /// The marks of a value, and whether the motion turns there; `None` where it does not get.
+    fn mark(&self, u: f64) -> Option<(Mark, bool)> {
+        let y = Exact::from(u).square();
+        let (low, high) = self.range();
+        let turns = match &self.course {
+            Course::Theta(_) => u == low || u == high,
+            Course::Plain(plain, _) => plain.turn() == Some(u.abs()),
+            Course::Still => false,
+        };
+        let square_speed = if u.abs() == self.u0.abs() {
+            &Exact::from(self.velocity0).square() * 6.0
+        } else if turns {
+            Exact::from(0.0)
+        } else {
+            self.spring.square_speed(&y)
+        };
+        if square_speed.sign() < 0 || !(low <= u && u <= high) {
+            return None;
+        }
+        let marker = self.marker.as_ref()?;
+        Some((marker.at(&y, &square_speed), turns || square_speed.sign() == 0))
+    }
+
+    /// All times from `start` to `stop` (both included) at which the motion passes `u`, rising.
+    ///
+    /// | argument | domain |
+    /// |---|---|
+    /// | `u` | finite; none where the motion does not get, or only in infinite time |
+    /// | `start`, `stop` | `start` <= `stop`; with more than 10^7 passages between them, or beyond 2^53 half periods, an error |
+    ///
+    /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
+    pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        Domain::check("u", u, u.is_finite(), "finite")?;
+        let interval = Interval::new(start, stop)?;
+        let Some((mark, turns)) = self.mark(u) else { return Ok(Vec::new()) };
+        let crosses = self.range().0 < 0.0 && self.range().1 > 0.0;
+        let mirrored = u != 0.0 && (u < 0.0) != (self.way.side < 0.0);
+        let mut times = match &self.course {
+            Course::Still => Vec::new(),
+            Course::Theta(theta) if theta.repeats() => {
+                let at = theta.in_half_periods(mark).base.to_dd();
+                let (phase, scale) = theta.clock();
+                // The count of repetitions rises with time.
+                let falls = phase.rate.hi < 0.0;
+                let phase = if falls { Phase { rate: -phase.rate, start: -phase.start } } else { *phase };
+                let at = if mirrored != falls { -at } else { at };
+                // Odd: mirrored about the turning point half a half period on; even: about the base.
+                let middle = if falls { -Dd::ONE } else { Dd::ONE };
+                let (spacing, other) = if crosses { (2.0, middle - at) } else { (1.0, -at) };
+                let phases = [at, other].map(|at| at - phase.start);
+                let different = if turns { 1 } else { 2 };
+                return interval.repeated(phase.rate, scale, &phases[..different], spacing);
+            }
+            Course::Theta(theta) => {
+                passages(theta.in_half_periods(mark), crosses, mirrored, turns, theta.rates())
+            }
+            Course::Plain(plain, _) => {
+                let once = turns || plain.turn().is_none();
+                passages(mark, crosses, mirrored, once, [plain.base, plain.rest])
+            }
+        };
+        times.retain(|t| t.is_finite() && interval.holds(*t));
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        Ok(times)
+    }
+}
+
+/// Times of a motion that does not repeat, `once` where it passes only once; `rates` are the arguments at the start and
+/// per time, from the base and to the pole.
+fn passages(mark: Mark, crosses: bool, mirrored: bool, once: bool, rates: [[Scaled; 2]; 2]) -> Vec<f64> {
+    let [[base, base_rate], [rest, rest_rate]] = rates;
+    let along = |argument: Scaled| ((argument - base) / base_rate).value();
+    // Next to the pole its own count has the digits.
+    let near_pole = mark.pole.is_positive() && (mark.pole - mark.base).is_negative();
+    let ahead = if near_pole { ((mark.pole - rest) / rest_rate).value() } else { along(mark.base) };
+    match (crosses, mirrored) {
+        (true, true) => vec![along(-mark.base)],
+        (true, false) => vec![ahead],
+        _ if once => vec![ahead],
+        _ => vec![ahead, along(-mark.base)],
+    }
+}

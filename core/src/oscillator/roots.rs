@@ -1,0 +1,224 @@
+//! The roots of f(v) = a v^3 + b v^2 + c v + d, and what lies between them and any point, each to all digits.
+//!
+//! Method: z = 3 a v + b turns f into z^3 + 3 P z + Q over 27 a^2. P, Q and the discriminant are exact (quintic_exact.rs),
+//! so that the trigonometric and Cardano's forms give all *differences* of roots without cancellation. From a point to
+//! the roots: the distances are roots of a cubic whose coefficients are exact as well; the largest comes by plain
+//! subtraction, the other two from their product, their sum and their known difference. The distances from v = 0 are
+//! the roots themselves.
+//! Source: DLMF 1.11(iii).
+
+use super::cubic_phase::rf;
+use super::quintic_exact::Exact;
+use crate::float::Dd;
+use crate::float::elementary::long_sin_cos;
+use crate::float::scaled::Scaled;
+
+const THREE: f64 = 3.0;
+
+/// Below this power of two a double-double has no room for squares beside 1.
+const CARRIED: i32 = 300;
+
+pub(super) fn less(a: Scaled, b: Scaled) -> bool {
+    (a - b).is_negative()
+}
+
+/// Coefficients and invariants, exact.
+#[derive(Clone, Debug)]
+pub(super) struct Cubic {
+    pub a: Exact,
+    pub b: Exact,
+    pub d: Exact,
+    /// 3ac - b^2.
+    p: Exact,
+    third: Scaled,
+    shape: Shape,
+}
+
+/// The roots z of the depressed cubic.
+#[derive(Clone, Debug)]
+enum Shape {
+    /// From the largest v to the smallest; gaps between 0 and 1, 1 and 2, 0 and 2.
+    Three { z: [Scaled; 3], gaps: [Scaled; 3] },
+    /// z and -z/2 +- i w.
+    One { z: Scaled, w: Scaled },
+}
+
+/// Distances from a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Distances {
+    /// To the three roots.
+    Three([Scaled; 3]),
+    /// To the real root, the square of that to the others, and its real part.
+    One([Scaled; 3]),
+}
+
+/// Cube root of a positive number.
+fn cube_root(x: Scaled) -> Scaled {
+    let power = x.power().div_euclid(3);
+    let value = x.shift(-3 * power).to_dd();
+    // In [1, 8); Newton's steps double the digits from a straight line with an error below 0.3.
+    let mut root = Dd::from(0.9 + 0.145 * value.hi);
+    for _ in 0..7 {
+        root = root - (root - value / root.square()) / Dd::from(THREE);
+    }
+    Scaled::new(root, power)
+}
+
+fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Shape {
+    // z = 2R cos(...) with 3 phi' = phi = atan2(root, |q|), root = 2 R^3 sin phi.
+    let r = p.abs().sqrt();
+    let half = if r.is_zero() {
+        Scaled::ZERO
+    } else {
+        root * rf([q.abs(), r * r.square().shift(1), r * r.square().shift(1)])
+    };
+    let third = half / Scaled::from(THREE);
+    let (sine, cosine) = if third.power() < -CARRIED || third.is_zero() {
+        (third, Scaled::ONE)
+    } else {
+        let (sine, cosine) = long_sin_cos(third.to_dd());
+        (Scaled::from(sine), Scaled::from(cosine))
+    };
+    let across = r * sine * Scaled::from(THREE).sqrt();
+    let along = r * cosine;
+    let (far, near) = (along.shift(1), [across - along, -across - along]);
+    let [wide, narrow] = [along * THREE + across, along * THREE - across];
+    let close = across.shift(1);
+    // q < 0: the far root is above the others.
+    let top = q.is_negative();
+    let (z, gaps) = if top {
+        ([far, near[0], near[1]], [narrow, close, wide])
+    } else {
+        ([-near[1], -near[0], -far], [close, narrow, wide])
+    };
+    if falling {
+        Shape::Three { z: [z[2], z[1], z[0]], gaps: [gaps[1], gaps[0], gaps[2]] }
+    } else {
+        Shape::Three { z, gaps }
+    }
+}
+
+fn one(p: Scaled, q: Scaled, root: Scaled) -> Shape {
+    let t = cube_root((q.abs() + root).shift(-1));
+    let (square, other) = (t.square(), (p / t).square());
+    let z = q.abs() / (square + p + other);
+    let w = if p.is_negative() { root / (square - p + other) } else { t + p / t };
+    let w = (w * Scaled::from(THREE).sqrt()).shift(-1);
+    Shape::One { z: if q.is_negative() { z } else { -z }, w }
+}
+
+impl Cubic {
+    /// For a != 0.
+    pub fn new(a: Exact, b: Exact, c: Exact, d: Exact) -> Cubic {
+        let (ac, bd) = (&a * &c, &b * &d);
+        let b2 = b.square();
+        let a2 = a.square();
+        let p = &(&ac * THREE) - &b2;
+        let q = &(&(&(&b2 * &b) * 2.0) - &(&(&ac * &b) * 9.0)) + &(&(&a2 * &d) * 27.0);
+        let ad2 = (&a * &d).square();
+        let cubes = &(&(&ac * &c.square()) * 4.0) + &(&(&bd * &b2) * 4.0);
+        let delta = &(&(&b.square() * &c.square()) - &cubes) + &(&(&(&ac * &bd) * 18.0) - &(&ad2 * 27.0));
+        let wide_a = a.to_wide();
+        let root = wide_a.abs() * ((delta.to_wide()).abs() * 27.0).sqrt();
+        let (wide_p, wide_q) = (p.to_wide(), q.to_wide());
+        let shape = if delta.sign() < 0 {
+            one(wide_p, wide_q, root)
+        } else {
+            three(wide_p, wide_q, root, a.sign() < 0)
+        };
+        Cubic { third: wide_a * THREE, a, b, d, p, shape }
+    }
+
+    /// Gaps between the roots in v, from the largest: 0 to 1, 1 to 2, 0 to 2. None where two are complex.
+    pub fn gaps(&self) -> Option<[Scaled; 3]> {
+        match self.shape {
+            Shape::Three { gaps, .. } => Some(gaps.map(|gap| gap / self.third.abs())),
+            Shape::One { .. } => None,
+        }
+    }
+
+    /// For complex roots Re +- i w beside the real root v0: sign(a) (v0 - Re) and w.
+    pub fn pair(&self) -> Option<[Scaled; 2]> {
+        match self.shape {
+            Shape::Three { .. } => None,
+            Shape::One { z, w } => {
+                let unit = self.third.abs();
+                Some([z * 1.5 / unit, w / unit])
+            }
+        }
+    }
+
+    /// y/v - root for the three roots (times y^2 for the pair), at v = 1/y, from 27 a^2 y^3 f: see the top.
+    fn of_point(&self, above: &Exact, y: &Exact, product: &Exact) -> Distances {
+        let pairs = &(&above.square() + &(&self.p * &y.square())) * THREE;
+        self.distances(above.to_wide(), y.to_wide(), pairs.to_wide(), product.to_wide())
+    }
+
+    /// 1 - y root of each root, at y, where f(1/y) y^3 = `value`.
+    pub fn of_square(&self, y: &Exact, value: &Exact) -> Distances {
+        let above = &(&self.a * THREE) + &(&self.b * y);
+        let product = &(&self.a.square() * value) * 27.0;
+        self.of_point(&above, y, &product)
+    }
+
+    /// The roots; of a pair the square of its modulus.
+    pub fn roots(&self) -> Distances {
+        let product = &(&self.a.square() * &self.d) * 27.0;
+        let negative = self.of_point(&self.b, &Exact::from(1.0), &product);
+        match negative {
+            Distances::Three(roots) => Distances::Three(roots.map(|root| -root)),
+            Distances::One([root, pair, real]) => Distances::One([-root, pair, -real]),
+        }
+    }
+
+    /// Of three real roots: whether all lie on that side of v = 1/y where f has the sign of a far out.
+    pub fn all_on_one_side(&self, y: &Exact) -> bool {
+        let above = &(&self.a * THREE) + &(&self.b * y);
+        let pairs = &above.square() + &(&self.p * &y.square());
+        above.sign() > 0 && pairs.sign() > 0
+    }
+
+    fn distances(&self, above: Scaled, y: Scaled, pairs: Scaled, product: Scaled) -> Distances {
+        let unit = self.third;
+        match self.shape {
+            Shape::Three { z, gaps } => {
+                let direct = z.map(|z| above - y * z);
+                let mut most = 0;
+                for k in 1..3 {
+                    if less((direct[most]).abs(), (direct[k]).abs()) {
+                        most = k;
+                    }
+                }
+                let largest = direct[most];
+                let mut found = [largest; 3];
+                let (i, j) = ((most + 1) % 3, (most + 2) % 3);
+                let (i, j) = (i.min(j), i.max(j));
+                let gap = y * gaps[if (i, j) == (0, 2) { 2 } else { i }];
+                if !largest.is_zero() {
+                    let rest = product / largest;
+                    let sum = (pairs - rest) / largest;
+                    let side = if sum.is_negative() { -gap } else { gap };
+                    let large = (sum + side).shift(-1);
+                    let small = if large.is_zero() { Scaled::ZERO } else { rest / large };
+                    // Distances rise towards the smaller root where a > 0.
+                    let up = !sum.is_negative();
+                    let large_is_last = up != self.third.is_negative();
+                    (found[i], found[j]) = if large_is_last { (small, large) } else { (large, small) };
+                }
+                Distances::Three(found.map(|distance| distance / unit))
+            }
+            Shape::One { z, w } => {
+                let real = above - y * z;
+                let leg = above + (y * z).shift(-1);
+                let pair = leg.square() + (y * w).square();
+                let (real, pair, leg) = if less(real.square(), pair) {
+                    (product / pair, pair, leg)
+                } else {
+                    let pair = product / real;
+                    (real, pair, (pairs - pair) / real.shift(1))
+                };
+                Distances::One([real / unit, pair / unit.square(), leg / unit])
+            }
+        }
+    }
+}

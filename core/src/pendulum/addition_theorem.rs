@@ -1,0 +1,156 @@
+//! The flow over lanes, every row a state of its own: the state a time later by the addition theorem, without the
+//! phase of the start.
+//!
+//! With s, c = sine and cosine of theta/2, x = velocity/2 omega0 and S, C, D = sn, cn, dn(omega0 dt | m),
+//!   g = c^2 + s^2 C,  h = s c (1 - C),  d = g^2 + h^2 = D^2 + x^2 S^2 = c^2 + s^2 C^2,
+//!   theta' = theta + 2 atan2(x S g - D h, D g + x S h),  x' = (x C - s c S D)/d
+//! in every regime: the half angle turns by atan2(x S, D) - atan2(h, g), which is continuous in dt. In rotation
+//! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted apart. S, C, D may share a factor.
+//! Source: Salas 2019 (23) by DLMF 22.8, formulas for the increment in place of the angle: docs/decisions/0010.
+
+use crate::elliptic::phase::{alternating, turned};
+use crate::elliptic::theta::neville_lanes::NevilleThetaLanes;
+use crate::float::angle_reduction::half_turns;
+use crate::float::double_double::two_sum;
+use crate::float::elementary::arctangent;
+use crate::float::unnormalised::Unnormalised;
+use crate::float::{Dd, PI, TWO_PI, series};
+use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
+
+/// Beyond so many half periods times 1 - m a row is left apart: what double-doubles lose of the period next to the
+/// separatrix adds up.
+const MANY: f64 = 1e14;
+
+/// The start of a row of one class, set up for any time after it; NaN where the row must be set apart.
+pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
+    theta: L,
+    velocity: L,
+    /// sin^2 and cos^2 of half the angle, and their product before it is squared.
+    s_square: Unnormalised<L>,
+    c_square: Unnormalised<L>,
+    across: Unnormalised<L>,
+    /// velocity/2 omega0, and 2 omega0.
+    x: Unnormalised<L>,
+    speed: Unnormalised<L>,
+    lattices: NevilleThetaLanes<L>,
+    /// Half periods per second.
+    rate: Dd<L>,
+    /// 1/k in rotation.
+    k_inverse: Unnormalised<L>,
+}
+
+impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<L, ROTATION, HYPERBOLIC> {
+    #[inline(always)]
+    pub fn new(theta: L, velocity: L, omega: Unnormalised<L>) -> Self {
+        let (half, two) = (L::splat(0.5), L::splat(2.0));
+        let one = Unnormalised::from_double(L::splat(1.0));
+        let (j, rest) = half_turns(theta);
+        let parity = alternating(j);
+        let even = L::splat(0.0).less(parity);
+        let sine = series::sine(Unnormalised::from(rest.scale(half)));
+        let low = sine.square();
+        let high = one.minus_smaller(low);
+        let across = high.root() * sine.scale(parity);
+        let (s_square, c_square) =
+            (Unnormalised::select(even, low, high), Unnormalised::select(even, high, low));
+        let speed = omega.scale(two);
+        let x = Unnormalised::from_double(velocity).over(speed);
+        let x_square = x.square();
+        let (m, mc) = (s_square + x_square, Unnormalised::from((c_square - x_square).tight()));
+        let (lattices, stretch, k_inverse) = if ROTATION {
+            let inverse = one.over(m);
+            let k = m.root();
+            (NevilleThetaLanes::new::<HYPERBOLIC>(inverse, -(mc * inverse)), omega * k, k * inverse)
+        } else {
+            (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one)
+        };
+        let rate = (stretch * lattices.frequency).tight();
+        Start { theta, velocity, s_square, c_square, across, x, speed, lattices, rate, k_inverse }
+    }
+
+    /// Angle and velocity a time dt later.
+    #[inline(always)]
+    fn after(&self, dt: L) -> (L, L) {
+        let Start { s_square, c_square, across, x, .. } = *self;
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let (n, f) = turned(dt, self.rate);
+        let sign = one.copysign(f.hi);
+        let point = self.lattices.at::<HYPERBOLIC>(f.scale(sign));
+        let (unit, unit_square) = (point.unit, point.unit_square);
+        let (sn, cn, dn, cn_square) = if ROTATION {
+            (point.sn.scale(sign) * self.k_inverse, point.dn, point.cn, point.dn_square)
+        } else {
+            let parity = alternating(n);
+            (point.sn.scale(sign * parity), point.cn.scale(parity), point.dn, point.cn_square)
+        };
+        let within = n.abs().less(self.lattices.mc.hi * L::splat(MANY));
+        let start = dt.equal(zero);
+        let finished =
+            |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
+        let x_sn = x * sn;
+        let g = c_square * unit + s_square * cn;
+        let h = across * (unit - cn);
+        let opposite = (x_sn * g - dn * h).tight();
+        let adjacent = (dn * g + x_sn * h).tight();
+        let side = one.copysign(opposite.hi);
+        let acute = arctangent(opposite.scale(side), adjacent.scale(one.copysign(adjacent.hi)));
+        let acute = Unnormalised::from(acute);
+        let angle = Unnormalised::select(adjacent.hi.less(zero), Unnormalised::splat(PI) - acute, acute);
+        let increment = angle.scale(L::splat(2.0) * side);
+        let increment = if ROTATION {
+            let turns = Unnormalised::from_double(n * one.copysign(x.hi));
+            Unnormalised::splat(TWO_PI) * turns + increment
+        } else {
+            increment
+        };
+        let (theta, error) = two_sum(self.theta, increment.hi);
+        let numerator = x * cn * unit - across * sn * dn;
+        let denominator = c_square * unit_square + s_square * cn_square;
+        let velocity = (numerator * self.speed).over(denominator);
+        (
+            finished(self.theta, theta + (error + increment.lo)),
+            finished(self.velocity, velocity.hi + velocity.lo),
+        )
+    }
+}
+
+/// One start, many times.
+impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
+    for Start<L, ROTATION, HYPERBOLIC>
+{
+    #[inline(always)]
+    fn at(&self, [dt]: [L; 1]) -> [L; 2] {
+        self.after(dt).into()
+    }
+}
+
+/// One start, many times: set up on the lanes that it is swept over.
+pub(super) struct Alike<'s, 'a, 'b, const ROTATION: bool, const HYPERBOLIC: bool> {
+    pub theta: f64,
+    pub velocity: f64,
+    pub omega: [f64; 2],
+    pub dt: &'a [f64],
+    pub results: &'s mut [&'b mut [f64]; 2],
+}
+
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for Alike<'_, '_, '_, ROTATION, HYPERBOLIC> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let omega = Unnormalised::new(L::splat(self.omega[0]), L::splat(self.omega[1]));
+        let (theta, velocity) = (L::splat(self.theta), L::splat(self.velocity));
+        let start = Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
+        sweep::<L, _, _, _>(&start, [self.dt], self.results)
+    }
+}
+
+/// A start of its own in every row of theta, velocity, dt, omega0; the double is what every omega0 lacks.
+pub(super) struct Own<const ROTATION: bool, const HYPERBOLIC: bool>(pub f64);
+
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for Own<ROTATION, HYPERBOLIC> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
+        let omega = Unnormalised::new(omega, L::splat(self.0));
+        Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
+    }
+}

@@ -1,0 +1,214 @@
+//! When an angle is passed: the inverse of the motion.
+//!
+//! With s1 = sin of half the angle and x1 = |velocity there|/2 omega0, so that x1^2 = kappa^2 - s1^2, the motion
+//! passes upwards at the phase omega0 t = s1 R_F(x1^2, kappa^2 c1^2, kappa^2) and downwards as long before its next
+//! bottom. x1^2 is c1^2 - (1 - kappa^2) away from the turning points and x0^2 + s0^2 - s1^2 next to them, in
+//! triple-double, so nothing cancels. Source: DLMF 19.25.5, 22.15(ii).
+
+use super::orbit::{Course, Elliptic, Orbit};
+use super::state::{State, half_angle};
+use crate::domain::Domain;
+use crate::elliptic::integrals::carlson_duplication::{rf, rf_of_roots};
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
+use crate::float::angle_reduction::{self, ReducedAngle};
+use crate::float::elementary::arctangent;
+use crate::float::exponent::ldexp;
+use crate::float::{Dd, PI, TWO_PI, Td};
+use crate::motion::passages::Interval;
+
+pub use crate::motion::passages::MOST_TIMES;
+
+/// An angle in the canonical motion: whole turns, and sine and cosine of its amplitude with the cosine of half of it.
+struct Place {
+    turns: f64,
+    sine: Dd,
+    cosine: Dd,
+    half_cosine: Dd,
+}
+
+fn scaled(value: Td, power: i32) -> Td {
+    Td::new(ldexp(value.hi, power), ldexp(value.mid, power), ldexp(value.lo, power))
+}
+
+/// x1^2 over 4^power, next to a turning point.
+fn near_turning(orbit: &Orbit, state: &State, sine: Td, cosine: Td) -> Dd {
+    let x = Td::from(state.x);
+    let difference = if state.power != 0 {
+        let start = Td::from(state.s.abs());
+        (start - sine) * (start + sine)
+    } else {
+        let (start, start_cosine, _) =
+            half_angle(&angle_reduction::reduce(orbit.theta0), orbit.force.upside_down(), 0);
+        if sine.hi > 0.7 {
+            (cosine - start_cosine) * (cosine + start_cosine)
+        } else {
+            (start - sine) * (start + sine)
+        }
+    };
+    (x.square() + difference).to_dd()
+}
+
+impl Orbit {
+    /// The place of an angle, or `None` where the motion does not get.
+    fn place(&self, state: &State, theta: f64) -> Option<Place> {
+        let State { k, mc, power, frame, .. } = *state;
+        let upside_down = self.force.upside_down();
+        let reduced: ReducedAngle = angle_reduction::reduce(theta);
+        let (sine, cosine, own_power) = half_angle(&reduced, upside_down, i32::MIN / 2);
+        let sine = scaled(sine, own_power - power);
+        let side = frame.side * if upside_down { -reduced.side } else { reduced.side };
+        let half_turns = if upside_down { 0.5 * (reduced.side - frame.half_turn) } else { 0.0 };
+        let turns = frame.side * (reduced.turns - frame.turns + half_turns);
+        let libration = mc.hi > 0.0;
+        let half_cosine = cosine.to_dd();
+        let (sine, cosine) = if libration && self.turns_at(theta, &reduced) {
+            (Dd::from(side), Dd::ZERO)
+        } else if theta == self.theta0 {
+            (state.s / k, state.x / k)
+        } else {
+            let square = half_cosine.square();
+            let speed = if libration && square.hi < 2.0 * mc.hi || power != 0 {
+                near_turning(self, state, sine, cosine)
+            } else {
+                square - mc
+            };
+            if !(speed.hi >= 0.0 && sine.hi.is_finite()) {
+                return None;
+            }
+            (sine.to_dd() * side / k, speed.sqrt() / k)
+        };
+        Some(Place { turns, sine, cosine, half_cosine })
+    }
+
+    /// Whether an angle is a turning angle as this orbit rounds it.
+    fn turns_at(&self, theta: f64, reduced: &ReducedAngle) -> bool {
+        let distance = if self.force.upside_down() { reduced.from_top } else { reduced.from_bottom };
+        let (lowest, highest) = self.extremes();
+        distance.to_dd().value() == self.theta_max() || theta == lowest || theta == highest
+    }
+
+    /// Lowest and highest angle in rad: the turning angles, the limits on the separatrix, infinite in rotation.
+    pub fn extremes(&self) -> (f64, f64) {
+        let frame = &self.frame;
+        let around = |reach: Dd| ((frame.base - reach).value(), (frame.base + reach).value());
+        match &self.course {
+            Course::Still => (self.theta0, self.theta0),
+            Course::Free | Course::Rotation(_) => (f64::NEG_INFINITY, f64::INFINITY),
+            Course::Separatrix(..) if frame.half_turn == 0.0 => around(PI),
+            Course::Libration(_) if !frame.shifted() => (-self.theta_max(), self.theta_max()),
+            Course::Libration(elliptic) if frame.half_turn == 0.0 => {
+                around(arctangent(self.kappa(), elliptic.lattice.kc).scale(2.0))
+            }
+            course => {
+                // From the other equilibrium the near end is the distance from the top, and the far end a turn on.
+                let gap = match course {
+                    Course::Libration(elliptic) => {
+                        arctangent(elliptic.lattice.kc, self.kappa()).scale(2.0 * frame.half_turn)
+                    }
+                    _ => Dd::ZERO,
+                };
+                let near = (frame.base + gap).value();
+                let far = (frame.base + (TWO_PI * frame.half_turn - gap)).value();
+                if near < far { (near, far) } else { (far, near) }
+            }
+        }
+    }
+
+    /// kappa of a libration.
+    fn kappa(&self) -> Dd {
+        let state = State::new(self.theta0, self.velocity0, self.force);
+        state.map_or(Dd::ZERO, |state| state.k.ldexp(state.power))
+    }
+
+    /// Half periods from the start to the nearest turning point, signed: its quarter period less the time since the
+    /// bottom, as cn R_F(mc, mc sn^2, dn^2) at the start, without that difference.
+    fn to_turning(&self, elliptic: &Elliptic, &State { s, c, x, k, kc, .. }: &State) -> Dd {
+        if elliptic.phase.start.hi.abs() < 0.25 {
+            return Dd::from(0.5f64.copysign(s.hi)) - elliptic.phase.start;
+        }
+        let (cn, ratio) = (x / k, kc / c);
+        // Over dn^2, which is as small as mc next to the top.
+        let square = ratio.square();
+        let time = cn / c * rf(square, square * (s / k).square(), Dd::ONE);
+        time / elliptic.lattice.quarter.scale(2.0) * 1f64.copysign(s.hi)
+    }
+
+    /// All times from `start` to `stop` (in s, both included) at which the motion passes `theta` (in rad): modulo 2 pi
+    /// in libration, the unwrapped angle in rotation and on the separatrix. Rising; a turning angle once a
+    /// swing (also as [`Orbit::theta_max`] and [`Orbit::extremes`] round it); none at rest.
+    ///
+    /// An error for arguments that are NaN, a `start` after `stop`, more than [`MOST_TIMES`] passages, and an interval
+    /// that reaches beyond 2^53 half periods. **Error** such that the angle there is `theta` to 4 ulp of the largest
+    /// angle plus what an ulp of the time makes of it.
+    pub fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        Domain::check("theta", theta, theta.is_finite(), "finite")?;
+        let interval = Interval::new(start, stop)?;
+        let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else {
+            return Ok(match self.course {
+                Course::Free => within(interval, self.straight_time(theta)),
+                _ => Vec::new(),
+            });
+        };
+        let Some(place) = self.place(&state, theta) else { return Ok(Vec::new()) };
+        let since_bottom = || place.sine * rf_of_roots(place.cosine, place.half_cosine);
+        match &self.course {
+            Course::Libration(elliptic) => {
+                let began = elliptic.phase.start;
+                if place.cosine.hi == 0.0 {
+                    let nearest = self.to_turning(elliptic, &state);
+                    let other = place.sine.hi.signum() != 1f64.copysign(state.s.hi);
+                    let at = if other { nearest + Dd::ONE } else { nearest };
+                    return interval.repeated(elliptic.phase.rate, self.time_scale, &[at], 2.0);
+                }
+                let up = since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                interval.repeated(
+                    elliptic.phase.rate,
+                    self.time_scale,
+                    &[up - began, Dd::ONE - up - began],
+                    2.0,
+                )
+            }
+            Course::Rotation(elliptic) => {
+                let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                let far = place.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
+                Domain::check("theta", theta, !far, "within 2^52 turns of theta0")?;
+                Ok(within(interval, self.time_of(&elliptic.phase, rest + Dd::from(place.turns))))
+            }
+            Course::Separatrix(phase, _) if place.turns == 0.0 && place.half_cosine.hi > 0.0 => {
+                Ok(within(interval, self.time_of(phase, since_bottom())))
+            }
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    /// All times from `start` to `stop` (in s, both included) at which a libration turns back; none in other regimes.
+    ///
+    /// Errors as for [`Orbit::times`].
+    pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        let interval = Interval::new(start, stop)?;
+        match (&self.course, State::new(self.theta0, self.velocity0, self.force)) {
+            (Course::Libration(elliptic), Ok(state)) => interval.repeated(
+                elliptic.phase.rate,
+                self.time_scale,
+                &[self.to_turning(elliptic, &state)],
+                1.0,
+            ),
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    /// Time of a phase.
+    fn time_of(&self, phase: &Phase, at: Dd) -> f64 {
+        ((at - phase.start) / phase.rate).value() / self.time_scale
+    }
+
+    /// Time of an angle without force.
+    fn straight_time(&self, theta: f64) -> f64 {
+        (Dd::sum(0.5 * theta, -0.5 * self.theta0) / Dd::from(0.5 * self.velocity0)).value()
+    }
+}
+
+/// The time, if it is in the interval.
+fn within(interval: Interval, time: f64) -> Vec<f64> {
+    if interval.holds(time) { vec![time] } else { Vec::new() }
+}

@@ -1,0 +1,223 @@
+//! Second derivatives of angle and velocity by the start and the force, where closed forms keep their digits.
+//!
+//! The canonical motion Theta(tau; m), m = kappa^2, once more by m. With S, C, D = sn, cn, dn and the integral
+//! G = -mu int cn^2 of the lattice's parameter mu = m in libration, 1/m in rotation,
+//!   libration  Theta_m = W/(k mc),  W = S D + C G;      rotation  Theta_m = N/(m - 1),  N = ((1 - mu) u - G) D - mu S C,
+//! then from (tau, m) to the start by the inverse of the first derivatives, whose determinant is 2 everywhere, and to
+//! omega0 because theta(t; theta0, velocity0, omega0) = theta(omega0 t; theta0, velocity0/omega0, 1). The terms are
+//! 1/(m mc^2) times larger than their sum, so there is no closed form to be had next to rest or the separatrix.
+//! Source: DLMF 22.13(i), 22.16(ii), 19.4(ii) for the derivatives of am and of the integral by the parameter.
+
+use super::orbit::{Course, Elliptic, Orbit};
+use super::sensitivity::cosine_integral;
+use super::state::State;
+use crate::elliptic::integrals::complete::complete_difference_dd;
+use crate::elliptic::parameter::Parameter;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, ReducedPhase};
+use crate::float::Dd;
+
+/// First index: angle, velocity. The other two: initial angle, initial velocity, omega0.
+pub type Hessians = [[[f64; 3]; 3]; 2];
+
+const UNDEFINED: Hessians = [[[f64::NAN; 3]; 3]; 2];
+
+/// Least and most kappa^2, and least |1 - kappa^2|, with digits left.
+const LEAST_RATIO: f64 = 1e-10;
+const MOST_RATIO: f64 = 1e16;
+const LEAST_COMPLEMENT: f64 = 1e-6;
+
+/// Theta and its derivatives at a phase; `t` is tau.
+#[derive(Clone, Copy)]
+struct Jet {
+    t: Dd,
+    sine: Dd,
+    cosine: Dd,
+    m: Dd,
+    mt: Dd,
+    mm: Dd,
+    mmt: Dd,
+}
+
+/// The lattice's functions at a phase u.
+struct Place {
+    s: Dd,
+    c: Dd,
+    d: Dd,
+    u: Dd,
+    g: Dd,
+}
+
+/// An orbit, set up once for many times.
+#[derive(Clone, Debug)]
+struct Set<'a> {
+    elliptic: &'a Elliptic,
+    rotation: bool,
+    /// kappa, and the lattice's parameter.
+    k: Dd,
+    parameter: Parameter,
+}
+
+impl Set<'_> {
+    /// The place of sn, cn, dn between the quarter periods, n half periods on.
+    fn place(&self, values: [Dd; 3], n: Dd, rest: Dd) -> Place {
+        let [s, c, d] = values;
+        let half = self.elliptic.lattice.quarter.scale(2.0);
+        let integral = cosine_integral(self.parameter.m, values);
+        let whole = n * complete_difference_dd(self.parameter).scale(2.0);
+        Place { s, c, d, u: n * half + rest, g: -(whole + integral) }
+    }
+
+    /// At a reduced phase.
+    fn at(&self, at: &ReducedPhase<f64>) -> Place {
+        let lattice = &self.elliptic.lattice;
+        let rest = at.f.scale(at.sign) * lattice.quarter.scale(2.0);
+        let values = lattice.long_values(&ReducedPhase { parity: 1.0, ..*at });
+        let place = self.place(values, at.n, rest);
+        Place { s: place.s.scale(at.parity), c: place.c.scale(at.parity), ..place }
+    }
+
+    fn jet(&self, place: &Place) -> Jet {
+        let Place { s, c, d, u, g } = *place;
+        let Parameter { m: mu, mc: muc } = self.parameter;
+        let (one, two) = (Dd::ONE, Dd::from(2.0));
+        // By the parameter, u held: am, then all the others.
+        let am = (mu * s * c + g * d) / (mu * muc).scale(2.0);
+        let (s_mu, c_mu) = (c * am, -(s * am));
+        let d_mu = -(s * (s + mu * s_mu.scale(2.0))) / d.scale(2.0);
+        let g_mu = g / mu.scale(2.0) - u.scale(0.5) - d * am;
+        if self.rotation {
+            let root = self.k;
+            let epsilon = muc * u - g;
+            let epsilon_mu = -(u + g_mu);
+            let n = epsilon * d - mu * s * c;
+            let n_mu = epsilon_mu * d + epsilon * d_mu - s * c - mu * (s_mu * c + s * c_mu);
+            let n_u = d * d.square() - mu * epsilon * s * c - mu * (c.square() - s.square()) * d;
+            let f = mu / muc;
+            let t = (root * d).scale(2.0);
+            let (sine, cosine) = ((s * c).scale(2.0), one - s.square().scale(2.0));
+            let (by_m, mt) = (f * n, f * n_u * root);
+            let mm = f * n_u * u * mu.scale(0.5) - mu.square() * (n_mu * f + n / muc.square());
+            // Theta_t^2/2 + 1 - cos Theta = 2m, twice by m.
+            let mmt = -((mt.square() + cosine * by_m.square() + sine * mm) / t);
+            return Jet { t, sine, cosine, m: by_m, mt, mm, mmt };
+        }
+        let k = self.k;
+        let w = s * d + c * g;
+        let inner = muc - mu * s.square();
+        let w_t = c * inner - s * d * g;
+        let w_mu = s_mu * d + s * d_mu + c_mu * g + c * g_mu;
+        let w_t_mu = c_mu * inner
+            - c * (one + s * (s + mu * s_mu.scale(2.0)))
+            - (s_mu * d + s * d_mu) * g
+            - s * d * g_mu;
+        let (scale, slope) = (k * muc, one / muc - one / (two * mu));
+        Jet {
+            t: (k * c).scale(2.0),
+            sine: (k * s * d).scale(2.0),
+            cosine: one - mu * s.square().scale(2.0),
+            m: w / scale,
+            mt: w_t / scale,
+            mm: (w_mu + w * slope) / scale,
+            mmt: (w_t_mu + w_t * slope) / scale,
+        }
+    }
+}
+
+/// Quadratic form of second derivatives by (tau, m) along two directions.
+fn form([tt, tm, mm]: [Dd; 3], [ta, ma]: [Dd; 2], [tb, mb]: [Dd; 2]) -> Dd {
+    tt * ta * tb + tm * (ta * mb + tb * ma) + mm * ma * mb
+}
+
+impl Orbit {
+    /// Second derivatives of angle and velocity at t (in s) by the initial angle, the initial velocity and omega0.
+    ///
+    /// NaN where kappa^2 is below 1e-10, above 1e16 or within 1e-6 of 1, where omega0 is out of 1e-100..1e100, and as for
+    /// [`Sensitivity::at`](super::Sensitivity::at). **Error** at most 1e-12 of the largest change of a matrix: its
+    /// elements times the largest angle, the largest velocity and omega0. Next to t = 0, where all of them vanish, that
+    /// holds for |omega0 t| >= 1e-3 only.
+    pub fn second_sensitivities(&self, t: f64) -> Hessians {
+        let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else { return UNDEFINED };
+        let State { s, c, x, k, m, mc, omega, omega_power, frame, power, .. } = state;
+        let lost = !(LEAST_RATIO..MOST_RATIO).contains(&m.hi) || mc.hi.abs() < LEAST_COMPLEMENT;
+        if lost || power != 0 || omega_power.abs() > 332 || !t.is_finite() {
+            return UNDEFINED;
+        }
+        let omega = omega.ldexp(omega_power);
+        let (set, start) = match &self.course {
+            Course::Libration(elliptic) => {
+                let set = Set { elliptic, rotation: false, k, parameter: Parameter { m, mc } };
+                (set, [s / k, x / k, c])
+            }
+            Course::Rotation(elliptic) => {
+                let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
+                (Set { elliptic, rotation: true, k, parameter }, [s, c, x / k])
+            }
+            _ => return UNDEFINED,
+        };
+        let phase = &set.elliptic.phase;
+        let at = phase.reduce(t);
+        let half_periods = if set.rotation { 2.0 * at.n.hi } else { at.n.hi };
+        if half_periods.is_nan() || half_periods.abs() >= LAST_HALF_PERIOD {
+            return UNDEFINED;
+        }
+        if t == 0.0 {
+            return [[[0.0; 3]; 3]; 2];
+        }
+        let began = phase.start * set.elliptic.lattice.quarter.scale(2.0);
+        let from = set.jet(&set.place(start, Dd::ZERO, began));
+        let at = if set.rotation { ReducedPhase { parity: 1.0, ..at } } else { at };
+        let to = set.jet(&set.at(&at));
+        assembled(&from, &to, omega, x.scale(2.0), omega * t, frame.side)
+    }
+}
+
+/// The matrices, from the derivatives at the start and now, |velocity0|/omega0 and omega0 t.
+fn assembled(from: &Jet, to: &Jet, omega: Dd, w: Dd, s: Dd, side: f64) -> Hessians {
+    let half = |value: Dd| value.scale(0.5);
+    // (tau, m) by the initial angle and velocity.
+    let by = [[half(from.mt), half(from.sine)], [-half(from.m), half(from.t)]];
+    let second = |jet: &Jet| {
+        let accelerating = -(jet.cosine * jet.t);
+        [[-jet.sine, jet.mt, jet.mm], [accelerating, -(jet.cosine * jet.m), jet.mmt]]
+    };
+    let (first, then) = (second(from), second(to));
+    // First derivatives now, rows angle and velocity, columns the start; and the second by the start.
+    let slopes = [[to.t, to.m], [-to.sine, to.mt]];
+    let along = |row: usize, a: usize| slopes[row][0] * by[a][0] + slopes[row][1] * by[a][1];
+    let curved = |row: usize, a: usize, b: usize| {
+        let bent = [form(first[0], by[a], by[b]), form(first[1], by[a], by[b])];
+        let moved = [0, 1].map(|i| by[0][i] * bent[0] + by[1][i] * bent[1]);
+        form(then[row], by[a], by[b]) - slopes[row][0] * moved[0] - slopes[row][1] * moved[1]
+    };
+    let angle = |a| along(0, a);
+    let [ff, fw, ww] = [curved(0, 0, 0), curved(0, 0, 1), curved(0, 1, 1)];
+    let [gff, gfw, gww] = [curved(1, 0, 0), curved(1, 0, 1), curved(1, 1, 1)];
+    let (speed, pull) = (to.t, -to.sine);
+    let (pull_f, pull_w) = (-(to.cosine * angle(0)), -(to.cosine * angle(1)));
+    let pull_s = -(to.cosine * speed);
+    let (velocity_f, velocity_w) = (along(1, 0), along(1, 1));
+    let two = Dd::from(2.0);
+    let theta = [
+        ff,
+        fw / omega,
+        (s * velocity_f - w * fw) / omega,
+        ww / omega.square(),
+        (s * velocity_w - angle(1) - w * ww) / omega.square(),
+        (s.square() * pull - two * s * w * velocity_w + w.square() * ww + two * w * angle(1))
+            / omega.square(),
+    ];
+    let velocity = [
+        gff * omega,
+        gfw,
+        velocity_f + s * pull_f - w * gfw,
+        gww / omega,
+        (s * pull_w - w * gww) / omega,
+        (two * s * pull + s.square() * pull_s - two * s * w * pull_w + w.square() * gww) / omega,
+    ];
+    // The side of the canonical motion is on the angle and on both of the start, and squares away where it meets itself.
+    [theta, velocity].map(|[aa, ab, ac, bb, bc, cc]| {
+        let odd = |value: Dd| side * value.value();
+        let even = |value: Dd| value.value();
+        [[odd(aa), odd(ab), even(ac)], [odd(ab), odd(bb), even(bc)], [even(ac), even(bc), odd(cc)]]
+    })
+}
