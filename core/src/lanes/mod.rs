@@ -4,6 +4,7 @@
 //! IEEE operation (or an error-free pair of them), so all widths of one instruction set give the same bits.
 //! Instruction sets differ only in whether `mul_add` is fused.
 
+pub mod formula;
 #[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
 mod fused;
 #[cfg(any(
@@ -29,6 +30,8 @@ mod host;
 #[cfg(any(one_instruction_set, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 #[path = "plain.rs"]
 mod host;
+
+pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep, tabulate};
 
 use crate::domain::Domain;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -87,97 +90,8 @@ pub trait Kernel {
     fn run<L: Lane>(self) -> Self::Output;
 }
 
-/// A function of A lanes with N results, for [`sweep`].
-pub trait Sampler<L: Lane, const A: usize, const N: usize> {
-    /// The results at one lane of each argument; `#[inline(always)]`.
-    fn at(&self, arguments: [L; A]) -> [L; N];
-}
-
 /// Widest lane.
 const WIDEST: usize = 16;
-
-/// The sampler at every row of the arguments, its first R results each into a slice; all of the same length. The last
-/// block is padded with zeros, so every value comes from the same operations wherever it stands.
-#[inline(always)]
-pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
-    sampler: &impl Sampler<L, A, N>,
-    arguments: [&[f64]; A],
-    results: &mut [&mut [f64]; R],
-) {
-    // No closures: they are compiled without the instruction set. And the sampler stands here once: it is long.
-    let rows = arguments[0].len();
-    let mut padded = [0.0; WIDEST];
-    let mut lanes = [L::splat(0.0); A];
-    let mut at = 0;
-    while at < rows {
-        let rest = rows - at;
-        let mut i = 0;
-        while i < A {
-            lanes[i] = if rest >= L::WIDTH {
-                L::load(&arguments[i][at..])
-            } else {
-                padded[..rest].copy_from_slice(&arguments[i][at..]);
-                L::load(&padded)
-            };
-            i += 1;
-        }
-        let values = sampler.at(lanes);
-        let mut i = 0;
-        while i < R {
-            if rest >= L::WIDTH {
-                values[i].store(&mut results[i][at..]);
-            } else {
-                values[i].store(&mut padded);
-                results[i][at..].copy_from_slice(&padded[..rest]);
-            }
-            i += 1;
-        }
-        at += L::WIDTH;
-    }
-}
-
-/// A function of A numbers with N results that serves every lane.
-pub trait Formula<const A: usize, const N: usize> {
-    /// The results at one lane of each argument; `#[inline(always)]`.
-    fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N];
-}
-
-/// A formula as the sampler of one lane.
-struct By<'a, S>(&'a S);
-
-impl<L: Lane, S: Formula<A, N>, const A: usize, const N: usize> Sampler<L, A, N> for By<'_, S> {
-    #[inline(always)]
-    fn at(&self, arguments: [L; A]) -> [L; N] {
-        self.0.at(arguments)
-    }
-}
-
-/// One formula, one loop: the only kernel of samples.
-struct Sweep<'s, 'a, 'b, S, const A: usize, const N: usize, const R: usize> {
-    formula: &'s S,
-    arguments: [&'a [f64]; A],
-    results: &'s mut [&'b mut [f64]; R],
-}
-
-impl<S: Formula<A, N>, const A: usize, const N: usize, const R: usize> Kernel
-    for Sweep<'_, '_, '_, S, A, N, R>
-{
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(self) {
-        sweep::<L, A, N, R>(&By(self.formula), self.arguments, self.results)
-    }
-}
-
-/// The formula at every row, on the widest lanes or on lanes of width one.
-pub fn tabulate<const WIDE: bool, S: Formula<A, N>, const A: usize, const N: usize, const R: usize>(
-    formula: &S,
-    arguments: [&[f64]; A],
-    results: &mut [&mut [f64]; R],
-) {
-    let sweep = Sweep::<S, A, N, R> { formula, arguments, results };
-    if WIDE { wide(sweep) } else { single(sweep) }
-}
 
 /// What a processor can do that changes the last digits or the speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,7 +10,7 @@ use super::duffing::Duffing;
 /// ```
 /// let (mut u, mut velocity) = ([0.0; 2], [0.0; 2]);
 /// let rows = [&[1.0, 1.0], &[1.0, 0.0], &[0.0, 1.0], &[1.0, -1.0], &[1.0, 2.0]].map(|column| column.as_slice());
-/// libration::duffing::duffing_motion_into(rows, [&mut u, &mut velocity]);
+/// libration::oscillator::duffing_motion_into(rows, [&mut u, &mut velocity]);
 /// assert_eq!(format!("{:.9} {:.9}", u[0], velocity[1]), "0.233691791 0.932682266");
 /// ```
 pub fn duffing_motion_into([t, u0, velocity0, p, q]: [&[f64]; 5], [u, velocity]: [&mut [f64]; 2]) {
