@@ -2,8 +2,8 @@
 
 pub mod angle_reduction;
 pub mod double_double;
+pub(crate) mod dyadic;
 pub mod elementary;
-pub(crate) mod exact;
 pub mod exponent;
 pub mod exponential;
 pub mod scaled;

@@ -100,6 +100,18 @@ impl Scaled {
     pub fn square(self) -> Scaled {
         self * self
     }
+    /// -ln of a positive value.
+    pub fn minus_ln(self) -> Dd {
+        LN_2.to_dd() * f64::from(-self.power) - ln(self.part.hi) - Dd::from(self.part.lo / self.part.hi)
+    }
+    /// -1 below zero, else +1.
+    pub fn sign(self) -> f64 {
+        if self.is_negative() { -1.0 } else { 1.0 }
+    }
+    /// Times the sign of a number; that of zero and NaN is +.
+    pub fn signed(self, sign: f64) -> Scaled {
+        if sign < 0.0 { -self } else { self }
+    }
 }
 
 /// e^y of any y: 0 or infinite far beyond the range of every use.

@@ -11,6 +11,13 @@ pub trait Formula<const A: usize, const N: usize> {
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N];
 }
 
+impl<F: Formula<A, N>, const A: usize, const N: usize> Formula<A, N> for &F {
+    #[inline(always)]
+    fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
+        (**self).at(arguments)
+    }
+}
+
 /// What is asked of a formula.
 pub trait Evaluation<const A: usize, const N: usize> {
     /// What the answer is.

@@ -91,7 +91,7 @@ pub trait Kernel {
 }
 
 /// Widest lane.
-const WIDEST: usize = 16;
+pub const WIDEST: usize = 16;
 
 /// What a processor can do that changes the last digits or the speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,19 +1,19 @@
-//! A libration or the motion in a well as polynomials of the squared phase (elliptic/arc.rs).
+//! A libration or the motion in a well as polynomials of the squared phase (motion/interpolant.rs).
 //!
-//! With f in half periods from a base, e = 1/4 - f^2, P and R even in f, and (-1)^n for the whole half periods where
+//! With f in half periods from an origin, e = 1/4 - f^2, P and R even in f, and (-1)^n for the whole half periods where
 //! the motion crosses 0:
 //!
-//! | base | u | u' |
+//! | origin | u | u' |
 //! |---|---|---|
 //! | zero | f P | e R |
 //! | turning point | e P | f R |
 //! | turning point of a well | P | f e R |
 //!
-//! The base is the one from which the singularities of the motion are furthest. Those on the imaginary axis of f, at i
-//! a and i b, are taken out where they are near: with y = (f^2 + a^2)(f^2 + b^2) u takes 1/sqrt y and u' 1/(y sqrt y);
-//! with a = b they are poles, and no root is left.
+//! The origin is the one from which the singularities of the motion are furthest. Those on the imaginary axis of f, at
+//! i a and i b, are removed where they are near: with y = (f^2 + a^2)(f^2 + b^2) u takes 1/sqrt y and u' 1/(y sqrt y).
+//! With a = b they are poles, and no root is left.
 
-use super::interpolant::{Curve, Interpolant, Place, rounded_product, to_ends};
+use super::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
@@ -21,111 +21,97 @@ use crate::lanes::{Formula, Lane};
 
 /// Where the phase is counted from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Base {
+pub(crate) enum Origin {
     Zero,
-    Turn,
-    Well,
+    TurningPoint,
+    /// The turning point of a well: u does not change its sign.
+    WellTurningPoint,
 }
 
-/// What is taken out of u, and its cube of u'.
+/// The singularities that are removed from u, and their cubes from u'.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Taken {
+pub(crate) enum Removed {
     Nothing,
     /// a^2 of a pole.
     Pole(f64),
-    /// a^2 and b^2.
-    Roots([f64; 2]),
+    /// a^2 and b^2 of branch points.
+    BranchPoints([f64; 2]),
 }
 
-/// Most that polynomials of a swing may spread: an error of some units of its least |u| and |u'|.
-pub(crate) const SPREAD: f64 = 2.5;
+/// Most that the terms of the polynomials after the first may add up to: an error of some units of the least |u|, |u'|.
+pub(crate) const CONDITION: f64 = 2.5;
 
-/// How a swing goes with time, and what its polynomials lack of u and u'.
+/// How a bounded motion goes with time, and what its polynomials lack of u and u'.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Swing {
-    pub base: Base,
-    pub taken: Taken,
-    /// Half periods from the base.
+pub(crate) struct Bounded {
+    pub origin: Origin,
+    pub removed: Removed,
+    /// Half periods from the origin.
     pub phase: Phase,
     /// Power of two that times take.
     pub time: f64,
     /// Factors of u and u', powers of two with signs.
-    pub u: f64,
-    pub velocity: f64,
+    pub scales: [f64; 2],
 }
 
-/// u and u' between two bases of a motion by theta functions, but for the factors of its swing.
-pub(crate) trait Leg {
+/// u and u' in a quarter period of a motion by theta functions, but for the factors of its [`Bounded`].
+pub(crate) trait QuarterPeriod {
     /// At f and 1/2 - f half periods from the base of the theta functions, in (0, 1/2); `#[inline(always)]`.
     fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2];
 }
 
-/// A leg as a curve: with the base of the swing, and whether that is the far end of the leg.
-pub(crate) struct Drawn<M> {
-    pub leg: M,
-    pub base: Base,
+/// A quarter period as even functions about the origin, which is its far end or not.
+pub(crate) struct BoundedFunctions<Q> {
+    pub quarter: Q,
+    pub origin: Origin,
     pub far: bool,
-    pub taken: Taken,
+    pub removed: Removed,
 }
 
-impl<M: Leg> Curve for Drawn<M> {
+impl<Q: QuarterPeriod> EvenFunctions for BoundedFunctions<Q> {
     #[inline(always)]
-    fn at<L: Lane>(&self, Place { f, to_ends }: Place<L>) -> [Unnormalised<L>; 2] {
+    fn at<L: Lane>(&self, Node { f, to_ends }: Node<L>) -> [Unnormalised<L>; 2] {
         let rest = to_ends.over(f + Unnormalised::from_double(L::splat(0.5)));
-        let [u, velocity] = if self.far { self.leg.at(rest, f) } else { self.leg.at(f, rest) };
+        let [u, velocity] = if self.far { self.quarter.at(rest, f) } else { self.quarter.at(f, rest) };
         let x = f.square();
-        let (u, velocity) = match self.taken {
-            Taken::Nothing => (u, velocity),
-            Taken::Pole(a) => {
+        let (u, velocity) = match self.removed {
+            Removed::Nothing => (u, velocity),
+            Removed::Pole(a) => {
                 let y = x + Unnormalised::from_double(L::splat(a));
                 (u * y, velocity * y.square())
             }
-            Taken::Roots([a, b]) => {
+            Removed::BranchPoints([a, b]) => {
                 let y = (x + Unnormalised::from_double(L::splat(a)))
                     * (x + Unnormalised::from_double(L::splat(b)));
                 let root = y.root();
                 (u * root, velocity * y * root)
             }
         };
-        match self.base {
-            Base::Zero => [u.over(f), velocity.over(to_ends)],
-            Base::Turn => [u.over(to_ends), velocity.over(f)],
-            Base::Well => [u, velocity.over(f).over(to_ends)],
+        match self.origin {
+            Origin::Zero => [u.over(f), velocity.over(to_ends)],
+            Origin::TurningPoint => [u.over(to_ends), velocity.over(f)],
+            Origin::WellTurningPoint => [u, velocity.over(f).over(to_ends)],
         }
     }
 }
 
-/// A swing at any time, with its start as it was given; what is wanted first.
-pub(crate) struct Swinging<'a, const FIRST: bool> {
-    pub swing: &'a Swing,
-    pub arc: &'a Interpolant,
-    /// u and u' at t = 0.
-    pub start: [f64; 2],
-}
+/// A bounded motion by its polynomials, at any time.
+pub(crate) struct ByInterpolant<'a>(pub &'a Bounded, pub &'a Interpolant);
 
-/// The start as it was given, at t = 0; what is wanted first.
-#[inline(always)]
-pub(crate) fn begun<const FIRST: bool, L: Lane>(start: [f64; 2], t: L, [u, velocity]: [L; 2]) -> [L; 2] {
-    let at_start = t.equal(L::splat(0.0));
-    let u = L::select(at_start, L::splat(start[0]), u);
-    let velocity = L::select(at_start, L::splat(start[1]), velocity);
-    if FIRST { [u, velocity] } else { [velocity, u] }
-}
-
-impl<const FIRST: bool> Formula<1, 2> for Swinging<'_, FIRST> {
+impl Formula<1, 2> for ByInterpolant<'_> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let Swing { base, taken, phase, time, u: u_scale, velocity: velocity_scale } = self.swing;
+        let ByInterpolant(Bounded { origin, removed, phase, time, scales }, interpolant) = self;
         let (n, f) = phase.spread::<L>().count(t * L::splat(*time), LAST_HALF_PERIOD);
-        let (p, r) = (self.arc.first(f), self.arc.second(f));
+        let (p, r) = (interpolant.first(f), interpolant.second(f));
         let along = Unnormalised::from(f);
-        let (p, r) = match taken {
-            Taken::Nothing => (p, r),
-            Taken::Pole(a) => {
+        let (p, r) = match removed {
+            Removed::Nothing => (p, r),
+            Removed::Pole(a) => {
                 let inverse = (along.square() + Unnormalised::from_double(L::splat(*a))).inverse();
                 (p * inverse, r * (inverse * inverse))
             }
-            Taken::Roots([a, b]) => {
+            Removed::BranchPoints([a, b]) => {
                 let x = along.square();
                 let y = (x + Unnormalised::from_double(L::splat(*a)))
                     * (x + Unnormalised::from_double(L::splat(*b)));
@@ -134,23 +120,21 @@ impl<const FIRST: bool> Formula<1, 2> for Swinging<'_, FIRST> {
             }
         };
         let ends = to_ends(f);
-        let (u, velocity) = match base {
-            Base::Zero => (rounded_product(p, along), rounded_product(r, ends)),
-            Base::Turn => (rounded_product(p, ends), rounded_product(r, along)),
-            Base::Well => (p.hi + p.lo, rounded_product(r * along, ends)),
+        let (u, velocity) = match origin {
+            Origin::Zero => (rounded_product(p, along), rounded_product(r, ends)),
+            Origin::TurningPoint => (rounded_product(p, ends), rounded_product(r, along)),
+            Origin::WellTurningPoint => (p.hi + p.lo, rounded_product(r * along, ends)),
         };
-        let side = if *base == Base::Well { L::splat(1.0) } else { alternating(n) };
-        let u = u * (side * L::splat(*u_scale));
-        let velocity = velocity * (side * L::splat(*velocity_scale));
-        begun::<FIRST, L>(self.start, t, [u, velocity])
+        let sign = if *origin == Origin::WellTurningPoint { L::splat(1.0) } else { alternating(n) };
+        [u * (sign * L::splat(scales[0])), velocity * (sign * L::splat(scales[1]))]
     }
 }
 
-impl Swing {
-    /// Counted from the far end of its leg, where the motion turns: there u' has the other sign.
-    pub fn counted_from_far_end(self, base: Base) -> Swing {
+impl Bounded {
+    /// Counted from the far end of its quarter period, where the motion turns: there u' has the other sign.
+    pub fn from_far_end(self, origin: Origin) -> Bounded {
         let start = self.phase.start - Dd::from(0.5);
-        let phase = Phase { start, ..self.phase };
-        Swing { base, phase, velocity: -self.velocity, ..self }
+        let [u, velocity] = self.scales;
+        Bounded { origin, phase: Phase { start, ..self.phase }, scales: [u, -velocity], ..self }
     }
 }

@@ -17,39 +17,39 @@ use crate::lanes::{Kernel, Lane, Sampler, sweep, wide};
 
 /// A polynomial in t, its first two coefficients to double-double.
 #[derive(Clone, Debug)]
-struct Powers {
+struct Monomials {
     lead: Dd,
     first_rest: f64,
-    /// Coefficients of t and t^2, t^3 and t^4, ...: as many as the layout counts.
+    /// Coefficients of t and t^2, t^3 and t^4, ...: as many as the map counts.
     pairs: [[f64; 2]; MOST / 2],
 }
 
 /// The polynomials of two functions of one motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Interpolant {
-    layout: Layout,
-    first: Powers,
-    second: Powers,
+    map: ConformalMap,
+    first: Monomials,
+    second: Monomials,
 }
 
 /// How the arc of a motion is laid out.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Layout {
+pub(crate) struct ConformalMap {
     /// Terms, one of [`COUNTS`].
     count: usize,
     /// b of the map, a multiple of 2^-20, so that 1 - b is exact.
-    bend: f64,
+    moebius: f64,
 }
 
 /// Most that the last term may be of a value: those left out are some tenths of it.
-const LEFT_OUT: f64 = 2.3e-16; // 2^-52
+const LAST_TERM: f64 = 2.3e-16; // 2^-52
 
 /// Most that a rounding of t may cost, in its units.
 const STEEPEST: f64 = 2.0;
 
 /// Where an arc is interpolated.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<L: Lane> {
+pub(crate) struct Node<L: Lane> {
     /// Half periods from the base, in (0, 1/2).
     pub f: Unnormalised<L>,
     /// 1/4 - f^2, not by subtraction.
@@ -57,9 +57,9 @@ pub(crate) struct Place<L: Lane> {
 }
 
 /// Two functions of f, even about the base and with the factors that a sample takes again divided out.
-pub(crate) trait Curve {
+pub(crate) trait EvenFunctions {
     /// At a place; `#[inline(always)]`.
-    fn at<L: Lane>(&self, place: Place<L>) -> [Unnormalised<L>; 2];
+    fn at<L: Lane>(&self, place: Node<L>) -> [Unnormalised<L>; 2];
 }
 
 /// The sum of the semi-axes of the ellipse with foci -1 and 1 through that foot.
@@ -68,21 +68,21 @@ fn semi_axes(foot: f64) -> f64 {
 }
 
 /// Finest step of b.
-fn rounded(bend: f64) -> f64 {
-    (1_048_576.0 * bend).round() / 1_048_576.0
+fn rounded(moebius: f64) -> f64 {
+    (1_048_576.0 * moebius).round() / 1_048_576.0
 }
 
-impl Layout {
+impl ConformalMap {
     /// For functions whose nearest singularity is f = i K'/2K, if few enough terms serve: up to about 170 degrees.
-    pub fn of(lattice: &NevilleTheta) -> Option<Layout> {
+    pub fn of(lattice: &NevilleTheta) -> Option<ConformalMap> {
         let ellipse = semi_axes(1.0 + 2.0 * lattice.aspect * lattice.aspect);
         // 1/b = the sum of the semi-axes of the ellipse through it: as far out to the left as infinity to the right.
-        let bend = rounded(1.0 / ellipse);
-        Layout::with(ellipse, bend)
+        let moebius = rounded(1.0 / ellipse);
+        ConformalMap::with(ellipse, moebius)
     }
 
     /// For singularities at these complex f, with their negatives and conjugates.
-    pub fn around<const N: usize>(singularities: &[[f64; 2]; N]) -> Option<Layout> {
+    pub fn around<const N: usize>(singularities: &[[f64; 2]; N]) -> Option<ConformalMap> {
         // Of each its w, and its distances to -1 and 1.
         let size = |re: f64, im: f64| (re * re + im * im).sqrt();
         let places = singularities.map(|[re, im]| {
@@ -90,12 +90,12 @@ impl Layout {
             [w, v, size(w + 1.0, v), size(w - 1.0, v)]
         });
         // Semi-major axis of the ellipse through the image of the nearest one, and of infinity, which is 1/b.
-        let reach = |bend: f64| {
+        let reach = |moebius: f64| {
             let far = |reach: f64, [w, v, left, right]: &[f64; 4]| {
-                let axis = 0.5 * ((1.0 - bend) * right + (1.0 + bend) * left);
-                reach.min(axis / size(1.0 + bend * w, bend * v))
+                let axis = 0.5 * ((1.0 - moebius) * right + (1.0 + moebius) * left);
+                reach.min(axis / size(1.0 + moebius * w, moebius * v))
             };
-            places.iter().fold(1.0 / bend.abs(), far)
+            places.iter().fold(1.0 / moebius.abs(), far)
         };
         // Each of these exceeds a bound where a linear function of b exceeds a convex one: on an interval. So does the
         // least of them, and the search that halves by thirds finds the best.
@@ -104,36 +104,36 @@ impl Layout {
             let third = (high - low) / 3.0;
             if reach(low + third) < reach(high - third) { low += third } else { high -= third }
         }
-        let bend = rounded(0.5 * (low + high));
-        let best = Layout::with(reach(bend), bend)?;
+        let moebius = rounded(0.5 * (low + high));
+        let best = ConformalMap::with(reach(moebius), moebius)?;
         // As many terms without a map are fewer operations.
-        let straight = Layout::with(reach(0.0), 0.0);
+        let straight = ConformalMap::with(reach(0.0), 0.0);
         Some(straight.filter(|straight| straight.count <= best.count).unwrap_or(best))
     }
 
-    fn with(foot: f64, bend: f64) -> Option<Layout> {
+    fn with(foot: f64, moebius: f64) -> Option<ConformalMap> {
         let decay = semi_axes(foot).min(1e6).powi(4);
         // The error of n terms is some decay^(-n/4).
         const ENOUGH: f64 = 3.7e19; // 2^65
         let count = COUNTS.into_iter().find(|count| decay.powi(*count as i32 / 4) >= ENOUGH)?;
-        Some(Layout { count, bend })
+        Some(ConformalMap { count, moebius })
     }
 }
 
-impl Powers {
-    fn new(coefficients: &[Dd; MOST]) -> Powers {
+impl Monomials {
+    fn new(coefficients: &[Dd; MOST]) -> Monomials {
         let mut pairs = [[0.0; 2]; MOST / 2];
         for (i, coefficient) in coefficients.iter().enumerate().skip(1) {
             pairs[(i - 1) / 2][(i - 1) % 2] = coefficient.hi;
         }
-        Powers { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
+        Monomials { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
     }
 
     /// Whether it keeps the digits of the values at the points it goes through; the first doubt ends the look.
     ///
     /// The terms after the leading one add up to at most `most` times the least value: a unit of its last place each is
     /// what the sum may lose. The last term, or a sixteenth of the one before, is small: a singularity nearer than those
-    /// of the layout shows there. A rounding of t, which grows from its end at -1, where x is 0, costs little.
+    /// of the map shows there. A rounding of t, which grows from its end at -1, where x is 0, costs little.
     fn keeps(&self, points: &[f64], values: &[f64], most: f64) -> bool {
         let terms = &self.pairs.as_flattened()[..values.len() - 1];
         let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
@@ -147,7 +147,7 @@ impl Powers {
         let cost = |(t, value): (&f64, &f64)| (1.0 + t) * (slope(*t) / value).abs();
         // Each is false for NaN as well.
         spread / least <= most
-            && last / least <= LEFT_OUT
+            && last / least <= LAST_TERM
             && points.iter().zip(values).all(|each| cost(each) <= STEEPEST)
     }
 
@@ -167,65 +167,63 @@ impl Powers {
 }
 
 impl Interpolant {
-    /// Through a curve.
-    pub fn new(layout: Layout, curve: &impl Curve) -> Interpolant {
-        Interpolant::through(layout, curve).0
+    /// Through a functions.
+    pub fn new(map: ConformalMap, functions: &impl EvenFunctions) -> Interpolant {
+        Interpolant::through(map, functions).0
     }
 
-    /// Through a curve, if no digits are lost; `most` is what the terms after the leading one may add up to, in units of
+    /// Through a functions, if no digits are lost; `most` is what the terms after the leading one may add up to, in units of
     /// the least value.
-    pub fn faithful(layout: Layout, curve: &impl Curve, most: f64) -> Option<Interpolant> {
-        let (arc, values) = Interpolant::through(layout, curve);
-        let count = layout.count;
+    pub fn faithful(map: ConformalMap, functions: &impl EvenFunctions, most: f64) -> Option<Interpolant> {
+        let (arc, values) = Interpolant::through(map, functions);
+        let count = map.count;
         let points = &Interpolation::of(count).points[0];
-        let keeps = |powers: &Powers, values: &[f64; MOST]| powers.keeps(points, &values[..count], most);
+        let keeps = |powers: &Monomials, values: &[f64; MOST]| powers.keeps(points, &values[..count], most);
         (keeps(&arc.first, &values[0]) && keeps(&arc.second, &values[2])).then_some(arc)
     }
 
-    /// Through a curve; both functions at the points of the interpolation, each as hi and lo.
+    /// Through a functions; both functions at the points of the interpolation, each as hi and lo.
     #[cold]
     #[inline(never)]
-    fn through(layout: Layout, curve: &impl Curve) -> (Interpolant, [[f64; MOST]; 4]) {
-        let Layout { count, bend } = layout;
+    fn through(map: ConformalMap, functions: &impl EvenFunctions) -> (Interpolant, [[f64; MOST]; 4]) {
+        let ConformalMap { count, moebius } = map;
         let interpolation = Interpolation::of(count);
         let mut values = [[0.0; MOST]; 4];
-        wide(Measure { curve, bend, points: &interpolation.points, values: &mut values });
+        wide(AtNodes { functions, moebius, points: &interpolation.points, values: &mut values });
         let [first, first_rest, second, second_rest] = &values;
-        let powers =
-            |hi: &[f64], lo: &[f64]| Powers::new(&interpolation.coefficients([&hi[..count], &lo[..count]]));
-        (
-            Interpolant { layout, first: powers(first, first_rest), second: powers(second, second_rest) },
-            values,
-        )
+        let powers = |hi: &[f64], lo: &[f64]| {
+            Monomials::new(&interpolation.coefficients([&hi[..count], &lo[..count]]))
+        };
+        (Interpolant { map, first: powers(first, first_rest), second: powers(second, second_rest) }, values)
     }
 
     /// How many terms.
     #[inline(always)]
     pub fn count(&self) -> usize {
-        self.layout.count
+        self.map.count
     }
 
     /// t of half periods f, |f| up to about 1/2.
     #[inline(always)]
     fn mapped<L: Lane>(&self, f: Dd<L>) -> L {
         let x = f.hi * f.hi;
-        let flat = L::splat(1.0 - self.layout.bend);
-        if self.layout.bend == 0.0 {
+        let flat = L::splat(1.0 - self.map.moebius);
+        if self.map.moebius == 0.0 {
             return L::splat(8.0).mul_add(x, -flat);
         }
-        L::splat(8.0).mul_add(x, -flat) / L::splat(8.0 * self.layout.bend).mul_add(x, flat)
+        L::splat(8.0).mul_add(x, -flat) / L::splat(8.0 * self.map.moebius).mul_add(x, flat)
     }
 
     /// The first function, |f| up to about 1/2; hi + lo not normalised.
     #[inline(always)]
     pub fn first<L: Lane>(&self, f: Dd<L>) -> Unnormalised<L> {
-        self.first.at(self.layout.count, self.mapped(f)).into()
+        self.first.at(self.map.count, self.mapped(f)).into()
     }
 
     /// The second, likewise.
     #[inline(always)]
     pub fn second<L: Lane>(&self, f: Dd<L>) -> Unnormalised<L> {
-        self.second.at(self.layout.count, self.mapped(f)).into()
+        self.second.at(self.map.count, self.mapped(f)).into()
     }
 }
 
@@ -247,34 +245,34 @@ pub(crate) fn rounded_product<L: Lane>(a: Unnormalised<L>, b: Unnormalised<L>) -
     a.hi.mul_add(b.hi, a.hi.mul_add(b.lo, a.lo * b.hi))
 }
 
-/// A curve at the points of the interpolation.
-struct Measure<'a, C> {
-    curve: &'a C,
-    bend: f64,
+/// A functions at the points of the interpolation.
+struct AtNodes<'a, C> {
+    functions: &'a C,
+    moebius: f64,
     points: &'a [Vec<f64>; 2],
     values: &'a mut [[f64; MOST]; 4],
 }
 
 /// The same at one of them.
-struct Point<'a, C>(&'a C, f64);
+struct AtNode<'a, C>(&'a C, f64);
 
-impl<L: Lane, C: Curve> Sampler<L, 2, 4> for Point<'_, C> {
+impl<L: Lane, C: EvenFunctions> Sampler<L, 2, 4> for AtNode<'_, C> {
     #[inline(always)]
     fn at(&self, [hi, lo]: [L; 2]) -> [L; 4] {
-        let Point(curve, bend) = self;
+        let AtNode(functions, moebius) = self;
         let one = Unnormalised::from_double(L::splat(1.0));
-        let bend = Unnormalised::from_double(L::splat(*bend));
+        let moebius = Unnormalised::from_double(L::splat(*moebius));
         let t = Unnormalised::new(hi, lo);
         // x = (1 - b)(1 + t)/8(1 - b t), and 1/4 - x = (1 + b)(1 - t)/8(1 - b t).
-        let scale = (one - bend * t).scale(L::splat(8.0));
-        let x = ((one - bend) * (one + t)).over(scale);
-        let to_ends = ((one + bend) * (one - t)).over(scale);
-        let [first, second] = curve.at(Place { f: x.root(), to_ends });
+        let scale = (one - moebius * t).scale(L::splat(8.0));
+        let x = ((one - moebius) * (one + t)).over(scale);
+        let to_ends = ((one + moebius) * (one - t)).over(scale);
+        let [first, second] = functions.at(Node { f: x.root(), to_ends });
         [first.hi, first.lo, second.hi, second.lo]
     }
 }
 
-impl<C: Curve> Kernel for Measure<'_, C> {
+impl<C: EvenFunctions> Kernel for AtNodes<'_, C> {
     type Output = ();
     #[inline(always)]
     fn run<L: Lane>(self) {
@@ -282,6 +280,6 @@ impl<C: Curve> Kernel for Measure<'_, C> {
         let count = hi.len();
         let [a, b, c, d] = self.values;
         let mut values = [&mut a[..count], &mut b[..count], &mut c[..count], &mut d[..count]];
-        sweep::<L, _, _, _>(&Point(self.curve, self.bend), [hi, lo], &mut values)
+        sweep::<L, _, _, _>(&AtNode(self.functions, self.moebius), [hi, lo], &mut values)
     }
 }

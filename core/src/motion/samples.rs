@@ -1,46 +1,52 @@
-//! The polynomials of one motion, made when its first sample is asked for, where they serve.
+//! Samples of a motion: by polynomials that are made when the first sample is asked for, and with the start as given.
 
-use super::bounded::Swing;
-use super::escape::Flight;
+use super::bounded::Bounded;
+use super::escape::Escape;
 use super::interpolant::Interpolant;
+use crate::lanes::{Formula, Lane};
 use std::sync::OnceLock;
 
 /// How polynomials become a motion.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Way {
-    Swing(Swing),
-    Flight(Flight),
+pub(crate) enum InterpolantKind {
+    Bounded(Bounded),
+    Escape(Escape),
 }
 
-impl Way {
-    /// With factors of u and u'.
-    pub fn scaled(self, [u, velocity]: [f64; 2]) -> Way {
-        match self {
-            Way::Swing(swing) => {
-                Way::Swing(Swing { u: swing.u * u, velocity: swing.velocity * velocity, ..swing })
-            }
-            Way::Flight(flight) => {
-                Way::Flight(Flight { u: flight.u * u, velocity: flight.velocity * velocity, ..flight })
-            }
-        }
-    }
-}
-
-/// A way and its polynomials: none where too many terms would be needed.
+/// A motion and its polynomials: none where too many terms would be needed.
 #[derive(Clone, Debug)]
-pub(crate) struct Drawing {
-    pub way: Way,
-    arc: OnceLock<Option<Interpolant>>,
+pub(crate) struct LazyInterpolant {
+    pub kind: InterpolantKind,
+    interpolant: OnceLock<Option<Interpolant>>,
 }
 
-impl Drawing {
-    pub fn new(way: Way) -> Drawing {
-        Drawing { way, arc: OnceLock::new() }
+impl LazyInterpolant {
+    pub fn new(kind: InterpolantKind) -> LazyInterpolant {
+        LazyInterpolant { kind, interpolant: OnceLock::new() }
     }
 
-    /// The polynomials, or how they are made.
+    /// The polynomials; the first call makes them.
     #[inline(always)]
-    pub fn arc(&self, new: impl FnOnce() -> Option<Interpolant>) -> Option<&Interpolant> {
-        self.arc.get_or_init(new).as_ref()
+    pub fn get_or_make(&self, make: impl FnOnce() -> Option<Interpolant>) -> Option<&Interpolant> {
+        self.interpolant.get_or_init(make).as_ref()
+    }
+}
+
+/// A motion whose values at t = 0 are those that were given.
+pub(crate) struct FromStart<F> {
+    pub formula: F,
+    /// u and u' at t = 0.
+    pub start: [f64; 2],
+}
+
+impl<F: Formula<1, 2>> Formula<1, 2> for FromStart<F> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
+        let [u, velocity] = self.formula.at([t]);
+        let at_start = t.equal(L::splat(0.0));
+        [
+            L::select(at_start, L::splat(self.start[0]), u),
+            L::select(at_start, L::splat(self.start[1]), velocity),
+        ]
     }
 }

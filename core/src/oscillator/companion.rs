@@ -7,8 +7,9 @@
 //! Backwards, u = scale tan(theta/2) with q scale^2 = p + S or p - S and omega0^2 = S or -S, where that is positive.
 //! Source: Salas 2019 (5), (8), (11); (10) with its dots put right, docs/errata.
 
-use super::duffing::{Constants, Duffing};
+use super::duffing::Duffing;
 use crate::domain::Domain;
+use crate::float::dyadic::sum_of_products;
 use crate::float::elementary::arctangent;
 use crate::float::scaled::Scaled;
 use crate::float::series;
@@ -66,19 +67,27 @@ impl Duffing {
     /// The pendulum whose theta is 2 arctan(u/scale), each of its four numbers rounded once.
     ///
     /// `None` where there is none: at E = 0, in wells, in librations of a softening spring, outside of its barrier with
-    /// E >= 0, for Delta <= 0, and without a cubic force.
+    /// E >= 0, for Delta <= 0, without a cubic force, and where one of its numbers is beyond the range of doubles.
     pub fn companion(&self) -> Option<Companion> {
-        let Constants { q, delta, s, energy, .. } = self.constants;
-        if q.is_zero() || !delta.is_positive() || energy.is_zero() {
+        let [u0, v0, p, q] = [self.u0(), self.velocity0(), self.p(), self.q()];
+        // 4 E, and Delta = p^2 + 4 q E = S^2.
+        let energy = sum_of_products(&[&[2.0, v0, v0], &[2.0, p, u0, u0], &[q, u0, u0, u0, u0]]);
+        let delta =
+            sum_of_products(&[&[p, p], &[2.0, p, q, u0, u0], &[q, q, u0, u0, u0, u0], &[2.0, q, v0, v0]]);
+        if q == 0.0 || !delta.is_positive() || energy.is_zero() {
             return None;
         }
-        let Constants { plus, minus, .. } = self.constants;
+        let s = delta.sqrt();
+        let (p, q) = (Scaled::from(p), Scaled::from(q));
+        // (S + p)(S - p) = 4 q E gives the one that would cancel.
+        let (plus, minus) =
+            if p.is_negative() { (q * energy / (s - p), s - p) } else { (s + p, q * energy / (s + p)) };
         let (square, omega2) = if (plus / q).is_positive() { (plus / q, s) } else { (-minus / q, -s) };
         if !square.is_positive() {
             return None;
         }
         let scale = square.sqrt();
-        let u = Scaled::from(self.u0) / scale;
+        let u = Scaled::from(u0) / scale;
         let opposite = u.abs();
         // The angle of a point of two sides, the larger of them 1.
         let (opposite, adjacent) = if (opposite - Scaled::ONE).is_positive() {
@@ -88,7 +97,9 @@ impl Duffing {
         };
         let angle = arctangent(opposite.to_dd(), adjacent.to_dd()).value();
         let theta0 = if u.is_negative() { -2.0 * angle } else { 2.0 * angle };
-        let velocity0 = (Scaled::from(self.velocity0) / scale).shift(1) / (Scaled::ONE + u.square());
-        Some(Companion { scale: scale.value(), theta0, velocity0: velocity0.value(), omega2: omega2.value() })
+        let velocity0 = (Scaled::from(v0) / scale).shift(1) / (Scaled::ONE + u.square());
+        let (scale, velocity0, omega2) = (scale.value(), velocity0.value(), omega2.value());
+        let in_range = scale > 0.0 && [scale, velocity0, omega2].iter().all(|value| value.is_finite());
+        in_range.then_some(Companion { scale, theta0, velocity0, omega2 })
     }
 }

@@ -2,11 +2,12 @@
 //!
 //! With v = 1/u^2, v'^2 = 4 C(v), C(v) = 2E v^3 - alpha v^2 - beta v/2 - gamma/3: a cubic, so that every motion is an elliptic
 //! function of Legendre's kind or, where a root is double or E = 0, an elementary one; u escapes where v = 0 and passes 0
-//! where v is infinite. All signs that decide the regime are exact (quintic_exact.rs).
+//! where v is infinite. All signs that decide the regime are exact (float/dyadic.rs).
 //! Source: derived; Belendez et al., J. Vib. Control 22 (2016) 2914, for motions released at rest about u = 0.
 
+use super::energy::{EnergyPolynomial, Orientation};
 use super::regime::Regime;
-use super::set_up::{Course, Marker, SetUp, Spring, Way, course};
+use super::set_up::{EnergyCase, SetUp, Solution};
 use crate::domain::Domain;
 use crate::float::scaled::Scaled;
 
@@ -24,10 +25,10 @@ pub struct CubicQuintic {
     pub(super) u0: f64,
     pub(super) velocity0: f64,
     force: [f64; 3],
-    pub(super) spring: Spring,
-    pub(super) course: Course,
-    pub(super) marker: Option<Marker>,
-    pub(super) way: Way,
+    pub(super) energy: EnergyPolynomial,
+    pub(super) solution: Solution,
+    pub(super) energy_case: Option<EnergyCase>,
+    pub(super) orientation: Orientation,
     regime: Regime,
     period: f64,
     range: (f64, f64),
@@ -48,17 +49,17 @@ impl CubicQuintic {
             Domain::check(name, value, value.is_finite(), "finite")?;
         }
         let force = [alpha, beta, gamma];
-        let spring = Spring::new(u0, velocity0, force);
-        let SetUp { course, marker, regime, period, range, escapes, way } =
-            course(&spring, u0, velocity0, force);
+        let energy = EnergyPolynomial::new(u0, velocity0, force);
+        let SetUp { solution, energy_case, regime, period, range, escapes, orientation } =
+            SetUp::new(&energy, u0, velocity0, force);
         Ok(CubicQuintic {
             u0,
             velocity0,
             force,
-            spring,
-            course,
-            marker,
-            way,
+            energy,
+            solution,
+            energy_case,
+            orientation,
             regime,
             period: period.value(),
             range: (range[0].value(), range[1].value()),
@@ -81,7 +82,7 @@ impl CubicQuintic {
     }
     /// u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6, from a sum without rounding; infinite beyond the range of doubles.
     pub fn energy(&self) -> f64 {
-        (self.spring.a.to_wide() / Scaled::from(12.0)).value()
+        (self.energy.a.to_scaled() / Scaled::from(12.0)).value()
     }
     /// When u becomes infinite: above 0, or infinite if it never does. **Error** at most 1e-14 of it, plus
     /// 2^-100 of its condition.

@@ -1,21 +1,20 @@
 //! The motions on exact boundaries, where double roots or E = 0 leave hyperbolic functions, exponentials or powers of
 //! the time: in double-doubles of any range, one sample after the other.
 //!
-//! As in quintic_course.rs, u = n/sqrt M, M = l C^2 + m S^2, with the pole's factor in an escape; S and C are tanh and
+//! As in root_quotient.rs, u = n/sqrt M, M = l C^2 + m S^2, with the pole's factor in an escape; S and C are tanh and
 //! sech, sinh and 1, or x and 1.
-//! Source: the limits m = 1 and 2K = infinite of quintic_course.rs, DLMF 22.5(ii).
+//! Source: the limits m = 1 and 2K = infinite of root_quotient.rs, DLMF 22.5(ii).
 
-use super::argument::{Form, Mark, Marks};
-use super::cubic_phase::signed;
+use super::energy::Orientation;
+use super::nonzero_energy::{Argument, NonzeroEnergy, RootCase};
 use super::roots::Distances;
-use super::set_up::Way;
 use crate::float::scaled::{Scaled, exp};
 use crate::float::series;
 use crate::float::triple_double::Td;
 
 /// What S, C and the velocity are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Curve {
+pub(super) enum Functions {
     /// tanh, sech.
     Tanh,
     /// sinh, 1.
@@ -26,31 +25,31 @@ pub(super) enum Curve {
 
 /// M as a function of the argument x, or of the argument d to the pole.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Shape {
+pub(super) enum Sum {
     /// l C^2 + m S^2, and n = S where `odd`.
-    Squares { curve: Curve, odd: bool, l: Scaled, m: Scaled },
+    Squares { functions: Functions, odd: bool, l: Scaled, m: Scaled },
     /// l e^(2x) + m.
     Exponential { l: Scaled, m: Scaled },
     /// 2 l e^d sinh d.
-    Rising(Scaled),
+    GrowingSinh(Scaled),
     /// 2 l e^-d sinh d.
-    Levelling(Scaled),
+    DecayingSinh(Scaled),
     /// l d.
-    Straight(Scaled),
+    Linear(Scaled),
     /// 2 l cosh(x + x_e) sinh d.
-    Climbing(Scaled),
+    CoshSinh(Scaled),
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Plain {
-    pub shape: Shape,
+pub(super) struct Elementary {
+    pub sum: Sum,
     /// Argument at the start, and per unit of time; to the pole likewise.
     pub base: [Scaled; 2],
     pub rest: [Scaled; 2],
     pub pole: Option<Scaled>,
     /// Factor of u', with the sign of its argument's direction.
     pub velocity: Scaled,
-    pub side: f64,
+    pub sign: f64,
 }
 
 /// sinh and cosh.
@@ -72,16 +71,16 @@ pub(super) fn sinh_cosh(x: Scaled) -> (Scaled, Scaled) {
 /// Beyond, tanh is 1 and sech^2 beside it nothing, whatever the range; and e^x is still in range.
 const FAR: f64 = 1e7;
 
-impl Curve {
+impl Functions {
     /// S, C and the rate of S.
     fn values(self, x: Scaled) -> [Scaled; 3] {
         match self {
-            Curve::Power => [x, Scaled::ONE, Scaled::ONE],
-            Curve::Sinh => {
+            Functions::Power => [x, Scaled::ONE, Scaled::ONE],
+            Functions::Sinh => {
                 let (sine, cosine) = sinh_cosh(x);
                 [sine, Scaled::ONE, cosine]
             }
-            Curve::Tanh => {
+            Functions::Tanh => {
                 let (sine, cosine) = sinh_cosh(x);
                 let sech = Scaled::ONE / cosine;
                 [sine * sech, sech, sech.square()]
@@ -90,13 +89,13 @@ impl Curve {
     }
 }
 
-impl Plain {
+impl Elementary {
     /// |u| where the motion turns back, if it does.
     pub fn turn(&self) -> Option<f64> {
-        let Shape::Squares { curve, odd: false, l, .. } = self.shape else { return None };
+        let Sum::Squares { functions, odd: false, l, .. } = self.sum else { return None };
         let sine = match self.pole {
             Some(_) if (self.base[1] - self.rest[1]).is_zero() => return None,
-            Some(pole) => curve.values(pole)[0],
+            Some(pole) => functions.values(pole)[0],
             None => Scaled::ONE,
         };
         Some((Scaled::ONE / (l.sqrt() * sine)).value())
@@ -110,39 +109,39 @@ impl Plain {
         if self.pole.is_some() && !rest.is_positive() || t.is_nan() {
             return (f64::NAN, f64::NAN);
         }
-        let power = matches!(self.shape, Shape::Squares { curve: Curve::Power, .. } | Shape::Straight(_));
+        let power = matches!(self.sum, Sum::Squares { functions: Functions::Power, .. } | Sum::Linear(_));
         let far =
-            |x: Scaled| if power || x.abs().value() < FAR { x } else { signed(Scaled::from(FAR), x.value()) };
+            |x: Scaled| if power || x.abs().value() < FAR { x } else { Scaled::from(FAR).signed(x.value()) };
         let x = far(x);
         rest = far(rest);
         let behind = self.pole.map_or(x, |pole| pole + x);
-        if matches!(self.shape, Shape::Squares { .. }) && self.pole.is_some() && !behind.is_positive() {
+        if matches!(self.sum, Sum::Squares { .. }) && self.pole.is_some() && !behind.is_positive() {
             return (f64::NAN, f64::NAN);
         }
         let one = Scaled::ONE;
-        let (n, w, m) = match self.shape {
-            Shape::Squares { curve, odd, l, m } => {
-                let [s, c, rate] = curve.values(x);
+        let (n, w, m) = match self.sum {
+            Sum::Squares { functions, odd, l, m } => {
+                let [s, c, rate] = functions.values(x);
                 let mut sum = l * c.square() + m * s.square();
                 if self.pole.is_some() {
-                    sum = sum * curve.values(rest)[0] * curve.values(behind)[0];
+                    sum = sum * functions.values(rest)[0] * functions.values(behind)[0];
                 }
                 if odd { (s, rate, sum) } else { (one, s * rate, sum) }
             }
-            Shape::Exponential { l, m } => {
+            Sum::Exponential { l, m } => {
                 let grown = exp(x.shift(1).to_dd());
                 (one, grown, l * grown + m)
             }
-            Shape::Rising(l) => {
+            Sum::GrowingSinh(l) => {
                 let grown = exp(rest.to_dd());
                 (one, grown.square(), (l * grown * sinh_cosh(rest).0).shift(1))
             }
-            Shape::Levelling(l) => {
+            Sum::DecayingSinh(l) => {
                 let fallen = exp(-rest.to_dd());
                 (one, fallen.square(), (l * fallen * sinh_cosh(rest).0).shift(1))
             }
-            Shape::Straight(l) => (one, one, l * rest),
-            Shape::Climbing(l) => {
+            Sum::Linear(l) => (one, one, l * rest),
+            Sum::CoshSinh(l) => {
                 let (sine, cosine) = (sinh_cosh(rest).0, sinh_cosh(behind).1);
                 (one, sinh_cosh(x.shift(1)).1, (l * sine * cosine).shift(1))
             }
@@ -150,42 +149,44 @@ impl Plain {
         let root = m.sqrt();
         let u = n / root;
         let velocity = self.velocity * w / (root * m);
-        (signed(u, self.side).value(), signed(velocity, self.side).value())
+        (u.signed(self.sign).value(), velocity.signed(self.sign).value())
     }
 }
 
-/// Where a double or triple root leaves no theta functions.
-pub(super) fn plain(marks: &Marks, start: Mark, way: Way) -> Plain {
-    let [upper, lower, total] = marks.gaps;
-    let poles = marks.pole.is_some();
-    let v = match marks.roots {
-        Distances::Three(v) => v,
-        Distances::One([v, ..]) => [v; 3],
-    };
-    let triple = marks.mc.is_nan();
-    // At a triple root the gaps are 0: 1/2E stands for what the others make of them.
-    let unit = Scaled::ONE / marks.speed.square();
-    let (odd, l, m, factor) = match (marks.form, triple) {
-        (Form::Crossing, true) if poles => (true, v[0].abs(), Scaled::ZERO, unit),
-        (Form::Crossing, true) => (true, unit, v[0], unit),
-        (_, true) => (true, v[0], Scaled::ZERO, -unit),
-        (Form::Crossing, _) if poles => (true, -v[2], -v[1], total),
-        (Form::Crossing, _) => (true, total, v[0], total),
-        (Form::Between, _) if poles => (false, upper, -v[2], upper),
-        (Form::Between, _) => (false, v[0], v[1], upper),
-        (Form::Falling, _) if poles => (false, lower, v[1], -lower),
-        (Form::Falling, _) => (false, v[2], v[1], -lower),
-        _ => (true, v[0], v[2], -total),
-    };
-    let curve = if triple { Curve::Power } else { Curve::Tanh };
-    let one_sided = matches!(marks.form, Form::Falling | Form::Sinking);
-    let rate = signed(marks.omega, way.turn);
-    Plain {
-        shape: Shape::Squares { curve, odd, l, m },
-        base: [start.base, rate],
-        rest: [start.pole, if one_sided { rate } else { -rate }],
-        pole: marks.pole,
-        velocity: factor * rate,
-        side: way.side,
+impl Elementary {
+    /// Where a double or triple root of C(v) leaves no theta functions.
+    pub fn of_double_root(energy: &NonzeroEnergy, start: Argument, orientation: Orientation) -> Elementary {
+        let [upper, lower, total] = energy.gaps;
+        let poles = energy.pole.is_some();
+        let v = match energy.roots {
+            Distances::Three(v) => v,
+            Distances::One([v, ..]) => [v; 3],
+        };
+        let triple = energy.mc.is_nan();
+        // At a triple root the gaps are 0: 1/2E stands for what the others make of them.
+        let unit = Scaled::ONE / energy.speed.square();
+        let (odd, l, m, factor) = match (energy.case, triple) {
+            (RootCase::Crossing, true) if poles => (true, v[0].abs(), Scaled::ZERO, unit),
+            (RootCase::Crossing, true) => (true, unit, v[0], unit),
+            (_, true) => (true, v[0], Scaled::ZERO, -unit),
+            (RootCase::Crossing, _) if poles => (true, -v[2], -v[1], total),
+            (RootCase::Crossing, _) => (true, total, v[0], total),
+            (RootCase::Between, _) if poles => (false, upper, -v[2], upper),
+            (RootCase::Between, _) => (false, v[0], v[1], upper),
+            (RootCase::InsideDouble, _) if poles => (false, lower, v[1], -lower),
+            (RootCase::InsideDouble, _) => (false, v[2], v[1], -lower),
+            _ => (true, v[0], v[2], -total),
+        };
+        let functions = if triple { Functions::Power } else { Functions::Tanh };
+        let one_sided = matches!(energy.case, RootCase::InsideDouble | RootCase::OutsideDouble);
+        let rate = energy.omega.signed(orientation.direction);
+        Elementary {
+            sum: Sum::Squares { functions, odd, l, m },
+            base: [start.base, rate],
+            rest: [start.pole, if one_sided { rate } else { -rate }],
+            pole: energy.pole,
+            velocity: factor * rate,
+            sign: orientation.sign,
+        }
     }
 }

@@ -26,11 +26,10 @@ use crate::elliptic::jacobi::glaisher::{Glaisher, Letter};
 use crate::elliptic::parameter::{Parameter, Unit};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
-use crate::float::double_double::two_sum;
+use crate::float::dyadic::sum_of_products;
 use crate::float::elementary::{quotient, saturated_sinh_cosh};
-use crate::float::exact::sum_of_products;
 use crate::float::scaled::Scaled;
-use crate::lanes::{Formula, Lane, tabulate};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
 /// One solution c1 pq(Omega t + c2 | m), set up once for many times.
 ///
@@ -180,14 +179,24 @@ impl Form {
         self.c2
     }
 
+    fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
+        let slope = slope(self.which, &self.unit) * self.rate;
+        if self.unit.mc.hi == 0.0 {
+            evaluation.of(&HyperbolicFormula(self, slope))
+        } else if self.jacobi.lattice.hyperbolic() {
+            evaluation.of(&ThetaFormula::<true>(self, slope))
+        } else {
+            evaluation.of(&ThetaFormula::<false>(self, slope))
+        }
+    }
+
     /// u and u' at t.
     ///
     /// Beyond a pole the form goes on as pq does (the motion of an oscillator ends there). NaN for t that is not finite,
     /// as 2^100 half periods away. **Error** at most 4 ulp, plus 2^-100 of the condition.
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        let (mut u, mut velocity) = ([0.0], [0.0]);
-        Fill { form: self, t: &[t], results: [&mut u, &mut velocity] }.run::<false>();
-        (u[0], velocity[0])
+        let [u, velocity] = self.evaluate(Once([t]));
+        (u, velocity)
     }
     /// u at t, as in [`Form::motion`].
     pub fn u(&self, t: f64) -> f64 {
@@ -199,8 +208,7 @@ impl Form {
     }
     /// [`Form::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
-        assert!(u.len() == t.len() && velocity.len() == t.len(), "results of another length than the times");
-        Fill { form: self, t, results: [u, velocity] }.run::<true>();
+        self.evaluate(Columns::new([t], [u, velocity]));
     }
 
     /// The regimes that a form serves, found by trying it: p and Q = q c1^2 over a grid of whole numbers.
@@ -286,10 +294,10 @@ fn slope(which: Glaisher, unit: &Unit) -> Dd {
     }
 }
 
-struct Doubly<'a, const HYPERBOLIC: bool>(&'a Form, Dd);
+struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a Form, Dd);
 
 /// m = 1.
-struct Singly<'a>(&'a Form, Dd);
+struct HyperbolicFormula<'a>(&'a Form, Dd);
 
 #[inline(always)]
 fn finished<L: Lane>(form: &Form, slope: Dd, ratio: &Ratio<L>) -> [L; 2] {
@@ -318,50 +326,25 @@ fn finished<L: Lane>(form: &Form, slope: Dd, ratio: &Ratio<L>) -> [L; 2] {
     [u * (above_sign * below_sign) * c1, velocity * (left_sign * right_sign) * c1]
 }
 
-impl<const HYPERBOLIC: bool> Formula<1, 2> for Doubly<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> Formula<1, 2> for ThetaFormula<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let Doubly(form, slope) = self;
+        let ThetaFormula(form, slope) = self;
         let (_, ratio) = form.jacobi.ratio::<HYPERBOLIC, L>(t);
         finished::<L>(form, *slope, &ratio)
     }
 }
 
-impl Formula<1, 2> for Singly<'_> {
+impl Formula<1, 2> for HyperbolicFormula<'_> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let Singly(form, slope) = self;
-        let Phase { rate, start } = form.argument;
-        let (passed, error) = t.two_product(L::splat(rate.hi));
-        let error = t.mul_add(L::splat(rate.lo), error);
-        let (y, rest) = two_sum(passed, L::splat(start.hi));
-        let y = Dd::ordered_sum(y, rest + (error + L::splat(start.lo)));
+        let HyperbolicFormula(form, slope) = self;
+        let y = form.argument.counted(t);
         let one = L::splat(1.0);
         let sign = one.copysign(y.hi);
         let (sinh, cosh) = saturated_sinh_cosh(y.scale(sign));
         let unit = Dd::from_double(one);
         let ratio = Ratio { sn: sinh, cn: unit, dn: unit, one: cosh, signs: [sign, one, one] };
         finished::<L>(form, *slope, &ratio)
-    }
-}
-
-/// Times into slices of results of the same length.
-struct Fill<'a, 'b> {
-    form: &'a Form,
-    t: &'a [f64],
-    results: [&'b mut [f64]; 2],
-}
-
-impl Fill<'_, '_> {
-    fn run<const WIDE: bool>(mut self) {
-        let (form, t, results) = (self.form, [self.t], &mut self.results);
-        let slope = slope(form.which, &form.unit) * form.rate;
-        if form.unit.mc.hi == 0.0 {
-            tabulate::<WIDE, _, _, _, _>(&Singly(form, slope), t, results);
-        } else if form.jacobi.lattice.hyperbolic() {
-            tabulate::<WIDE, _, _, _, _>(&Doubly::<true>(form, slope), t, results);
-        } else {
-            tabulate::<WIDE, _, _, _, _>(&Doubly::<false>(form, slope), t, results);
-        }
     }
 }

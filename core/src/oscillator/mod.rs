@@ -1,29 +1,29 @@
-//! The springs u'' + p u + q u^3 = 0 and u'' + alpha u + beta u^3 + gamma u^5 = 0 from any start, in every regime; the
-//! twelve forms of the first one's solution, and its link to the pendulum.
+//! The springs u'' + p u + q u^3 = 0 and u'' + alpha u + beta u^3 + gamma u^5 = 0 from any start, in every regime.
+//!
+//! One theory: v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = 2E v^3 - alpha v^2 - beta v/2 - gamma/3, whose exact roots tell the
+//! regime and the functions. [`Duffing`] is the case gamma = 0, with the twelve forms ([`Form`]) of its solution and its
+//! relation to the pendulum ([`Companion`]).
 
-mod argument;
 pub mod batch;
 pub mod companion;
-mod cubic_arc;
-mod cubic_course;
-mod cubic_limits;
-pub mod cubic_motion;
-mod cubic_phase;
-mod cubic_plain;
 pub mod cubic_quintic;
-pub mod cubic_time;
 pub mod duffing;
 mod elementary;
-mod elementary_lanes;
+mod energy;
 pub mod glaisher_forms;
+mod hyperbolic_lanes;
+mod interpolant;
 pub mod motion;
+mod nonzero_energy;
 pub mod passages;
-mod quintic_exact;
+mod pq_elementary;
+mod pq_quotient;
 pub mod regime;
+mod root_quotient;
 mod roots;
 mod set_up;
 mod singularities;
-mod theta_quotients;
+mod theta_motion;
 mod zero_energy;
 mod zero_energy_lanes;
 

@@ -1,102 +1,90 @@
-//! u and u' of an orbit of the cubic-quintic oscillator at any time, over lanes where theta functions serve.
+//! u and u' of an orbit at any time: the formula is chosen here, outside of its kernel.
 
 use super::cubic_quintic::CubicQuintic;
-use super::elementary::Plain;
-use super::elementary_lanes::Along as Hyperbolically;
-use super::set_up::{Course, Ordinary};
-use super::theta_quotients::Theta;
-use super::zero_energy_lanes::Along as Outwards;
-use crate::lanes::{Formula, Lane, tabulate};
-use crate::motion::bounded::{Swinging, begun};
-use crate::motion::escape::Flying;
-use crate::motion::samples::Way;
+use super::elementary::Elementary;
+use super::pq_elementary::Line;
+use super::pq_quotient::{BoundedFormula, EscapeFormula};
+use super::root_quotient::RootFormula;
+use super::set_up::{ElementaryLanes, Solution};
+use super::theta_motion::{Quotient, ThetaMotion};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, Second, WIDEST};
+use crate::motion::bounded;
+use crate::motion::escape;
+use crate::motion::samples::{FromStart, InterpolantKind};
 
-/// What an evaluation returns first; where it returns no more, the rest is not computed.
-const U: bool = true;
-const VELOCITY: bool = false;
+/// A motion whose factors are out of the lanes' range: one sample after the other.
+struct OneByOne<'a>(&'a Elementary);
 
-/// A motion on one side of the theta functions.
-struct Along<'a, const HYPERBOLIC: bool, const FIRST: bool>(&'a Theta, [f64; 2]);
-
-impl<const HYPERBOLIC: bool, const FIRST: bool> Formula<1, 2> for Along<'_, HYPERBOLIC, FIRST> {
+impl Formula<1, 2> for OneByOne<'_> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let Along(theta, start) = self;
-        begun::<FIRST, L>(*start, t, theta.at::<HYPERBOLIC, L>(t))
-    }
-}
-
-/// Times into slices of the R results wanted, each of the length of the times.
-struct Fill<'a, 'b, const FIRST: bool, const R: usize> {
-    orbit: &'a CubicQuintic,
-    t: &'a [f64],
-    results: [&'b mut [f64]; R],
-}
-
-/// u and u' without theta functions, or without motion.
-fn plainly(orbit: &CubicQuintic, plain: Option<&Plain>, t: f64) -> (f64, f64) {
-    match plain {
-        _ if t == 0.0 => (orbit.u0, orbit.velocity0),
-        Some(plain) => plain.at(t),
-        None if t.is_nan() => (t, t),
-        None => (orbit.u0, orbit.velocity0),
-    }
-}
-
-impl<const FIRST: bool, const R: usize> Fill<'_, '_, FIRST, R> {
-    fn run<const WIDE: bool>(mut self) {
-        let (orbit, t, results) = (self.orbit, [self.t], &mut self.results);
-        let plain = match &orbit.course {
-            Course::Theta(theta) => {
-                let start = [orbit.u0, orbit.velocity0];
-                return match (theta.arc(), &theta.drawing.way) {
-                    (Some(arc), Way::Swing(swing)) => {
-                        tabulate::<WIDE, _, _, _, _>(&Swinging::<FIRST> { swing, arc, start }, t, results)
-                    }
-                    (Some(arc), Way::Flight(flight)) => {
-                        tabulate::<WIDE, _, _, _, _>(&Flying::<FIRST> { flight, arc, start }, t, results)
-                    }
-                    _ if theta.lattice.hyperbolic() => {
-                        tabulate::<WIDE, _, _, _, _>(&Along::<true, FIRST>(theta, start), t, results)
-                    }
-                    _ => tabulate::<WIDE, _, _, _, _>(&Along::<false, FIRST>(theta, start), t, results),
-                };
-            }
-            Course::Plain(_, Some(motion)) => {
-                let start = [orbit.u0, orbit.velocity0];
-                return match &**motion {
-                    Ordinary::Hyperbolic(motion) => {
-                        tabulate::<WIDE, _, _, _, _>(&Hyperbolically::<FIRST>(motion, start), t, results)
-                    }
-                    Ordinary::Edge(motion) => {
-                        tabulate::<WIDE, _, _, _, _>(&Outwards::<FIRST>(motion, start), t, results)
-                    }
-                };
-            }
-            Course::Plain(plain, None) => Some(&**plain),
-            Course::Still => None,
-        };
-        for (i, t) in self.t.iter().enumerate() {
-            let (u, velocity) = plainly(orbit, plain, *t);
-            let both = if FIRST { [u, velocity] } else { [velocity, u] };
-            for (result, value) in self.results.iter_mut().zip(both) {
-                result[i] = value;
-            }
+        let (mut u, mut velocity) = ([0.0; WIDEST], [0.0; WIDEST]);
+        t.store(&mut u);
+        let mut i = 0;
+        while i < L::WIDTH {
+            (u[i], velocity[i]) = self.0.at(u[i]);
+            i += 1;
         }
+        [L::load(&u), L::load(&velocity)]
     }
 }
 
 impl CubicQuintic {
-    fn fill<'a, 'b, const FIRST: bool, const R: usize>(
-        &'a self,
-        t: &'a [f64],
-        results: [&'b mut [f64]; R],
-    ) -> Fill<'a, 'b, FIRST, R> {
-        assert!(
-            results.iter().all(|result| result.len() == t.len()),
-            "results of another length than the times"
-        );
-        Fill { orbit: self, t, results }
+    /// The evaluation of the formula that serves this orbit.
+    fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
+        match &self.solution {
+            Solution::Equilibrium => self.line(evaluation, false),
+            Solution::Line(_) => self.line(evaluation, true),
+            Solution::Theta(motion) => self.theta(motion, evaluation),
+            Solution::Elementary(given, None) => self.from_start(evaluation, OneByOne(given)),
+            Solution::Elementary(_, Some(lanes)) => match &**lanes {
+                ElementaryLanes::Pq(formula) => self.from_start(evaluation, formula),
+                ElementaryLanes::Hyperbolic(formula) => self.from_start(evaluation, formula),
+                ElementaryLanes::ZeroEnergyEscape(formula) => self.from_start(evaluation, formula),
+            },
+        }
+    }
+
+    fn from_start<E: Evaluation<1, 2>>(&self, evaluation: E, formula: impl Formula<1, 2>) -> E::Output {
+        evaluation.of(&FromStart { formula, start: [self.u0, self.velocity0] })
+    }
+
+    fn line<E: Evaluation<1, 2>>(&self, evaluation: E, moves: bool) -> E::Output {
+        evaluation.of(&Line { u0: self.u0, velocity0: self.velocity0, moves })
+    }
+
+    fn theta<E: Evaluation<1, 2>>(&self, motion: &ThetaMotion, evaluation: E) -> E::Output {
+        let kind = &motion.interpolant.kind;
+        let hyperbolic = motion.neville.hyperbolic();
+        match (motion.interpolant(), kind, &motion.quotient) {
+            (Some(interpolant), InterpolantKind::Bounded(bounded), _) => {
+                self.from_start(evaluation, bounded::ByInterpolant(bounded, interpolant))
+            }
+            (Some(interpolant), InterpolantKind::Escape(escape), _) => {
+                self.from_start(evaluation, escape::ByInterpolant(escape, interpolant))
+            }
+            (_, InterpolantKind::Bounded(_), Quotient::Pq(pq)) => {
+                if hyperbolic {
+                    self.from_start(evaluation, BoundedFormula::<true>(motion, pq))
+                } else {
+                    self.from_start(evaluation, BoundedFormula::<false>(motion, pq))
+                }
+            }
+            (_, InterpolantKind::Escape(escape), Quotient::Pq(pq)) => {
+                if hyperbolic {
+                    self.from_start(evaluation, EscapeFormula::<true>(motion, pq, escape))
+                } else {
+                    self.from_start(evaluation, EscapeFormula::<false>(motion, pq, escape))
+                }
+            }
+            (_, _, Quotient::Root(root, _)) => {
+                if hyperbolic {
+                    self.from_start(evaluation, RootFormula::<true>(motion, root))
+                } else {
+                    self.from_start(evaluation, RootFormula::<false>(motion, root))
+                }
+            }
+        }
     }
 
     /// u at t.
@@ -105,37 +93,32 @@ impl CubicQuintic {
     /// half periods away. **Error** at most 4 ulp of the largest |u| of a bounded orbit, of max(|u|, |u0|) else, plus
     /// 2^-100 of the condition.
     pub fn u(&self, t: f64) -> f64 {
-        let mut u = [0.0];
-        self.fill::<U, 1>(&[t], [&mut u]).run::<false>();
-        u[0]
+        self.evaluate(Once([t]))[0]
     }
 
     /// u' at t; domain and error as for [`CubicQuintic::u`].
     pub fn velocity(&self, t: f64) -> f64 {
-        let mut velocity = [0.0];
-        self.fill::<VELOCITY, 1>(&[t], [&mut velocity]).run::<false>();
-        velocity[0]
+        self.evaluate(Once([t]))[1]
     }
 
     /// u and u' at t, bit for bit those of [`CubicQuintic::u`] and [`CubicQuintic::velocity`].
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        let (mut u, mut velocity) = ([0.0], [0.0]);
-        self.fill::<U, 2>(&[t], [&mut u, &mut velocity]).run::<false>();
-        (u[0], velocity[0])
+        let [u, velocity] = self.evaluate(Once([t]));
+        (u, velocity)
     }
 
     /// [`CubicQuintic::u`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
-        self.fill::<U, 1>(t, [u]).run::<true>();
+        self.evaluate(Columns::new([t], [u]));
     }
 
     /// [`CubicQuintic::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        self.fill::<VELOCITY, 1>(t, [velocity]).run::<true>();
+        self.evaluate(Second(Columns::new([t], [velocity])));
     }
 
     /// [`CubicQuintic::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
-        self.fill::<U, 2>(t, [u, velocity]).run::<true>();
+        self.evaluate(Columns::new([t], [u, velocity]));
     }
 }

@@ -1,40 +1,40 @@
 //! When a value is passed: the inverse of the motion.
 //!
-//! With 6 u'^2 at the value from a sum without rounding, its marks are those of a start there (quintic_marks.rs), so that
+//! With 6 u'^2 at the value from a sum without rounding, its argument is that of a start there (nonzero_energy.rs), so that
 //! passages keep their digits at zeros, turning points and next to escapes.
 
-use super::argument::Mark;
 use super::cubic_quintic::CubicQuintic;
-use super::quintic_exact::Exact;
-use super::set_up::Course;
+use super::nonzero_energy::Argument;
+use super::set_up::Solution;
 use crate::domain::Domain;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
+use crate::float::dyadic::Dyadic;
 use crate::float::scaled::Scaled;
 use crate::motion::passages::Interval;
 
 impl CubicQuintic {
-    /// The marks of a value, and whether the motion turns there; `None` where it does not get.
-    fn mark(&self, u: f64) -> Option<(Mark, bool)> {
-        let y = Exact::from(u).square();
+    /// The argument of a value, and whether the motion turns there; `None` where it does not get.
+    fn argument_of(&self, u: f64) -> Option<(Argument, bool)> {
+        let y = Dyadic::from(u).square();
         let (low, high) = self.range();
-        let turns = match &self.course {
-            Course::Theta(_) => u == low || u == high,
-            Course::Plain(plain, _) => plain.turn() == Some(u.abs()),
-            Course::Still => false,
+        let turns = match &self.solution {
+            Solution::Theta(_) => u == low || u == high,
+            Solution::Elementary(given, _) => given.turn() == Some(u.abs()),
+            Solution::Line(_) | Solution::Equilibrium => false,
         };
         let square_speed = if u.abs() == self.u0.abs() {
-            &Exact::from(self.velocity0).square() * 6.0
+            Dyadic::from(self.velocity0).square() * 6.0
         } else if turns {
-            Exact::from(0.0)
+            Dyadic::ZERO
         } else {
-            self.spring.square_speed(&y)
+            self.energy.square_speed(&y)
         };
         if square_speed.sign() < 0 || !(low <= u && u <= high) {
             return None;
         }
-        let marker = self.marker.as_ref()?;
-        Some((marker.at(&y, &square_speed), turns || square_speed.sign() == 0))
+        let energy_case = self.energy_case.as_ref()?;
+        Some((energy_case.argument(&y, &square_speed), turns || square_speed.sign() == 0))
     }
 
     /// All times from `start` to `stop` (both included) at which the motion passes `u`, rising.
@@ -48,31 +48,31 @@ impl CubicQuintic {
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         Domain::check("u", u, u.is_finite(), "finite")?;
         let interval = Interval::new(start, stop)?;
-        let Some((mark, turns)) = self.mark(u) else { return Ok(Vec::new()) };
+        let Some((argument, turns)) = self.argument_of(u) else { return Ok(Vec::new()) };
         let crosses = self.range().0 < 0.0 && self.range().1 > 0.0;
-        let mirrored = u != 0.0 && (u < 0.0) != (self.way.side < 0.0);
-        let mut times = match &self.course {
-            Course::Still => Vec::new(),
-            Course::Theta(theta) if theta.repeats() => {
-                let at = theta.in_half_periods(mark).base.to_dd();
-                let (phase, scale) = theta.clock();
+        let mirrored = u != 0.0 && (u < 0.0) != (self.orientation.sign < 0.0);
+        let mut times = match &self.solution {
+            Solution::Equilibrium => Vec::new(),
+            Solution::Theta(theta) if theta.repeats() => {
+                let at = theta.in_half_periods(argument).base.to_dd();
+                let Phase { rate, start } = theta.phase;
                 // The count of repetitions rises with time.
-                let falls = phase.rate.hi < 0.0;
-                let phase = if falls { Phase { rate: -phase.rate, start: -phase.start } } else { *phase };
+                let falls = rate.hi < 0.0;
+                let (rate, start) = if falls { (-rate, -start) } else { (rate, start) };
                 let at = if mirrored != falls { -at } else { at };
                 // Odd: mirrored about the turning point half a half period on; even: about the base.
                 let middle = if falls { -Dd::ONE } else { Dd::ONE };
                 let (spacing, other) = if crosses { (2.0, middle - at) } else { (1.0, -at) };
-                let phases = [at, other].map(|at| at - phase.start);
+                let phases = [at, other].map(|at| at - start);
                 let different = if turns { 1 } else { 2 };
-                return interval.repeated(phase.rate, scale, &phases[..different], spacing);
+                return interval.repeated(rate, theta.time, &phases[..different], spacing);
             }
-            Course::Theta(theta) => {
-                passages(theta.in_half_periods(mark), crosses, mirrored, turns, theta.rates())
+            Solution::Theta(theta) => {
+                passages(theta.in_half_periods(argument), crosses, mirrored, turns, theta.rates())
             }
-            Course::Plain(plain, _) => {
-                let once = turns || plain.turn().is_none();
-                passages(mark, crosses, mirrored, once, [plain.base, plain.rest])
+            Solution::Elementary(given, _) | Solution::Line(given) => {
+                let once = turns || given.turn().is_none();
+                passages(argument, crosses, mirrored, once, [given.base, given.rest])
             }
         };
         times.retain(|t| t.is_finite() && interval.holds(*t));
@@ -84,16 +84,16 @@ impl CubicQuintic {
 
 /// Times of a motion that does not repeat, `once` where it passes only once; `rates` are the arguments at the start and
 /// per time, from the base and to the pole.
-fn passages(mark: Mark, crosses: bool, mirrored: bool, once: bool, rates: [[Scaled; 2]; 2]) -> Vec<f64> {
+fn passages(at: Argument, crosses: bool, mirrored: bool, once: bool, rates: [[Scaled; 2]; 2]) -> Vec<f64> {
     let [[base, base_rate], [rest, rest_rate]] = rates;
     let along = |argument: Scaled| ((argument - base) / base_rate).value();
     // Next to the pole its own count has the digits.
-    let near_pole = mark.pole.is_positive() && (mark.pole - mark.base).is_negative();
-    let ahead = if near_pole { ((mark.pole - rest) / rest_rate).value() } else { along(mark.base) };
+    let near_pole = at.pole.is_positive() && (at.pole - at.base).is_negative();
+    let ahead = if near_pole { ((at.pole - rest) / rest_rate).value() } else { along(at.base) };
     match (crosses, mirrored) {
-        (true, true) => vec![along(-mark.base)],
+        (true, true) => vec![along(-at.base)],
         (true, false) => vec![ahead],
         _ if once => vec![ahead],
-        _ => vec![ahead, along(-mark.base)],
+        _ => vec![ahead, along(-at.base)],
     }
 }

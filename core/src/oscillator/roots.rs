@@ -1,15 +1,15 @@
 //! The roots of f(v) = a v^3 + b v^2 + c v + d, and what lies between them and any point, each to all digits.
 //!
-//! Method: z = 3 a v + b turns f into z^3 + 3 P z + Q over 27 a^2. P, Q and the discriminant are exact (quintic_exact.rs),
+//! Method: z = 3 a v + b turns f into z^3 + 3 P z + Q over 27 a^2. P, Q and the discriminant are exact (float/dyadic.rs),
 //! so that the trigonometric and Cardano's forms give all *differences* of roots without cancellation. From a point to
 //! the roots: the distances are roots of a cubic whose coefficients are exact as well; the largest comes by plain
 //! subtraction, the other two from their product, their sum and their known difference. The distances from v = 0 are
 //! the roots themselves.
 //! Source: DLMF 1.11(iii).
 
-use super::cubic_phase::rf;
-use super::quintic_exact::Exact;
+use crate::elliptic::integrals::carlson::rf_of_roots;
 use crate::float::Dd;
+use crate::float::dyadic::Dyadic;
 use crate::float::elementary::long_sin_cos;
 use crate::float::scaled::Scaled;
 
@@ -25,18 +25,18 @@ pub(super) fn less(a: Scaled, b: Scaled) -> bool {
 /// Coefficients and invariants, exact.
 #[derive(Clone, Debug)]
 pub(super) struct Cubic {
-    pub a: Exact,
-    pub b: Exact,
-    pub d: Exact,
+    pub a: Dyadic,
+    pub b: Dyadic,
+    pub d: Dyadic,
     /// 3ac - b^2.
-    p: Exact,
+    p: Dyadic,
     third: Scaled,
-    shape: Shape,
+    depressed: Roots,
 }
 
 /// The roots z of the depressed cubic.
 #[derive(Clone, Debug)]
-enum Shape {
+enum Roots {
     /// From the largest v to the smallest; gaps between 0 and 1, 1 and 2, 0 and 2.
     Three { z: [Scaled; 3], gaps: [Scaled; 3] },
     /// z and -z/2 +- i w.
@@ -64,13 +64,13 @@ fn cube_root(x: Scaled) -> Scaled {
     Scaled::new(root, power)
 }
 
-fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Shape {
+fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Roots {
     // z = 2R cos(...) with 3 phi' = phi = atan2(root, |q|), root = 2 R^3 sin phi.
     let r = p.abs().sqrt();
     let half = if r.is_zero() {
         Scaled::ZERO
     } else {
-        root * rf([q.abs(), r * r.square().shift(1), r * r.square().shift(1)])
+        root * rf_of_roots([q.abs(), r * r.square().shift(1), r * r.square().shift(1)])
     };
     let third = half / Scaled::from(THREE);
     let (sine, cosine) = if third.power() < -CARRIED || third.is_zero() {
@@ -92,56 +92,54 @@ fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Shape {
         ([-near[1], -near[0], -far], [close, narrow, wide])
     };
     if falling {
-        Shape::Three { z: [z[2], z[1], z[0]], gaps: [gaps[1], gaps[0], gaps[2]] }
+        Roots::Three { z: [z[2], z[1], z[0]], gaps: [gaps[1], gaps[0], gaps[2]] }
     } else {
-        Shape::Three { z, gaps }
+        Roots::Three { z, gaps }
     }
 }
 
-fn one(p: Scaled, q: Scaled, root: Scaled) -> Shape {
+fn one(p: Scaled, q: Scaled, root: Scaled) -> Roots {
     let t = cube_root((q.abs() + root).shift(-1));
     let (square, other) = (t.square(), (p / t).square());
     let z = q.abs() / (square + p + other);
     let w = if p.is_negative() { root / (square - p + other) } else { t + p / t };
     let w = (w * Scaled::from(THREE).sqrt()).shift(-1);
-    Shape::One { z: if q.is_negative() { z } else { -z }, w }
+    Roots::One { z: if q.is_negative() { z } else { -z }, w }
 }
 
 impl Cubic {
     /// For a != 0.
-    pub fn new(a: Exact, b: Exact, c: Exact, d: Exact) -> Cubic {
+    pub fn new(a: Dyadic, b: Dyadic, c: Dyadic, d: Dyadic) -> Cubic {
         let (ac, bd) = (&a * &c, &b * &d);
         let b2 = b.square();
         let a2 = a.square();
-        let p = &(&ac * THREE) - &b2;
-        let q = &(&(&(&b2 * &b) * 2.0) - &(&(&ac * &b) * 9.0)) + &(&(&a2 * &d) * 27.0);
-        let ad2 = (&a * &d).square();
-        let cubes = &(&(&ac * &c.square()) * 4.0) + &(&(&bd * &b2) * 4.0);
-        let delta = &(&(&b.square() * &c.square()) - &cubes) + &(&(&(&ac * &bd) * 18.0) - &(&ad2 * 27.0));
-        let wide_a = a.to_wide();
-        let root = wide_a.abs() * ((delta.to_wide()).abs() * 27.0).sqrt();
-        let (wide_p, wide_q) = (p.to_wide(), q.to_wide());
-        let shape = if delta.sign() < 0 {
-            one(wide_p, wide_q, root)
+        let p = &ac * THREE - &b2;
+        let q = &b2 * &b * 2.0 - &ac * &b * 9.0 + &a2 * &d * 27.0;
+        let delta = &b2 * c.square() - &ac * c.square() * 4.0 - &bd * &b2 * 4.0 + &ac * &bd * 18.0
+            - (&a * &d).square() * 27.0;
+        let lead = a.to_scaled();
+        let root = lead.abs() * (delta.to_scaled().abs() * 27.0).sqrt();
+        let depressed = if delta.sign() < 0 {
+            one(p.to_scaled(), q.to_scaled(), root)
         } else {
-            three(wide_p, wide_q, root, a.sign() < 0)
+            three(p.to_scaled(), q.to_scaled(), root, a.sign() < 0)
         };
-        Cubic { third: wide_a * THREE, a, b, d, p, shape }
+        Cubic { third: lead * THREE, a, b, d, p, depressed }
     }
 
     /// Gaps between the roots in v, from the largest: 0 to 1, 1 to 2, 0 to 2. None where two are complex.
     pub fn gaps(&self) -> Option<[Scaled; 3]> {
-        match self.shape {
-            Shape::Three { gaps, .. } => Some(gaps.map(|gap| gap / self.third.abs())),
-            Shape::One { .. } => None,
+        match self.depressed {
+            Roots::Three { gaps, .. } => Some(gaps.map(|gap| gap / self.third.abs())),
+            Roots::One { .. } => None,
         }
     }
 
     /// For complex roots Re +- i w beside the real root v0: sign(a) (v0 - Re) and w.
     pub fn pair(&self) -> Option<[Scaled; 2]> {
-        match self.shape {
-            Shape::Three { .. } => None,
-            Shape::One { z, w } => {
+        match self.depressed {
+            Roots::Three { .. } => None,
+            Roots::One { z, w } => {
                 let unit = self.third.abs();
                 Some([z * 1.5 / unit, w / unit])
             }
@@ -149,22 +147,22 @@ impl Cubic {
     }
 
     /// y/v - root for the three roots (times y^2 for the pair), at v = 1/y, from 27 a^2 y^3 f: see the top.
-    fn of_point(&self, above: &Exact, y: &Exact, product: &Exact) -> Distances {
-        let pairs = &(&above.square() + &(&self.p * &y.square())) * THREE;
-        self.distances(above.to_wide(), y.to_wide(), pairs.to_wide(), product.to_wide())
+    fn of_point(&self, above: &Dyadic, y: &Dyadic, product: &Dyadic) -> Distances {
+        let pairs = (above.square() + &self.p * y.square()) * THREE;
+        self.distances(above.to_scaled(), y.to_scaled(), pairs.to_scaled(), product.to_scaled())
     }
 
     /// 1 - y root of each root, at y, where f(1/y) y^3 = `value`.
-    pub fn of_square(&self, y: &Exact, value: &Exact) -> Distances {
-        let above = &(&self.a * THREE) + &(&self.b * y);
-        let product = &(&self.a.square() * value) * 27.0;
+    pub fn of_square(&self, y: &Dyadic, value: &Dyadic) -> Distances {
+        let above = &self.a * THREE + &self.b * y;
+        let product = self.a.square() * value * 27.0;
         self.of_point(&above, y, &product)
     }
 
     /// The roots; of a pair the square of its modulus.
     pub fn roots(&self) -> Distances {
-        let product = &(&self.a.square() * &self.d) * 27.0;
-        let negative = self.of_point(&self.b, &Exact::from(1.0), &product);
+        let product = self.a.square() * &self.d * 27.0;
+        let negative = self.of_point(&self.b, &Dyadic::from(1.0), &product);
         match negative {
             Distances::Three(roots) => Distances::Three(roots.map(|root| -root)),
             Distances::One([root, pair, real]) => Distances::One([-root, pair, -real]),
@@ -172,16 +170,16 @@ impl Cubic {
     }
 
     /// Of three real roots: whether all lie on that side of v = 1/y where f has the sign of a far out.
-    pub fn all_on_one_side(&self, y: &Exact) -> bool {
-        let above = &(&self.a * THREE) + &(&self.b * y);
-        let pairs = &above.square() + &(&self.p * &y.square());
+    pub fn all_on_one_side(&self, y: &Dyadic) -> bool {
+        let above = &self.a * THREE + &self.b * y;
+        let pairs = above.square() + &self.p * y.square();
         above.sign() > 0 && pairs.sign() > 0
     }
 
     fn distances(&self, above: Scaled, y: Scaled, pairs: Scaled, product: Scaled) -> Distances {
         let unit = self.third;
-        match self.shape {
-            Shape::Three { z, gaps } => {
+        match self.depressed {
+            Roots::Three { z, gaps } => {
                 let direct = z.map(|z| above - y * z);
                 let mut most = 0;
                 for k in 1..3 {
@@ -207,7 +205,7 @@ impl Cubic {
                 }
                 Distances::Three(found.map(|distance| distance / unit))
             }
-            Shape::One { z, w } => {
+            Roots::One { z, w } => {
                 let real = above - y * z;
                 let leg = above + (y * z).shift(-1);
                 let pair = leg.square() + (y * w).square();

@@ -1,10 +1,14 @@
-//! The polynomials of the cubic-quintic oscillator's elliptic motions: where their singularities are, and their values.
+//! Where the singularities of the elliptic motions are: what is removed from a motion before its interpolation, and how
+//! its polynomials are mapped.
 //!
-//! u has a branch point wherever v = 1/u^2 = 0, at f = +-z + n + k tau half periods: tau = i K'/K, or (1 + i K'/K)/2
-//! with a complex pair. For an escape z is real. Else z lies above a base, or above the side of the period's rectangle
-//! on which v goes on from there, at an integral of the first kind:
+//! Without a quintic force: in half periods 2K, sn, cn and dn have poles at f = i K'/2K + n, and cn zeros at 1/2 + n,
+//! which repeat by i K'/K (DLMF 22.4(i)).
 //!
-//! | form | case | z from the far turning point, in units of the argument |
+//! With one, u has a branch point wherever v = 1/u^2 = 0, at f = +-z + n + k tau half periods: tau = i K'/K, or
+//! (1 + i K'/K)/2 with a complex pair. For an escape z is real. Else z lies above a base, or above the side of the period's
+//! rectangle on which v goes on from there, at an integral of the first kind:
+//!
+//! | root case | where | z from the far turning point, in units of the argument |
 //! |---|---|---|
 //! | crossing | v1 <= 0 | i F(v0/(v0 - v1), mc) |
 //! | crossing | v2 <= 0 < v1 | K - F(-v2/(v1 - v2), m) + i K' |
@@ -16,25 +20,23 @@
 //!
 //! with F(sin^2, m). Two digits of it are enough. Source: Byrd & Friedman 232, 235, 236, 238, 243.
 
-use super::argument::Form;
-use super::theta_quotients::{Factors, Theta, pick_double, within};
+use super::nonzero_energy::RootCase;
+use super::pq_quotient::Pq;
+use super::root_quotient::Squares;
+use super::theta_motion::carried;
 use crate::elliptic::carlson_rf;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
-use crate::float::exponent::ldexp;
 use crate::float::scaled::Scaled;
-use crate::float::unnormalised::Unnormalised;
-use crate::lanes::Lane;
-use crate::motion::bounded::{self, Base, Leg, Swing, Taken};
-use crate::motion::escape::{self, Beside, Flight, Outwards, Pole};
-use crate::motion::interpolant::{Interpolant, Layout};
-use crate::motion::samples::Way;
+use crate::motion::bounded::{Bounded, Origin, Removed};
+use crate::motion::escape::{Escape, EscapePole, NearbyBranchPoints};
+use crate::motion::interpolant::ConformalMap;
 
 /// What tells where the singularities of a motion are.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Singular {
-    form: Form,
+pub(super) struct RootSingularities {
+    case: RootCase,
     m: f64,
     mc: f64,
     /// Of the factors of q^2 and p^2.
@@ -49,45 +51,45 @@ fn first_kind(square: f64, m: f64) -> f64 {
     square.sqrt() * carlson_rf(1.0 - square, 1.0 - m * square, 1.0)
 }
 
-impl Singular {
-    pub fn new(factors: &Factors, half: Scaled) -> Singular {
+impl RootSingularities {
+    pub fn new(factors: &Squares, pole: Option<Scaled>, half: Scaled) -> RootSingularities {
         let [l, q] = factors.squares;
-        Singular {
-            form: factors.form,
+        RootSingularities {
+            case: factors.case,
             m: factors.m.value(),
             mc: factors.mc.value(),
             ratio: (q / l).value(),
-            pole: factors.pole.map_or(0.0, |pole| (pole / half).value()),
+            pole: pole.map_or(0.0, |pole| (pole / half).value()),
         }
     }
 
     fn pair(self) -> bool {
-        matches!(self.form, Form::PairCrossing | Form::PairOutside)
+        matches!(self.case, RootCase::PairCrossing | RootCase::PairOutside)
     }
 
     /// Where a motion without poles is best counted from, and whether that is the far end of its leg.
-    fn base(self) -> (Base, bool) {
-        match self.form {
-            Form::Crossing if self.ratio >= 1.0 => (Base::Zero, false),
-            Form::Crossing | Form::PairCrossing => (Base::Turn, true),
-            _ => (Base::Well, true),
+    fn origin(self) -> (Origin, bool) {
+        match self.case {
+            RootCase::Crossing if self.ratio >= 1.0 => (Origin::Zero, false),
+            RootCase::Crossing | RootCase::PairCrossing => (Origin::TurningPoint, true),
+            _ => (Origin::WellTurningPoint, true),
         }
     }
 
     /// z from there, as the argument, of a motion without poles; K and K'.
     fn argument(self, [quarter, other]: [f64; 2]) -> [f64; 2] {
-        let Singular { form, m, mc, ratio, .. } = self;
-        match form {
+        let RootSingularities { case, m, mc, ratio, .. } = self;
+        match case {
             // In units of v0 - v2: v0 is the ratio.
-            Form::Crossing if ratio <= mc => [0.0, first_kind(ratio / mc, mc)],
-            Form::Crossing if ratio < 1.0 => [quarter - first_kind((1.0 - ratio) / m, m), other],
-            Form::Crossing => [0.0, carlson_rf(ratio, ratio - mc, ratio - 1.0)],
-            Form::PairCrossing => {
+            RootCase::Crossing if ratio <= mc => [0.0, first_kind(ratio / mc, mc)],
+            RootCase::Crossing if ratio < 1.0 => [quarter - first_kind((1.0 - ratio) / m, m), other],
+            RootCase::Crossing => [0.0, carlson_rf(ratio, ratio - mc, ratio - 1.0)],
+            RootCase::PairCrossing => {
                 let sum = 1.0 + ratio;
                 let half = 0.5 * first_kind(4.0 * (ratio / sum) / sum, mc);
                 [0.0, if ratio <= 1.0 { half } else { other - half }]
             }
-            Form::Inside => [0.0, first_kind(ratio, mc)],
+            RootCase::Inside => [0.0, first_kind(ratio, mc)],
             // In units of v0: v1 is the ratio.
             _ if ratio <= mc => [0.0, first_kind(ratio / mc, mc)],
             _ => [first_kind((1.0 - (1.0 - ratio) / m) / ratio, m), other],
@@ -95,41 +97,41 @@ impl Singular {
     }
 
     /// What is best taken out of a motion without poles.
-    fn taken(self, half: f64, aspect: f64) -> Taken {
+    fn removed(self, half: f64, aspect: f64) -> Removed {
         let quarter = 0.5 * half;
         let [re, im] = self.argument([quarter, aspect * quarter]).map(|z| z / half);
         if re > 0.0 || im > NEAR {
-            return Taken::Nothing;
+            return Removed::Nothing;
         }
         // A sum of the periods is i K'/K for a pair too.
         let other = aspect - im;
-        Taken::Roots([im * im, other * other])
+        Removed::BranchPoints([im * im, other * other])
     }
 
     /// What is best taken out of an escape besides its poles: with a pair u' vanishes where dn(2v) does, at
     /// (1 + i K'/K)/4 half periods, and u branches at (1 + i K'/K)/2 - z.
-    fn beside(self, lattice: &NevilleTheta) -> Option<Beside> {
+    fn nearby(self, neville: &NevilleTheta) -> Option<NearbyBranchPoints> {
         // A small nome of m leaves both far, and the aspect to two digits.
-        let height = 0.125 * lattice.aspect / self.pole;
-        if !self.pair() || !lattice.hyperbolic() || height > BESIDE {
+        let height = 0.125 * neville.aspect / self.pole;
+        if !self.pair() || !neville.hyperbolic() || height > NEARBY {
             return None;
         }
         let across = 0.25 / self.pole - 0.5;
-        Some(Beside::new([across, 2.0 * height], [0.125 / self.pole, height]))
+        Some(NearbyBranchPoints::new([across, 2.0 * height], [0.125 / self.pole, height]))
     }
 
-    /// How the polynomials are laid out on a lattice of that 2K and K'/K.
-    fn layout(self, half: f64, aspect: f64, taken: Taken, beside: bool) -> Option<Layout> {
+    /// How the polynomials are laid out on a neville of that 2K and K'/K.
+    pub fn map(self, half: f64, aspect: f64, removed: Removed, nearby: bool) -> Option<ConformalMap> {
         let [across, up] = if self.pair() { [0.5, 0.5 * aspect] } else { [0.0, aspect] };
         if self.pole > 0.0 {
             // In flights: the poles 1/2 and (1 - z)/2z are taken out.
             let flights = |[re, im]: [f64; 2]| [0.5 * re / self.pole, 0.5 * im / self.pole];
             let z = self.pole;
-            if beside {
+            if nearby {
                 let above = flights([z, 2.0 * up]);
-                return Layout::around(&[flights([1.0 + z, 0.0]), flights([across + z, up]), above]);
+                return ConformalMap::around(&[flights([1.0 + z, 0.0]), flights([across + z, up]), above]);
             }
-            return Layout::around(&[
+            return ConformalMap::around(&[
                 flights([1.0 + z, 0.0]),
                 flights([across + z, up]),
                 flights([across - z, up]),
@@ -139,129 +141,124 @@ impl Singular {
         let quarter = 0.5 * half;
         let [re, im] = self.argument([quarter, aspect * quarter]).map(|z| z / half);
         let beside = [across - re, up - im];
-        if taken == Taken::Nothing {
-            return Layout::around(&[[re, im], [1.0 - re, im], beside, [1.0 - beside[0].abs(), beside[1]]]);
+        if removed == Removed::Nothing {
+            return ConformalMap::around(&[
+                [re, im],
+                [1.0 - re, im],
+                beside,
+                [1.0 - beside[0].abs(), beside[1]],
+            ]);
         }
         // Those at +-i im and +-i (K'/K - im) are taken out.
         let above = [across, up + im];
         if self.pair() {
-            Layout::around(&[beside, above, [1.0, im], [0.0, aspect + im]])
+            ConformalMap::around(&[beside, above, [1.0, im], [0.0, aspect + im]])
         } else {
-            Layout::around(&[above, [1.0, im], [1.0, up - im], [0.0, 2.0 * aspect - im]])
+            ConformalMap::around(&[above, [1.0, im], [1.0, up - im], [0.0, 2.0 * aspect - im]])
         }
     }
 }
 
-/// Singularities are taken out where they are nearer than this, in half periods.
+/// RootSingularitiesities are taken out where they are nearer than this, in half periods.
 const NEAR: f64 = 0.4;
 
 /// Zeros of u' are taken out of an escape where they are nearer to its way than this, in flights.
-const BESIDE: f64 = 0.175;
+const NEARBY: f64 = 0.175;
 
-/// How a motion without poles is drawn on a lattice, but for the factors of u and u'.
-pub(super) fn swing(place: Singular, lattice: &NevilleTheta, phase: Phase, time: f64) -> Way {
-    let (base, far) = place.base();
-    let taken = place.taken(2.0 * lattice.quarter.hi, lattice.aspect);
-    let near = Swing { base, taken, phase, time, u: 1.0, velocity: 1.0 };
-    Way::Swing(if far { near.counted_from_far_end(base) } else { near })
+/// How a motion without poles becomes polynomials, with the factors of u and u'.
+pub(super) fn bounded(
+    place: RootSingularities,
+    neville: &NevilleTheta,
+    phase: Phase,
+    time: f64,
+    scales: [f64; 2],
+) -> Bounded {
+    let (origin, far) = place.origin();
+    let removed = place.removed(2.0 * neville.quarter.hi, neville.aspect);
+    let bounded = Bounded { origin, removed, phase, time, scales };
+    if far { bounded.from_far_end(origin) } else { bounded }
 }
 
-/// How an escape is drawn, likewise: from the argument per time, and those of the start from the middle, to the pole,
-/// and of the pole from the middle.
-pub(super) fn flight(
-    place: Singular,
-    lattice: &NevilleTheta,
-    half: Scaled,
-    omega: Scaled,
-    [base, rest, pole]: [Scaled; 3],
-    turn: f64,
-) -> Way {
+/// The phase of an escape, and whether it is counted from the pole; with the power of two that times take. From the
+/// argument per time, and those of the start from the middle, to the pole, and of the pole from the middle.
+fn escape_phase(omega: Scaled, [base, rest, pole]: [Scaled; 3], turn: f64) -> (Phase, bool, f64) {
     let whole = pole.shift(1);
-    let rate = omega / whole;
-    let time = rate.power() - rate.power().clamp(-300, 300);
+    let (rate, time) = carried(omega / whole);
     let from_pole = (base - rest).is_positive();
     let (start, turn) = if from_pole { (rest, -turn) } else { (base, turn) };
+    (Phase { rate: rate * turn, start: (start / whole).to_dd() }, from_pole, time)
+}
+
+/// How an escape becomes polynomials, likewise.
+pub(super) fn escape(
+    place: RootSingularities,
+    neville: &NevilleTheta,
+    half: Scaled,
+    omega: Scaled,
+    arguments: [Scaled; 3],
+    turn: f64,
+    scales: [f64; 2],
+) -> Escape {
+    let (phase, from_pole, time) = escape_phase(omega, arguments, turn);
+    let whole = arguments[2].shift(1);
     // ((1 - z)^2 - z^2)/4z^2, z = pole/half.
     let gap = half * (half - whole) / whole.square();
-    Way::Flight(Flight {
-        pole: Pole::Root(if gap.is_negative() { Dd::ZERO } else { gap.to_dd() }),
-        beside: place.beside(lattice),
-        odd: matches!(place.form, Form::Crossing | Form::PairCrossing),
-        phase: Phase { rate: rate.shift(-time).to_dd() * turn, start: (start / whole).to_dd() },
+    Escape {
+        pole: EscapePole::BranchPoint(if gap.is_negative() { Dd::ZERO } else { gap.to_dd() }),
+        nearby: place.nearby(neville),
+        odd: matches!(place.case, RootCase::Crossing | RootCase::PairCrossing),
+        phase,
         from_pole,
-        time: ldexp(1.0, time),
-        u: 1.0,
-        velocity: 1.0,
-    })
-}
-
-/// A motion on one side of its theta functions; the powers of two by which u and u' differ where counted from K.
-struct Along<'a, const HYPERBOLIC: bool>(&'a Theta, [[f64; 2]; 2]);
-
-impl<const HYPERBOLIC: bool> Along<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn values<L: Lane>(&self, arguments: [Dd<L>; 3]) -> [Unnormalised<L>; 2] {
-        let Along(theta, [u_steps, velocity_steps]) = self;
-        let (u, velocity, folded) = theta.quotients::<HYPERBOLIC, L>(arguments);
-        [u.scale(pick_double(folded, u_steps)), velocity.scale(pick_double(folded, velocity_steps))]
+        time,
+        scales,
     }
 }
 
-impl<const HYPERBOLIC: bool> Leg for Along<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, f: Unnormalised<L>, _: Unnormalised<L>) -> [Unnormalised<L>; 2] {
-        self.values([f.tight(); 3])
+/// How a motion without poles and without a quintic force becomes polynomials.
+pub(super) fn pq_bounded(
+    pq: Pq,
+    neville: &NevilleTheta,
+    phase: Phase,
+    time: f64,
+    scales: [f64; 2],
+) -> Bounded {
+    // On the circular side the poles are far away, and not known to a double.
+    let pole = 0.5 * neville.aspect;
+    let removed = if neville.hyperbolic() { Removed::Pole(pole * pole) } else { Removed::Nothing };
+    let bounded = Bounded { origin: Origin::Zero, removed, phase, time, scales };
+    match pq {
+        // From the turning point the poles are straight above the origin.
+        Pq::Sd => bounded.from_far_end(Origin::TurningPoint),
+        Pq::Nd => bounded.from_far_end(Origin::WellTurningPoint),
+        _ => bounded,
     }
 }
 
-impl<const HYPERBOLIC: bool> Outwards for Along<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2] {
-        let whole = Unnormalised::splat(self.0.flight());
-        let behind = f + Unnormalised::from_double(L::splat(0.5));
-        let [f, ahead, behind] = [f, rest, behind];
-        let behind = within((behind * whole).tight());
-        self.values([(f * whole).tight(), within((ahead * whole).tight()), behind])
-    }
+/// How an escape without a quintic force becomes polynomials.
+pub(super) fn pq_escape(
+    pq: Pq,
+    omega: Scaled,
+    arguments: [Scaled; 3],
+    turn: f64,
+    scales: [f64; 2],
+) -> Escape {
+    let (phase, from_pole, time) = escape_phase(omega, arguments, turn);
+    Escape { pole: EscapePole::Simple, nearby: None, odd: pq.odd(), phase, from_pole, time, scales }
 }
 
-/// Powers of two between the two ways of counting that values can carry.
-const STEPS: f64 = 1e60;
-
-impl Theta {
-    /// The polynomials, where few enough terms serve.
-    #[inline(always)]
-    pub fn arc(&self) -> Option<&Interpolant> {
-        self.drawing
-            .arc(|| if self.lattice.hyperbolic() { self.new_arc::<true>() } else { self.new_arc::<false>() })
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn new_arc<const HYPERBOLIC: bool>(&self) -> Option<Interpolant> {
-        if let Way::Flight(flight) = &self.drawing.way
-            && !flight.starts_in_range()
-        {
-            return None;
+/// The map of a motion without a quintic force, if few enough terms serve.
+pub(super) fn pq_map(pq: Pq, neville: &NevilleTheta) -> Option<ConformalMap> {
+    let aspect = neville.aspect;
+    // For an escape the zeros of cn but for the poles at hand; with sn dn/cn, the poles of sn and dn too.
+    let zeros = [[1.5, 0.0], [0.5, aspect]];
+    match pq {
+        Pq::Sn | Pq::Sd | Pq::Nd if neville.hyperbolic() => {
+            ConformalMap::around(&[[0.0, 1.5 * aspect], [1.0, 0.5 * aspect]])
         }
-        let steps = self.steps();
-        if steps.iter().any(|step| !(1.0 / STEPS..STEPS).contains(step)) {
-            return None;
+        Pq::Sn | Pq::Sd | Pq::Nd => ConformalMap::of(neville),
+        Pq::SnDnOverCn => {
+            ConformalMap::around(&[zeros[0], zeros[1], [0.0, 0.5 * aspect], [1.0, 0.5 * aspect]])
         }
-        let along = Along::<HYPERBOLIC>(self, steps.map(|step| [1.0, step]));
-        let layout = |taken, beside| {
-            self.place.layout(2.0 * self.lattice.quarter.hi, self.lattice.aspect, taken, beside)
-        };
-        match self.drawing.way {
-            Way::Swing(Swing { base, taken, .. }) => {
-                let far = base != Base::Zero;
-                let drawn = bounded::Drawn { leg: along, base, far, taken };
-                Interpolant::faithful(layout(taken, false)?, &drawn, bounded::SPREAD)
-            }
-            Way::Flight(Flight { pole, beside, odd, .. }) => {
-                let drawn = escape::Drawn { way: along, odd, pole, beside };
-                Interpolant::faithful(layout(Taken::Nothing, beside.is_some())?, &drawn, escape::SPREAD)
-            }
-        }
+        _ => ConformalMap::around(&zeros),
     }
 }

@@ -5,17 +5,17 @@
 //! cancellation; the time to the pole is u R_C(s^2, s^2 + alpha u^2), s = |u'| + u^3 sqrt(-gamma/3).
 //! Source: elementary; DLMF 19.2(iv).
 
-use super::argument::{Form, Mark};
-use super::cubic_phase::rf;
-use super::elementary::{Curve, Plain, Shape};
-use super::quintic_exact::Exact;
-use super::set_up::{Outline, Spring, Way};
-use super::theta_quotients::{Factors, Theta};
+use super::elementary::{Elementary, Functions, Sum};
+use super::energy::{EnergyPolynomial, Orientation, Outline};
+use super::nonzero_energy::{Argument, RootCase};
+use super::root_quotient::Squares;
+use crate::elliptic::integrals::carlson::rf_of_roots;
+use crate::float::dyadic::Dyadic;
 use crate::float::scaled::Scaled;
 
 /// What v does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum SpeedCase {
     /// alpha > 0: between two roots.
     Cosine,
     /// Above the upper root, which is positive: u falls to 0 both ways.
@@ -25,20 +25,20 @@ enum Kind {
     /// Below the lower root.
     Below,
     /// No root.
-    Sine,
+    NoRoot,
     /// A double root that is positive or 0, v above it.
-    Exponential,
+    AboveDouble,
     /// A positive double root, v below it.
-    Levelling,
+    BelowDouble,
     /// A negative double root.
-    Rising,
+    NegativeDouble,
     /// alpha = beta = 0.
-    Straight,
+    Constant,
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Level {
-    kind: Kind,
+pub(super) struct ZeroEnergy {
+    case: SpeedCase,
     /// alpha = 0.
     parabola: bool,
     /// sqrt|alpha|, or 1.
@@ -52,126 +52,127 @@ pub(super) struct Level {
     alpha: Scaled,
     /// 4 |alpha| - beta y, at the start for the exponential; and D.
     offset: Scaled,
-    spring: Spring,
+    energy: EnergyPolynomial,
     delta: Scaled,
     pole: Option<Scaled>,
 }
 
 fn asinh(z: Scaled) -> Scaled {
-    z * rf([(Scaled::ONE + z.square()).sqrt(), Scaled::ONE, Scaled::ONE])
+    z * rf_of_roots([(Scaled::ONE + z.square()).sqrt(), Scaled::ONE, Scaled::ONE])
 }
 
 /// -(4 alpha + beta y), from b = -6 alpha and c = -3 beta: six times it.
-fn above_centre(spring: &Spring, y: &Exact) -> Exact {
-    &(&spring.b * 4.0) + &(&(&spring.c * y) * 2.0)
-}
-
-pub(super) fn level(spring: &Spring, y: &Exact) -> Level {
-    let sixth = |x: &Exact, k: f64| x.to_wide() / Scaled::from(k);
-    let (alpha, beta, gamma) = (sixth(&spring.b, -6.0), sixth(&spring.c, -3.0), sixth(&spring.d, -2.0));
-    // 3 D.
-    let delta = &spring.c.square() - &(&(&spring.b * &spring.d) * 4.0);
-    let sign = delta.sign();
-    let delta = delta.to_wide() / Scaled::from(3.0);
-    let eta = if gamma.is_negative() { (-gamma / Scaled::from(3.0)).sqrt() } else { Scaled::ZERO };
-    let mut level = Level {
-        kind: Kind::Straight,
-        parabola: alpha.is_zero(),
-        omega: Scaled::ONE,
-        roots: [Scaled::ZERO; 2],
-        half: eta.shift(1),
-        eta,
-        alpha,
-        offset: Scaled::ZERO,
-        spring: spring.clone(),
-        delta,
-        pole: None,
-    };
-    let upwards = above_centre(spring, y).sign() > 0;
-    if alpha.is_zero() {
-        if beta.is_zero() {
-            level.pole = Some(Scaled::ZERO);
-            return level;
-        }
-        // v = v_t - beta t^2/2.
-        let turn = gamma.shift(1) / (beta * -3.0);
-        level.roots = [turn; 2];
-        level.half = beta.abs().shift(-1);
-        level.kind = if beta.is_positive() {
-            Kind::Below
-        } else if turn.is_positive() {
-            Kind::Above
-        } else {
-            Kind::AbovePole
-        };
-        if level.kind != Kind::Above {
-            level.pole = Some((turn.abs() / level.half).sqrt());
-        }
-        return level;
-    }
-    let size = alpha.abs();
-    level.omega = size.sqrt();
-    let centre = -(beta / alpha).shift(-2);
-    if sign == 0 && alpha.is_negative() {
-        level.roots = [centre; 2];
-        // v - c at the start.
-        level.offset = above_centre(spring, y).to_wide() / (size * y.to_wide() * 24.0);
-        level.kind = match (centre.is_negative(), upwards) {
-            (true, _) => Kind::Rising,
-            (_, true) => Kind::Exponential,
-            _ => Kind::Levelling,
-        };
-        level.pole = (level.kind != Kind::Exponential).then_some(Scaled::ZERO);
-        return level;
-    }
-    level.half = (delta.abs() / Scaled::from(48.0)).sqrt() / size;
-    if sign < 0 {
-        level.kind = Kind::Sine;
-        level.roots = [centre; 2];
-        // Of half the hyperbolic argument, and with its sign.
-        level.pole = Some(asinh(-centre / level.half).shift(-1));
-        return level;
-    }
-    let product = gamma / (alpha * 3.0);
-    let large = if centre.is_negative() { centre - level.half } else { centre + level.half };
-    let small = if large.is_zero() { Scaled::ZERO } else { product / large };
-    level.roots = if centre.is_negative() { [large, small] } else { [small, large] };
-    let [low, high] = level.roots;
-    level.kind = match (alpha.is_positive(), upwards, high.is_positive()) {
-        (true, ..) => Kind::Cosine,
-        (_, false, _) => Kind::Below,
-        (_, _, true) => Kind::Above,
-        _ => Kind::AbovePole,
-    };
-    level.pole = match level.kind {
-        Kind::Cosine if low.is_positive() => None,
-        Kind::Cosine => {
-            let gap = level.half.shift(1);
-            Some(arcsine((high / gap).sqrt(), (low.abs() / gap).sqrt()))
-        }
-        Kind::Above => None,
-        _ => Some(asinh(level.eta / (level.omega * level.half)).shift(-1)),
-    };
-    level
+fn above_centre(energy: &EnergyPolynomial, y: &Dyadic) -> Dyadic {
+    &energy.b * 4.0 + &energy.c * y * 2.0
 }
 
 /// arcsin of a sine with its cosine.
 fn arcsine(sine: Scaled, cosine: Scaled) -> Scaled {
-    sine * rf([cosine, Scaled::ONE, Scaled::ONE])
+    sine * rf_of_roots([cosine, Scaled::ONE, Scaled::ONE])
 }
 
-impl Level {
-    /// Whether it is a cosine, for theta functions with m = 0.
-    pub fn circular(&self) -> bool {
-        self.kind == Kind::Cosine
+impl ZeroEnergy {
+    /// Of an orbit through u^2 = y.
+    pub fn new(energy: &EnergyPolynomial, y: &Dyadic) -> ZeroEnergy {
+        let sixth = |x: &Dyadic, k: f64| x.to_scaled() / Scaled::from(k);
+        let (alpha, beta, gamma) = (sixth(&energy.b, -6.0), sixth(&energy.c, -3.0), sixth(&energy.d, -2.0));
+        // 3 D.
+        let delta = energy.c.square() - &energy.b * &energy.d * 4.0;
+        let sign = delta.sign();
+        let delta = delta.to_scaled() / Scaled::from(3.0);
+        let eta = if gamma.is_negative() { (-gamma / Scaled::from(3.0)).sqrt() } else { Scaled::ZERO };
+        let mut found = ZeroEnergy {
+            case: SpeedCase::Constant,
+            parabola: alpha.is_zero(),
+            omega: Scaled::ONE,
+            roots: [Scaled::ZERO; 2],
+            half: eta.shift(1),
+            eta,
+            alpha,
+            offset: Scaled::ZERO,
+            energy: energy.clone(),
+            delta,
+            pole: None,
+        };
+        let upwards = above_centre(energy, y).sign() > 0;
+        if alpha.is_zero() {
+            if beta.is_zero() {
+                found.pole = Some(Scaled::ZERO);
+                return found;
+            }
+            // v = v_t - beta t^2/2.
+            let turn = gamma.shift(1) / (beta * -3.0);
+            found.roots = [turn; 2];
+            found.half = beta.abs().shift(-1);
+            found.case = if beta.is_positive() {
+                SpeedCase::Below
+            } else if turn.is_positive() {
+                SpeedCase::Above
+            } else {
+                SpeedCase::AbovePole
+            };
+            if found.case != SpeedCase::Above {
+                found.pole = Some((turn.abs() / found.half).sqrt());
+            }
+            return found;
+        }
+        let size = alpha.abs();
+        found.omega = size.sqrt();
+        let centre = -(beta / alpha).shift(-2);
+        if sign == 0 && alpha.is_negative() {
+            found.roots = [centre; 2];
+            // v - c at the start.
+            found.offset = above_centre(energy, y).to_scaled() / (size * y.to_scaled() * 24.0);
+            found.case = match (centre.is_negative(), upwards) {
+                (true, _) => SpeedCase::NegativeDouble,
+                (_, true) => SpeedCase::AboveDouble,
+                _ => SpeedCase::BelowDouble,
+            };
+            found.pole = (found.case != SpeedCase::AboveDouble).then_some(Scaled::ZERO);
+            return found;
+        }
+        found.half = (delta.abs() / Scaled::from(48.0)).sqrt() / size;
+        if sign < 0 {
+            found.case = SpeedCase::NoRoot;
+            found.roots = [centre; 2];
+            // Of half the hyperbolic argument, and with its sign.
+            found.pole = Some(asinh(-centre / found.half).shift(-1));
+            return found;
+        }
+        let product = gamma / (alpha * 3.0);
+        let large = if centre.is_negative() { centre - found.half } else { centre + found.half };
+        let small = if large.is_zero() { Scaled::ZERO } else { product / large };
+        found.roots = if centre.is_negative() { [large, small] } else { [small, large] };
+        let [low, high] = found.roots;
+        found.case = match (alpha.is_positive(), upwards, high.is_positive()) {
+            (true, ..) => SpeedCase::Cosine,
+            (_, false, _) => SpeedCase::Below,
+            (_, _, true) => SpeedCase::Above,
+            _ => SpeedCase::AbovePole,
+        };
+        found.pole = match found.case {
+            SpeedCase::Cosine if low.is_positive() => None,
+            SpeedCase::Cosine => {
+                let gap = found.half.shift(1);
+                Some(arcsine((high / gap).sqrt(), (low.abs() / gap).sqrt()))
+            }
+            SpeedCase::Above => None,
+            _ => Some(asinh(found.eta / (found.omega * found.half)).shift(-1)),
+        };
+        found
     }
 
-    pub fn at(&self, y: &Exact, square_speed: &Exact) -> Mark {
+    /// Whether it is a cosine, for theta functions with m = 0.
+    pub fn circular(&self) -> bool {
+        self.case == SpeedCase::Cosine
+    }
+
+    pub fn argument(&self, y: &Dyadic, square_speed: &Dyadic) -> Argument {
         let [low, high] = self.roots;
         // |u'| and what belongs to v = 1/y.
-        let speed = (square_speed.to_wide() / Scaled::from(6.0)).sqrt();
+        let speed = (square_speed.to_scaled() / Scaled::from(6.0)).sqrt();
         let exact_y = y;
-        let y = y.to_wide();
+        let y = y.to_scaled();
         let u = y.sqrt();
         let pole = if self.pole.is_some() {
             self.omega * self.until_pole(exact_y, y, u, speed)
@@ -179,8 +180,8 @@ impl Level {
             Scaled::ZERO
         };
         let half_rate = speed / (y * u);
-        let base = match self.kind {
-            Kind::Cosine => {
+        let base = match self.case {
+            SpeedCase::Cosine => {
                 // High y - 1 and 1 - low y, whose product is u'^2/(alpha y).
                 let product = (speed / u).square() * y / (self.alpha * y);
                 let (down, up) = (high * y - Scaled::ONE, Scaled::ONE - low * y);
@@ -189,32 +190,34 @@ impl Level {
                 let gap = y * self.half.shift(1);
                 arcsine((down / gap).sqrt(), (up / gap).sqrt())
             }
-            Kind::Above | Kind::AbovePole | Kind::Below if self.parabola => half_rate / self.half,
-            Kind::Above | Kind::AbovePole | Kind::Below => {
+            SpeedCase::Above | SpeedCase::AbovePole | SpeedCase::Below if self.parabola => {
+                half_rate / self.half
+            }
+            SpeedCase::Above | SpeedCase::AbovePole | SpeedCase::Below => {
                 asinh(half_rate / (self.omega * self.half)).shift(-1)
             }
-            Kind::Sine => {
-                let offset = above_centre(&self.spring, exact_y).to_wide() / (self.alpha.abs() * y * 24.0);
+            SpeedCase::NoRoot => {
+                let offset = above_centre(&self.energy, exact_y).to_scaled() / (self.alpha.abs() * y * 24.0);
                 asinh(offset / self.half).shift(-1)
             }
-            Kind::Exponential => {
-                let offset = above_centre(&self.spring, exact_y).to_wide() / (self.alpha.abs() * y * 24.0);
+            SpeedCase::AboveDouble => {
+                let offset = above_centre(&self.energy, exact_y).to_scaled() / (self.alpha.abs() * y * 24.0);
                 let ratio = offset / self.offset;
                 // ln of the ratio.
                 asinh((ratio - Scaled::ONE / ratio).shift(-1)).shift(-1)
             }
-            Kind::Levelling | Kind::Rising | Kind::Straight => pole,
+            SpeedCase::BelowDouble | SpeedCase::NegativeDouble | SpeedCase::Constant => pole,
         };
-        Mark { base, pole }
+        Argument { base, pole }
     }
 
-    fn until_pole(&self, exact_y: &Exact, y: Scaled, u: Scaled, speed: Scaled) -> Scaled {
+    fn until_pole(&self, exact_y: &Dyadic, y: Scaled, u: Scaled, speed: Scaled) -> Scaled {
         let eta = self.eta;
         let sum = speed + y * u * eta;
         let square = if self.alpha.is_negative() {
             // y (2 eta^2 - beta v/2 + 2 eta xi): the first two from exact sums, and where they are below 0 all three by
             // the product with the conjugate.
-            let first = (&(&(&self.spring.d * exact_y) * 2.0) + &self.spring.c).to_wide() / Scaled::from(6.0);
+            let first = (&self.energy.d * exact_y * 2.0 + &self.energy.c).to_scaled() / Scaled::from(6.0);
             let second = (eta * speed / u).shift(1);
             let whole = if first.is_negative() {
                 self.delta / (Scaled::from(12.0) * (first - second))
@@ -226,21 +229,21 @@ impl Level {
             sum.square() + self.alpha * y
         };
         let root = square.sqrt();
-        u * rf([sum, root, root])
+        u * rf_of_roots([sum, root, root])
     }
 
     pub fn outline(&self) -> Outline {
         let infinite = Scaled::from(f64::INFINITY);
         let at = |v: Scaled| Scaled::ONE / v.sqrt();
         let [low, high] = self.roots;
-        let reach = match self.kind {
-            Kind::Cosine => [at(high), if low.is_positive() { at(low) } else { infinite }],
-            Kind::Above => [Scaled::ZERO, at(high)],
-            Kind::Below | Kind::Levelling => [at(low), infinite],
-            Kind::Exponential if low.is_positive() => [Scaled::ZERO, at(low)],
+        let reach = match self.case {
+            SpeedCase::Cosine => [at(high), if low.is_positive() { at(low) } else { infinite }],
+            SpeedCase::Above => [Scaled::ZERO, at(high)],
+            SpeedCase::Below | SpeedCase::BelowDouble => [at(low), infinite],
+            SpeedCase::AboveDouble if low.is_positive() => [Scaled::ZERO, at(low)],
             _ => [Scaled::ZERO, infinite],
         };
-        let grows = matches!(self.kind, Kind::Cosine | Kind::Below);
+        let grows = matches!(self.case, SpeedCase::Cosine | SpeedCase::Below);
         Outline {
             reach,
             crosses: false,
@@ -249,50 +252,52 @@ impl Level {
             pole: self.pole,
             omega: self.omega,
             periodic: self.circular() && self.pole.is_none(),
-            limits: if self.kind == Kind::Exponential { 2 } else { 1 },
+            limits: if self.case == SpeedCase::AboveDouble { 2 } else { 1 },
         }
     }
 
-    /// The cosine.
-    pub fn theta(&self, start: Mark, way: Way) -> (Theta, Scaled) {
+    /// The cosine, as theta functions with m = 0.
+    pub fn squares(&self) -> Squares {
         let [low, high] = self.roots;
         let gap = self.half.shift(1);
-        let factors = Factors {
-            form: Form::Between,
+        Squares {
+            case: RootCase::Between,
             m: Scaled::ZERO,
             mc: Scaled::ONE,
-            omega: self.omega,
             squares: if self.pole.is_some() { [gap, gap] } else { [high, low] },
             velocity: gap * self.omega,
-            pole: self.pole,
-        };
-        Theta::new(&factors, start, way)
+        }
     }
 
-    pub fn plain(&self, start: Mark, way: Way) -> Plain {
-        let rate = if way.turn < 0.0 { -self.omega } else { self.omega };
+    /// The upper root.
+    pub fn upper_root(&self) -> Scaled {
+        self.roots[1]
+    }
+
+    pub fn elementary(&self, start: Argument, orientation: Orientation) -> Elementary {
+        let rate = self.omega.signed(orientation.direction);
         let two = self.half.shift(1);
-        let curve = if self.parabola { Curve::Power } else { Curve::Sinh };
+        let functions = if self.parabola { Functions::Power } else { Functions::Sinh };
         let l = if self.parabola { self.half } else { two };
-        let squares = |l: Scaled, m: Scaled| Shape::Squares { curve, odd: false, l, m };
-        let (shape, factor) = match self.kind {
-            Kind::Above => (squares(self.roots[1], l), -l),
-            Kind::AbovePole => (squares(l, Scaled::ZERO), -l),
-            Kind::Below | Kind::Cosine => (squares(l, Scaled::ZERO), l),
-            Kind::Sine => (Shape::Climbing(self.half), -self.half),
-            Kind::Exponential => (Shape::Exponential { l: self.offset, m: self.roots[0] }, -self.offset),
-            Kind::Levelling => (Shape::Levelling(self.roots[0]), -self.roots[0]),
-            Kind::Rising => (Shape::Rising(self.roots[0].abs()), -self.roots[0].abs()),
-            Kind::Straight => (Shape::Straight(self.half), -self.half.shift(-1)),
+        let squares = |l: Scaled, m: Scaled| Sum::Squares { functions, odd: false, l, m };
+        let (sum, factor) = match self.case {
+            SpeedCase::Above => (squares(self.roots[1], l), -l),
+            SpeedCase::AbovePole => (squares(l, Scaled::ZERO), -l),
+            SpeedCase::Below | SpeedCase::Cosine => (squares(l, Scaled::ZERO), l),
+            SpeedCase::NoRoot => (Sum::CoshSinh(self.half), -self.half),
+            SpeedCase::AboveDouble => (Sum::Exponential { l: self.offset, m: self.roots[0] }, -self.offset),
+            SpeedCase::BelowDouble => (Sum::DecayingSinh(self.roots[0]), -self.roots[0]),
+            SpeedCase::NegativeDouble => (Sum::GrowingSinh(self.roots[0].abs()), -self.roots[0].abs()),
+            SpeedCase::Constant => (Sum::Linear(self.half), -self.half.shift(-1)),
         };
-        let one_sided = self.kind != Kind::Below;
-        Plain {
-            shape,
+        let one_sided = self.case != SpeedCase::Below;
+        Elementary {
+            sum,
             base: [start.base, rate],
             rest: [start.pole, if one_sided { rate } else { -rate }],
             pole: self.pole,
             velocity: factor * rate,
-            side: way.side,
+            sign: orientation.sign,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The rarer motions of quintic_plain.rs over lanes: escapes at E = 0 and powers of the time, in ordinary units.
+//! The rarer motions of elementary.rs over lanes: escapes at E = 0 and powers of the time, in ordinary units.
 //!
 //! With d and e the arguments to the poles, g = e^-d and A = 1 - g^2, u = n/sqrt M and u' = w/M^(3/2) but for factors:
 //!
@@ -13,7 +13,7 @@
 //! with c = 1 - q^2, 1 + q^2 and 1, where e = d - ln q. All terms are positive. Far out powers are taken in units of
 //! 2^400, and u that vanishes at infinity is 0 from where it does not count beside its start.
 
-use super::elementary::{Curve, Plain, Shape, sinh_cosh};
+use super::elementary::{Elementary, Functions, Sum, sinh_cosh};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::elementary;
@@ -21,11 +21,10 @@ use crate::float::exponent::ldexp;
 use crate::float::scaled::{Scaled, exp};
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
-use crate::motion::bounded::begun;
 
 /// What is over sqrt M.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum EscapeKind {
     /// With c.
     FromPole(Dd),
     ToLimit,
@@ -40,8 +39,8 @@ enum Kind {
 
 /// A motion in ordinary units: its factors over powers of two.
 #[derive(Clone, Debug)]
-pub(super) struct Edge {
-    kind: Kind,
+pub(super) struct ZeroEnergyEscape {
+    kind: EscapeKind,
     /// The argument, and that to the pole ahead.
     base: Phase,
     rest: Phase,
@@ -62,24 +61,24 @@ const POLE: i32 = 5;
 const LAST: f64 = 1e200;
 const FAR: f64 = 700.0;
 
-impl Edge {
+impl ZeroEnergyEscape {
     /// Of a motion whose factors are ordinary.
-    pub fn new(plain: &Plain) -> Option<Edge> {
-        let pole = plain.pole.unwrap_or(Scaled::ZERO);
-        let one_sided = (plain.base[1] - plain.rest[1]).is_zero();
+    pub fn new(given: &Elementary) -> Option<ZeroEnergyEscape> {
+        let pole = given.pole.unwrap_or(Scaled::ZERO);
+        let one_sided = (given.base[1] - given.rest[1]).is_zero();
         // q of e^-pole twice.
         let q = || exp(-pole.shift(1).to_dd());
-        let of_pole = |c: Scaled, factor: Scaled| (Kind::FromPole(c.to_dd()), factor);
+        let of_pole = |c: Scaled, factor: Scaled| (EscapeKind::FromPole(c.to_dd()), factor);
         let ordinary = |x: &Scaled| x.is_zero() || x.power().abs() < ORDINARY;
-        let factors = [plain.velocity, plain.base[0], plain.base[1], plain.rest[0], plain.rest[1], pole];
-        if !factors.iter().all(ordinary) || !pole.is_zero() && pole.power() > POLE && !is_power(plain.shape) {
+        let factors = [given.velocity, given.base[0], given.base[1], given.rest[0], given.rest[1], pole];
+        if !factors.iter().all(ordinary) || !pole.is_zero() && pole.power() > POLE && !is_power(given.sum) {
             return None;
         }
         let nothing = Scaled::ZERO;
         // The kind, l and m, and by what u' is to be divided.
-        let (kind, l, m, divisor) = match plain.shape {
-            Shape::Squares { curve: Curve::Sinh, odd: false, l, m }
-                if plain.pole.is_some() && m.is_zero() =>
+        let (kind, l, m, divisor) = match given.sum {
+            Sum::Squares { functions: Functions::Sinh, odd: false, l, m }
+                if given.pole.is_some() && m.is_zero() =>
             {
                 if one_sided {
                     // 1 - q^2 = 2 q sinh of twice the pole's argument.
@@ -87,51 +86,48 @@ impl Edge {
                     let (kind, divisor) = of_pole((q * sinh_cosh(pole.shift(1)).0).shift(1), q.shift(2));
                     (kind, l / divisor, m, divisor)
                 } else {
-                    (Kind::BetweenPoles, l, m, Scaled::from(2.0))
+                    (EscapeKind::BetweenPoles, l, m, Scaled::from(2.0))
                 }
             }
-            Shape::Squares { curve: Curve::Power, odd, l, m } => {
-                let poles = plain.pole.is_some();
+            Sum::Squares { functions: Functions::Power, odd, l, m } => {
+                let poles = given.pole.is_some();
                 if poles && !m.is_zero() {
                     return None;
                 }
-                (Kind::Square { odd, poles }, l, m, Scaled::ONE)
+                (EscapeKind::Square { odd, poles }, l, m, Scaled::ONE)
             }
-            Shape::Climbing(l) => {
+            Sum::CoshSinh(l) => {
                 let q = q();
                 let (kind, divisor) = of_pole(Scaled::ONE + q.square(), q.shift(1));
                 (kind, l.shift(1) / divisor.shift(1), nothing, divisor)
             }
-            Shape::Rising(l) => (Kind::FromPole(Dd::ONE), l, nothing, Scaled::ONE),
-            Shape::Levelling(l) => (Kind::ToLimit, l, nothing, Scaled::ONE),
-            Shape::Straight(l) => (Kind::Line, l, nothing, Scaled::ONE),
+            Sum::GrowingSinh(l) => (EscapeKind::FromPole(Dd::ONE), l, nothing, Scaled::ONE),
+            Sum::DecayingSinh(l) => (EscapeKind::ToLimit, l, nothing, Scaled::ONE),
+            Sum::Linear(l) => (EscapeKind::Line, l, nothing, Scaled::ONE),
             _ => return None,
         };
         if !l.is_positive() || m.is_negative() || !ordinary(&l) || !ordinary(&m) {
             return None;
         }
-        let velocity = plain.velocity / divisor;
+        let velocity = given.velocity / divisor;
         let power = l.power().div_euclid(2);
         let phase = |[start, rate]: [Scaled; 2]| Phase { rate: rate.to_dd(), start: start.to_dd() };
-        Some(Edge {
+        Some(ZeroEnergyEscape {
             kind,
-            base: phase(plain.base),
-            rest: phase(plain.rest),
+            base: phase(given.base),
+            rest: phase(given.rest),
             pole: pole.to_dd(),
             l: l.shift(-2 * power).to_dd(),
             m: m.shift(-2 * power).to_dd(),
             velocity: velocity.to_dd(),
-            scales: [-power, -3 * power].map(|power| plain.side * ldexp(1.0, power)),
+            scales: [-power, -3 * power].map(|power| given.sign * ldexp(1.0, power)),
         })
     }
 }
 
-fn is_power(shape: Shape) -> bool {
-    matches!(shape, Shape::Squares { curve: Curve::Power, .. } | Shape::Straight(_))
+fn is_power(sum: Sum) -> bool {
+    matches!(sum, Sum::Squares { functions: Functions::Power, .. } | Sum::Linear(_))
 }
-
-/// A motion at any time, with its start as it was given; what is wanted first.
-pub(super) struct Along<'a, const FIRST: bool>(pub &'a Edge, pub [f64; 2]);
 
 /// sinh y and cosh y for y >= 0, held where e^-y no longer counts.
 #[inline(always)]
@@ -149,21 +145,20 @@ fn decay<L: Lane>(d: Dd<L>) -> [Unnormalised<L>; 2] {
     [inverse, (sine * inverse).scale(L::splat(2.0))]
 }
 
-impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
+impl Formula<1, 2> for ZeroEnergyEscape {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let Along(motion, start) = self;
-        let Edge { kind, base, rest, pole, velocity, scales, .. } = motion;
+        let ZeroEnergyEscape { kind, base, rest, pole, velocity, scales, .. } = self;
         let (one, zero) = (L::splat(1.0), L::splat(0.0));
         let held = L::select(L::splat(LAST).less(t.abs()), L::splat(LAST).copysign(t), t);
         let x = base.counted(held);
         let ahead = rest.counted(held);
         let behind = Dd::splat(*pole).plain_sum(x);
-        let two_sided = matches!(kind, Kind::BetweenPoles | Kind::Square { poles: true, .. });
+        let two_sided = matches!(kind, EscapeKind::BetweenPoles | EscapeKind::Square { poles: true, .. });
         let least =
             if two_sided { L::select(ahead.hi.less(behind.hi), ahead.hi, behind.hi) } else { ahead.hi };
         let inside = match kind {
-            Kind::Square { poles: false, .. } => t.equal(t),
+            EscapeKind::Square { poles: false, .. } => t.equal(t),
             _ => zero.less(least),
         };
         let nothing = Dd::from_double(one);
@@ -178,7 +173,7 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
         let step = L::select(size.less(L::splat(OUTER)), one, outer);
         let (mut n_power, mut w_power) = (one, [one; 3]);
         let (n, w, sum) = match kind {
-            Kind::FromPole(c) => {
+            EscapeKind::FromPole(c) => {
                 n_power = L::select(L::splat(FAR).less(d.hi), zero, one);
                 w_power[0] = n_power;
                 let [g, a] = decay(d);
@@ -186,29 +181,29 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
                 let below = square * Unnormalised::splat(*c);
                 (g, g * (a * (unit + square) + below * square), a * (a + below))
             }
-            Kind::ToLimit => {
+            EscapeKind::ToLimit => {
                 let [g, a] = decay(d);
                 (unit, g.square(), a)
             }
-            Kind::BetweenPoles => {
+            EscapeKind::BetweenPoles => {
                 let [near, far] = [hyperbolic(d)[0], hyperbolic(e)[0]];
                 let sign = one.copysign(x.hi);
                 let twice = x.scale(sign * L::splat(2.0));
                 let [sine, _] = hyperbolic(Dd::select(inside, twice, nothing));
                 (unit, sine.scale(sign), near * far)
             }
-            Kind::Line => {
+            EscapeKind::Line => {
                 (n_power, w_power) = (step, [step; 3]);
                 let d = Unnormalised::from(d).scale(reach).scale(reach);
                 (unit, unit, d)
             }
-            Kind::Square { odd, poles } => {
+            EscapeKind::Square { odd, poles } => {
                 let x = Unnormalised::from(x).scale(reach);
                 let sum = if *poles {
                     Unnormalised::from(d).scale(reach) * Unnormalised::from(e).scale(reach)
                 } else {
-                    Unnormalised::splat(motion.l).scale(step).scale(step)
-                        + Unnormalised::splat(motion.m) * x.square()
+                    Unnormalised::splat(self.l).scale(step).scale(step)
+                        + Unnormalised::splat(self.m) * x.square()
                 };
                 if *odd {
                     w_power = [step; 3];
@@ -220,10 +215,10 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
                 }
             }
         };
-        let sum = if matches!(kind, Kind::Square { poles: false, .. }) {
+        let sum = if matches!(kind, EscapeKind::Square { poles: false, .. }) {
             sum
         } else {
-            sum * Unnormalised::splat(motion.l)
+            sum * Unnormalised::splat(self.l)
         };
         let root = sum.inverse_root();
         let cube = root * root * root;
@@ -233,7 +228,7 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
         let Unnormalised { hi, lo } = w * cube * Unnormalised::splat(*velocity);
         let velocity = (hi + lo) * first * second * third * L::splat(scales[1]);
         let nan = L::splat(f64::NAN);
-        begun::<FIRST, L>(*start, t, [L::select(inside, u, nan), L::select(inside, velocity, nan)])
+        [L::select(inside, u, nan), L::select(inside, velocity, nan)]
     }
 }
 

@@ -10,9 +10,9 @@ use crate::float::Dd;
 use crate::float::elementary::arctangent;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::Lane;
-use crate::motion::interpolant::{self, Curve, Place, rounded_product, to_ends};
+use crate::motion::interpolant::{self, EvenFunctions, Node, rounded_product, to_ends};
 
-pub(crate) use crate::motion::interpolant::Layout;
+pub(crate) use crate::motion::interpolant::ConformalMap;
 
 /// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to keep its digits.
 const MOST_OF_VELOCITY: usize = 24;
@@ -23,7 +23,7 @@ pub(crate) struct OrbitInterpolant(interpolant::Interpolant);
 
 impl OrbitInterpolant {
     /// Of an orbit and its layout.
-    pub fn new<const ROTATION: bool>(elliptic: &Elliptic, layout: Layout) -> OrbitInterpolant {
+    pub fn new<const ROTATION: bool>(elliptic: &Elliptic, layout: ConformalMap) -> OrbitInterpolant {
         OrbitInterpolant(if elliptic.lattice.hyperbolic() {
             interpolant::Interpolant::new(layout, &Motion::<ROTATION, true>(elliptic))
         } else {
@@ -55,9 +55,9 @@ impl OrbitInterpolant {
 /// P and R on one side of the theta functions.
 struct Motion<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Elliptic);
 
-impl<const ROTATION: bool, const HYPERBOLIC: bool> Curve for Motion<'_, ROTATION, HYPERBOLIC> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for Motion<'_, ROTATION, HYPERBOLIC> {
     #[inline(always)]
-    fn at<L: Lane>(&self, Place { f, to_ends }: Place<L>) -> [Unnormalised<L>; 2] {
+    fn at<L: Lane>(&self, Node { f, to_ends }: Node<L>) -> [Unnormalised<L>; 2] {
         let Motion(elliptic) = self;
         let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.tight());
         let [opposite, adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);

@@ -6,7 +6,7 @@
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
 use super::frequency::Frequency;
-use super::interpolant::{Layout, OrbitInterpolant};
+use super::interpolant::{ConformalMap, OrbitInterpolant};
 use super::regime::Regime;
 use super::state::{Frame, Plain, State};
 use crate::domain::Domain;
@@ -28,7 +28,7 @@ pub(crate) struct Elliptic {
     /// Factors of the velocity, likewise.
     pub velocity: [Dd; 2],
     /// The polynomials of the motion, where they serve; made when the first sample is asked for.
-    pub layout: Option<Layout>,
+    pub layout: Option<ConformalMap>,
     pub arc: OnceLock<OrbitInterpolant>,
 }
 
@@ -143,7 +143,8 @@ impl Orbit {
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
         let start = || (s / k) * rf_of_roots(x / k, c);
         // Small angles from the other equilibrium, and amplitudes next to nothing, keep their digits by thetas only.
-        let layout = |lattice| if frame.half_turn == 0.0 && power == 0 { Layout::of(lattice) } else { None };
+        let layout =
+            |lattice| if frame.half_turn == 0.0 && power == 0 { ConformalMap::of(lattice) } else { None };
         let (course, period, theta_max) = match regime {
             Regime::Libration => {
                 let lattice = NevilleTheta::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);

@@ -237,3 +237,30 @@ pub fn carlson_rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
     let [x, y, z] = [x, y, z].map(Scaled::from);
     if p > 0.0 { rj(x, y, z, p.into()).value() } else { rj_principal(x, y, z, Scaled::from(-p)).value() }
 }
+
+/// Below this power of two a double-double has no room for squares beside 1.
+const LOGARITHMIC: i32 = -300;
+
+/// R_F(x^2, y^2, z^2) from x, y, z >= 0 of any size, at most one of them 0.
+pub(crate) fn rf_of_roots([mut x, mut y, mut z]: [Scaled; 3]) -> Scaled {
+    if (x - z).is_positive() {
+        (x, z) = (z, x);
+    }
+    if (y - z).is_positive() {
+        (y, z) = (z, y);
+    }
+    let (x, y) = (x / z, y / z);
+    let sum = x + y;
+    let unit = if sum.power() < LOGARITHMIC {
+        // ln(4/(x + y)): the next term is below what a double-double holds.
+        sum.shift(-2).minus_ln()
+    } else {
+        carlson_duplication::rf_of_roots(x.to_dd(), y.to_dd())
+    };
+    Scaled::from(unit) / z
+}
+
+/// artanh of x >= 0, with 1 - x^2 = root^2.
+pub(crate) fn artanh(x: Scaled, root: Scaled) -> Scaled {
+    x * rf_of_roots([root, root, Scaled::ONE])
+}

@@ -14,8 +14,8 @@ use crate::elliptic::agm::agm;
 use crate::elliptic::nome::small_nome;
 use crate::elliptic::phase::ReducedPhase;
 use crate::float::elementary::{long_sin_cos, long_sinh_cosh, sin_cos, sinh_cosh};
-use crate::float::exponent::{exponent, mantissa};
-use crate::float::{Dd, HALF_PI, PI};
+use crate::float::exponent::{exponent, ldexp, mantissa};
+use crate::float::{Dd, HALF_PI, PI, Scaled};
 use crate::lanes::Lane;
 
 /// Which nome is the small one.
@@ -84,6 +84,9 @@ pub struct Thetas<L: Lane> {
     pub folded: L::Mask,
 }
 
+/// Where k' leaves the range of its inverse: K is ln(4/k') long before.
+const LEAST: i32 = -900;
+
 /// Where sinh^2 is larger, its nome is 0 in double: the product must not become 0 times infinity.
 const LARGE: f64 = 1e300;
 
@@ -131,6 +134,19 @@ impl NevilleTheta {
             aspect,
             theta,
         }
+    }
+
+    /// From m and mc of any size.
+    pub(crate) fn of_scaled(m: Scaled, mc: Scaled) -> NevilleTheta {
+        let kc = mc.sqrt();
+        if kc.power() < LEAST {
+            let mut limit = NevilleTheta::new(Dd::ONE, Dd::ZERO, Dd::ONE, Dd::from(ldexp(1.0, LEAST)));
+            let quarter = kc.shift(-2).minus_ln();
+            limit.angle = limit.angle * quarter / limit.quarter;
+            (limit.quarter, limit.kc) = (quarter, kc.to_dd());
+            return limit;
+        }
+        NevilleTheta::new(m.to_dd(), mc.to_dd(), m.sqrt().to_dd(), kc.to_dd())
     }
 
     /// Whether [`NevilleTheta::thetas_on`] takes the hyperbolic side.

@@ -1,4 +1,4 @@
-//! The common motions of quintic_plain.rs over lanes: separatrices, and escapes at their energy, in ordinary units.
+//! The common motions of elementary.rs over lanes: separatrices, and escapes at their energy, in ordinary units.
 //!
 //! With y = |x|, S = tanh y, C = sech y and g = e^-y = C/(1 + S), u = n/sqrt M and u' = w/M^(3/2) but for factors:
 //!
@@ -12,7 +12,7 @@
 //!
 //! with poles M takes tanh d tanh e, d and e the arguments to them. All terms are positive.
 
-use super::elementary::{Curve, Plain, Shape};
+use super::elementary::{Elementary, Functions, Sum};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
@@ -20,11 +20,10 @@ use crate::float::exponent::ldexp;
 use crate::float::scaled::Scaled;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
-use crate::motion::bounded::begun;
 
 /// What is over sqrt M.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum HyperbolicKind {
     Even,
     Odd,
     Falling,
@@ -34,7 +33,7 @@ enum Kind {
 /// A motion in ordinary units: its factors over powers of two.
 #[derive(Clone, Debug)]
 pub(super) struct Hyperbolic {
-    kind: Kind,
+    kind: HyperbolicKind,
     /// The argument, and that to the pole ahead.
     base: Phase,
     rest: Phase,
@@ -54,18 +53,20 @@ const FAR: f64 = 1e6;
 
 impl Hyperbolic {
     /// Of a motion whose M has two terms and whose factors are ordinary.
-    pub fn new(plain: &Plain) -> Option<Hyperbolic> {
-        let (kind, l, m) = match plain.shape {
-            Shape::Squares { curve: Curve::Tanh, odd, l, m } => {
-                (if odd { Kind::Odd } else { Kind::Even }, l, m)
+    pub fn new(given: &Elementary) -> Option<Hyperbolic> {
+        let (kind, l, m) = match given.sum {
+            Sum::Squares { functions: Functions::Tanh, odd, l, m } => {
+                (if odd { HyperbolicKind::Odd } else { HyperbolicKind::Even }, l, m)
             }
-            Shape::Squares { curve: Curve::Sinh, l, m, .. } if plain.pole.is_none() => (Kind::Falling, l, m),
-            Shape::Exponential { l, m } => (Kind::Exponential, l, m),
+            Sum::Squares { functions: Functions::Sinh, l, m, .. } if given.pole.is_none() => {
+                (HyperbolicKind::Falling, l, m)
+            }
+            Sum::Exponential { l, m } => (HyperbolicKind::Exponential, l, m),
             _ => return None,
         };
         let ordinary = |x: &Scaled| x.is_zero() || x.power().abs() < ORDINARY;
-        let pole = plain.pole.filter(|_| kind != Kind::Exponential);
-        let factors = [l, m, plain.velocity, plain.base[1]];
+        let pole = given.pole.filter(|_| kind != HyperbolicKind::Exponential);
+        let factors = [l, m, given.velocity, given.base[1]];
         if !l.is_positive() || !m.is_positive() || !factors.iter().all(ordinary) {
             return None;
         }
@@ -73,23 +74,20 @@ impl Hyperbolic {
         let phase = |[start, rate]: [Scaled; 2]| Phase { rate: rate.to_dd(), start: start.to_dd() };
         Some(Hyperbolic {
             kind,
-            base: phase(plain.base),
-            rest: phase(plain.rest),
+            base: phase(given.base),
+            rest: phase(given.rest),
             pole: pole.map(Scaled::to_dd),
             l: l.shift(-2 * power).to_dd(),
             m: m.shift(-2 * power).to_dd(),
-            velocity: plain.velocity.to_dd(),
-            scales: [-power, -3 * power].map(|power| plain.side * ldexp(1.0, power)),
+            velocity: given.velocity.to_dd(),
+            scales: [-power, -3 * power].map(|power| given.sign * ldexp(1.0, power)),
         })
     }
 }
 
-/// A motion at any time, with its start as it was given; what is wanted first.
-pub(super) struct Along<'a, const FIRST: bool>(pub &'a Hyperbolic, pub [f64; 2]);
-
 /// start + rate t, held where nothing changes any more; infinite times too.
 #[inline(always)]
-fn argument<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
+pub(super) fn held_argument<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
     let y = phase.counted(t);
     let passed = t * L::splat(phase.rate.hi);
     let near = passed.abs().less(L::splat(FAR));
@@ -104,13 +102,12 @@ fn tanh<L: Lane>(y: Dd<L>) -> Dd<L> {
     quotient(sine, cosine)
 }
 
-impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
+impl Formula<1, 2> for Hyperbolic {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let Along(motion, start) = self;
-        let Hyperbolic { kind, base, rest, pole, velocity, scales, .. } = motion;
-        let (l, m) = (Unnormalised::splat(motion.l), Unnormalised::splat(motion.m));
-        let x = argument(base, t);
+        let Hyperbolic { kind, base, rest, pole, velocity, scales, .. } = self;
+        let (l, m) = (Unnormalised::splat(self.l), Unnormalised::splat(self.m));
+        let x = held_argument(base, t);
         let one = L::splat(1.0);
         let sign = one.copysign(x.hi);
         let y = x.scale(sign);
@@ -121,7 +118,7 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
         let (tanh_y, cosine) = (Unnormalised::from(sine), Unnormalised::from(cosine));
         let unit = Unnormalised::from_double(one);
         let (n, n_power, w, w_power, sum) = match kind {
-            Kind::Exponential => {
+            HyperbolicKind::Exponential => {
                 let below = unit.plus_smaller(tanh_y);
                 let g = cosine.over(below);
                 let square = short.over(below).square();
@@ -134,8 +131,8 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
             _ => {
                 let sum = l * short.square() + m * tanh_y.square();
                 match kind {
-                    Kind::Even => (unit, one, tanh_y * cosine * short, power, sum),
-                    Kind::Odd => (tanh_y, one, cosine * short, power, sum),
+                    HyperbolicKind::Even => (unit, one, tanh_y * cosine * short, power, sum),
+                    HyperbolicKind::Odd => (tanh_y, one, cosine * short, power, sum),
                     _ => (cosine, power, tanh_y * cosine, power, sum),
                 }
             }
@@ -144,7 +141,7 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
         let (sum, inside) = match pole {
             None => (sum, number),
             Some(pole) => {
-                let ahead = argument(rest, t);
+                let ahead = held_argument(rest, t);
                 let behind = Dd::splat(*pole).plain_sum(x);
                 let least = L::select(ahead.hi.less(behind.hi), ahead.hi, behind.hi);
                 let inside = L::splat(0.0).less(least);
@@ -156,14 +153,15 @@ impl<const FIRST: bool> Formula<1, 2> for Along<'_, FIRST> {
         };
         let root = sum.inverse_root();
         let cube = root * root * root;
-        let u_sign = if *kind == Kind::Odd { sign } else { one };
-        let velocity_sign = if matches!(kind, Kind::Even | Kind::Falling) { sign } else { one };
+        let u_sign = if *kind == HyperbolicKind::Odd { sign } else { one };
+        let velocity_sign =
+            if matches!(kind, HyperbolicKind::Even | HyperbolicKind::Falling) { sign } else { one };
         let (u_scale, velocity_scale) = (L::splat(scales[0]), L::splat(scales[1]));
         let Unnormalised { hi, lo } = n * root;
         let u = (hi + lo) * (u_sign * u_scale) * n_power;
         let Unnormalised { hi, lo } = w * cube * Unnormalised::splat(*velocity);
         let velocity = (hi + lo) * (velocity_sign * velocity_scale) * w_power;
         let nan = L::splat(f64::NAN);
-        begun::<FIRST, L>(*start, t, [L::select(inside, u, nan), L::select(inside, velocity, nan)])
+        [L::select(inside, u, nan), L::select(inside, velocity, nan)]
     }
 }
