@@ -5,12 +5,14 @@ from pathlib import Path
 
 import pytest
 
+import circles
 import examples
 import functions
 import links
 import names
 import pages
 import rooms
+import type_names
 
 HERE = Path(__file__).parent
 ROW = """[theta]
@@ -43,6 +45,11 @@ def root(tmp_path):
         "core/tests/vectors.rs": "#[test]\nfn pendulum() {}\n",
         "python/libration/__init__.py": '__all__ = ["theta"]\n\n\ndef theta():\n    pass\n',
         "python/src/lib.rs": "use libration::Orbit;\n",
+        "core/src/pendulum/flow/mod.rs": "pub struct Flow;\nimpl A for B {\n    type State = f64;\n}\n",
+        "core/src/state/mod.rs": "struct Flow;\nstruct State;\n#[cfg(test)]\nmod tests { struct Tested; }\n",
+        "python/libration/plot/flow.py": "class Flow:\n    pass\n",
+        "bench/flow.py": "class Flow:\n    pass\n",
+        "reference/orbit.py": "import pendulum\n",
         "reference/pendulum.py": "import mpmath\n",
         "reference/vectors/pendulum.csv": "id\n",
     }.items():
@@ -56,7 +63,7 @@ def root(tmp_path):
     return tmp_path
 
 
-@pytest.mark.parametrize("check", [rooms, names, functions, pages, links])
+@pytest.mark.parametrize("check", [rooms, names, functions, pages, links, circles, type_names])
 def test_good_tree_passes(check, root):
     assert check.findings(root) == []
 
@@ -96,6 +103,12 @@ def test_good_tree_passes(check, root):
         (pages, "core/tests/vectors.rs", "#[ig" + "nore]\n", "looks away"),
         (pages, "python/tests/test_theta.py", "@pytest.mark.xf" + "ail\n", "looks away"),
         (pages, "Makefile", "run: /ho" + "me/me/x\n", "one machine"),
+        (circles, "reference/pendulum.py", "import orbit\n", "2 files in a circle"),
+        (type_names, "core/src/pendulum/orbit.rs", "pub(crate) struct Flow<T> {\n", "pendulum: Flow is defined in 2"),
+        (type_names, "core/src/pendulum/orbit.rs", "    enum Flow {\n", "pendulum/flow/mod.rs"),
+        (type_names, "core/src/pendulum/orbit.rs", "type Flow = f64;\n", "core/src/pendulum: Flow"),
+        (type_names, "python/libration/plot/orbit.py", "class Flow:\n    pass\n", "python/libration/plot: Flow"),
+        (type_names, "bench/orbit.py", "type Flow = float\n", "bench: Flow"),
         (links, "README.md", "[a](missing.md)\n", "leads nowhere"),
         (links, "README.md", "[a](NOTATION.md#none)\n", "no such heading"),
         (examples, "README.md", "```console\n$ rm theta\n```\n", "does not run libration"),

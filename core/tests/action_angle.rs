@@ -5,8 +5,7 @@ use libration::{
 };
 use std::f64::consts::{PI, TAU};
 
-mod ruler;
-use ruler::ulp;
+use crate::ruler::ulp;
 
 /// Reproducible numbers in [0, 1).
 fn spread(count: u32) -> impl Iterator<Item = f64> {

@@ -1,6 +1,7 @@
 //! What holds for every orbit of the cubic-quintic oscillator whatever its inputs: energy, the equation itself, time
 //! reversal, the cubic oscillator as the case gamma = 0, scaling by powers of two, passages, and every exact boundary.
 
+use crate::ruler::bits;
 use libration::oscillator::Regime;
 use libration::{CubicQuintic, Duffing};
 
@@ -141,13 +142,8 @@ fn powers_of_two_change_nothing() {
     }
 }
 
-/// The bits of a double; any NaN is one NaN, whose sign a processor may choose.
-fn bits_of(value: f64) -> u64 {
-    if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() }
-}
-
 #[test]
-fn arrays_have_the_bits_of_scalars() {
+fn arrays_have_the_bits_scalars() {
     let mut next = Sequence(5);
     for _ in 0..100 {
         let one = orbit(core::array::from_fn(|_| next.any()));
@@ -158,10 +154,8 @@ fn arrays_have_the_bits_of_scalars() {
         one.motion_into(&t, &mut u2, &mut v2);
         for (k, t) in t.iter().enumerate() {
             let (a, b) = one.motion(*t);
-            let bits = [one.u(*t), u[k], u2[k]].map(bits_of);
-            assert_eq!(bits, [bits_of(a); 3]);
-            let bits = [one.velocity(*t), v[k], v2[k]].map(bits_of);
-            assert_eq!(bits, [bits_of(b); 3]);
+            assert_eq!([one.u(*t), u[k], u2[k]].map(bits), [bits(a); 3]);
+            assert_eq!([one.velocity(*t), v[k], v2[k]].map(bits), [bits(b); 3]);
         }
         assert_eq!(one.motion(0.0), (one.u0(), one.velocity0()));
     }

@@ -1,12 +1,10 @@
 //! The doors of the core agree bit for bit: one value, a pair, slices of any length on lanes of any width.
 
+use crate::on_every_set;
+use crate::ruler::{bits, same};
 use libration::lanes::InstructionSet;
 use libration::pendulum::states;
 use libration::{Frequency, Jacobi, Orbit, Parameter, advance, advance_into};
-use std::sync::Mutex;
-
-/// The instruction set is the whole process's: one test at a time.
-static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
 /// Starts in every regime, on both sides of kappa^2 = 1/2, in turns, upside down and without force.
 const STARTS: [(f64, f64, f64); 14] = [
@@ -32,17 +30,11 @@ fn times() -> Vec<f64> {
     times
 }
 
-fn same(a: f64, b: f64) -> bool {
-    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
-}
-
 /// Every length up to three of the widest lanes, and every place in it.
 #[test]
 fn slices_are_their_scalars_on_every_instruction_set() {
-    let _alone = ONE_AT_A_TIME.lock().unwrap();
     let times = times();
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         for (theta0, velocity0, omega2) in STARTS {
             let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
             for length in (0..49).chain([times.len()]) {
@@ -78,13 +70,12 @@ fn slices_are_their_scalars_on_every_instruction_set() {
                 );
             }
         }
-    }
+    });
 }
 
 /// States of every regime mixed in one array, every length, and one start for all rows.
 #[test]
 fn rows_are_their_scalars_on_every_instruction_set() {
-    let _alone = ONE_AT_A_TIME.lock().unwrap();
     let mut rows: Vec<[f64; 4]> = Vec::new();
     for (theta0, velocity0, omega2) in STARTS {
         for t in [0.3, -7.0, 1e5, 0.0, f64::NAN, f64::INFINITY] {
@@ -104,8 +95,7 @@ fn rows_are_their_scalars_on_every_instruction_set() {
     }
     let scattered: Vec<[f64; 4]> = (0..1300).map(|i| rows[i * 29 % rows.len()]).collect();
     let alike: Vec<[f64; 4]> = (0..600).map(|i| [2.0, 0.3, 0.01 * f64::from(i), 1.3]).collect();
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         for rows in (0..49).map(|length| &scattered[..length]).chain([&scattered[..], &alike[..]]) {
             let columns: [Vec<f64>; 4] = std::array::from_fn(|i| rows.iter().map(|row| row[i]).collect());
             let columns = columns.each_ref().map(Vec::as_slice);
@@ -124,12 +114,11 @@ fn rows_are_their_scalars_on_every_instruction_set() {
                 assert!(near(a[i], c[i], 0) && near(b[i], d[i], 1), "{set:?} {:?}", rows[i]);
             }
         }
-    }
+    });
 }
 
 #[test]
 fn the_set_up_is_the_same_on_every_instruction_set() {
-    let _alone = ONE_AT_A_TIME.lock().unwrap();
     let attributes = |(theta0, velocity0, omega2): (f64, f64, f64)| {
         let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
         [
@@ -140,13 +129,10 @@ fn the_set_up_is_the_same_on_every_instruction_set() {
             orbit.energy(),
             orbit.omega0(),
         ]
-        .map(f64::to_bits)
+        .map(bits)
     };
     for start in STARTS {
-        let mut seen = InstructionSet::available().iter().map(|set| {
-            set.force().unwrap();
-            attributes(start)
-        });
+        let mut seen = InstructionSet::available().iter().map(|set| set.scope(|| attributes(start)).unwrap());
         let first = seen.next().unwrap();
         assert!(seen.all(|other| other == first), "{start:?}");
     }

@@ -1,15 +1,10 @@
 //! The cubic oscillator against itself: invariants, passages and doors.
 
-mod oscillator;
-
-use libration::lanes::InstructionSet;
+use crate::on_every_set;
+use crate::oscillator::{Spread, energy, energy_scale, example, scales};
+use crate::ruler::same;
 use libration::oscillator::{Regime, duffing_motion_into};
 use libration::{Duffing, Glaisher};
-use oscillator::{Spread, energy, energy_scale, example, scales};
-use std::sync::Mutex;
-
-/// The instruction set is the whole process's: one test at a time.
-static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
 /// A start of every course, and what its regime is.
 const STARTS: [(f64, f64, f64, f64, &str); 30] = [
@@ -286,16 +281,10 @@ fn times() -> Vec<f64> {
     times
 }
 
-fn same(a: f64, b: f64) -> bool {
-    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
-}
-
 #[test]
 fn slices_are_their_scalars_on_every_instruction_set() {
-    let _alone = ONE_AT_A_TIME.lock().unwrap();
     let times = times();
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|_| {
         for start in STARTS {
             let orbit = of(start);
             for length in (0..49).chain([times.len()]) {
@@ -334,7 +323,7 @@ fn slices_are_their_scalars_on_every_instruction_set() {
                 }
             }
         }
-    }
+    });
 }
 
 #[test]

@@ -1,10 +1,8 @@
 //! The twelve forms against the equation, and the oscillator against the pendulum.
 
-mod oscillator;
-
+use crate::oscillator::{Spread, energy, energy_scale, scales};
 use libration::oscillator::Regime;
 use libration::{Duffing, Form, Frequency, Glaisher, Orbit};
-use oscillator::{Spread, energy, energy_scale, scales};
 
 #[test]
 fn each_of_the_twelve_forms_obeys_the_equation() {

@@ -3,8 +3,7 @@
 use libration::{Frequency, Orbit, Regime};
 use std::f64::consts::{PI, TAU};
 
-mod ruler;
-use ruler::ulp;
+use crate::ruler::ulp;
 
 /// Reproducible numbers in [0, 1).
 struct Spread(u64);

@@ -1,8 +1,6 @@
 //! The ruler measures: what must be far is far, what must be near is near.
 
-mod ruler;
-
-use ruler::{distance, eased, hex, summary, ulp};
+use crate::ruler::{distance, eased, hex, same, summary, ulp};
 
 #[test]
 fn nan_is_close_to_nothing() {
@@ -54,4 +52,10 @@ fn hexadecimal_doubles_read_exactly() {
     assert!(hex("nan").is_nan());
     assert_eq!(summary(&mut [3.0, 1.0, 2.0]), (3.0, 2.0));
     assert_eq!(summary(&mut [f64::INFINITY, 0.0]).0, f64::INFINITY);
+}
+
+#[test]
+fn only_nan_has_several_bits() {
+    assert!(same(f64::NAN, -f64::NAN) && same(0.5, 0.5));
+    assert!(!same(0.0, -0.0) && !same(1.0, 1.0 + f64::EPSILON) && !same(f64::NAN, 1.0));
 }

@@ -1,9 +1,7 @@
 //! Action, frequency, phase and Fourier amplitudes against the truth, and the spoiled siblings that must go red.
 
-mod ruler;
-
+use crate::ruler::{Row, distance, rows, ulp};
 use libration::{Frequency, Orbit};
-use ruler::{Row, distance, rows, ulp};
 use std::collections::BTreeMap;
 
 const ACTION: &str = include_str!("../../reference/vectors/action.csv");

@@ -1,10 +1,8 @@
 //! The approximations of the angle against the truth, formula by formula, and the spoiled siblings that must go red.
 
-mod ruler;
-
+use crate::ruler::{Row, distance, rows, ulp};
 use libration::approx::{ANGLES, AngleApproximation, AngleFormula};
 use libration::{Frequency, Orbit};
-use ruler::{Row, distance, rows, ulp};
 use std::collections::BTreeMap;
 
 const VECTORS: &str = include_str!("../../reference/vectors/approx_angle.csv");

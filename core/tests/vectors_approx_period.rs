@@ -1,9 +1,7 @@
 //! Every formula of the period and its error against the truth, and the spoiled siblings that must go red.
 
-mod ruler;
-
+use crate::ruler::{Row, distance, rows, ulp};
 use libration::approx::PeriodFormula;
-use ruler::{Row, distance, rows, ulp};
 
 const VECTORS: &str = include_str!("../../reference/vectors/approx_period.csv");
 const ROWS: usize = 2175;

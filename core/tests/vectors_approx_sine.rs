@@ -1,9 +1,7 @@
 //! The polynomials for the sine against the truth, and the spoiled siblings that must go red.
 
-mod ruler;
-
+use crate::ruler::{Row, distance, hex, rows, ulp};
 use libration::approx::{SineError, SineFormula};
-use ruler::{Row, distance, rows, ulp};
 use std::collections::BTreeMap;
 
 const VECTORS: &str = include_str!("../../reference/vectors/approx_sine.csv");
@@ -21,7 +19,7 @@ const ALLOWED: [(&str, f64); 6] = [
 
 fn formula(row: &Row) -> SineFormula {
     let range = row.text("range");
-    SineFormula::named(row.text("formula"), (!range.is_empty()).then(|| ruler::hex(range))).unwrap()
+    SineFormula::named(row.text("formula"), (!range.is_empty()).then(|| hex(range))).unwrap()
 }
 
 fn measured(row: &Row, formula: &SineFormula, error: Option<SineError>) -> f64 {

@@ -1,10 +1,8 @@
 //! The cubic-quintic oscillator against the truth, stratum by stratum, and the spoiled siblings that must go red.
 
-mod ruler;
-
+use crate::on_every_set;
+use crate::ruler::{Row, distance, rows, summary, ulp};
 use libration::CubicQuintic;
-use libration::lanes::InstructionSet;
-use ruler::{Row, distance, rows, summary, ulp};
 use std::collections::BTreeMap;
 
 const VECTORS: &str = include_str!("../../reference/vectors/cubic_quintic.csv");
@@ -89,11 +87,10 @@ fn worst(rows: &[Row], answers: impl Fn(&CubicQuintic, f64) -> [f64; 8]) -> (f64
 #[test]
 fn every_stratum_keeps_its_last_digits() {
     let rows = rows(VECTORS, COUNT);
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         let (worst, median) = worst(&rows, answers);
         assert!(worst <= 4.0 && median <= 0.75, "{set:?}");
-    }
+    });
 }
 
 /// Siblings that spoil the function: each must go red.

@@ -1,11 +1,9 @@
 //! The cubic oscillator against the truth, stratum by stratum, and the spoiled siblings that must go red.
 
-mod ruler;
-
+use crate::on_every_set;
+use crate::ruler::{Row, distance, rows, summary, ulp};
 use libration::Duffing;
-use libration::lanes::InstructionSet;
 use libration::oscillator::duffing_motion_into;
-use ruler::{Row, distance, rows, summary, ulp};
 use std::collections::BTreeMap;
 
 const VECTORS: &str = include_str!("../../reference/vectors/duffing.csv");
@@ -119,12 +117,11 @@ fn report(rows: &[Row], motion: impl Fn(&Duffing, f64) -> (f64, f64)) -> Report 
 #[test]
 fn every_stratum_keeps_its_last_digits() {
     let rows = rows(VECTORS, ROWS);
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         let mut report = report(&rows, |orbit, t| orbit.motion(t));
         assert_eq!(report.strata.len(), STRATA);
         assert!(report.holds(), "{set:?}");
-    }
+    });
 }
 
 #[test]

@@ -1,10 +1,8 @@
 //! Elliptic integrals and functions against the truth.
 
-mod ruler;
-
-use libration::lanes::InstructionSet;
+use crate::on_every_set;
+use crate::ruler::{Row, distance, rows, same, ulp};
 use libration::{Jacobi, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
-use ruler::{Row, distance, rows, ulp};
 use std::collections::BTreeMap;
 
 const JACOBI: &str = include_str!("../../reference/vectors/jacobi.csv");
@@ -73,12 +71,11 @@ fn of_jacobi(values: impl Fn(&Row) -> Vec<f64>) -> f64 {
 
 #[test]
 fn everything_on_every_instruction_set() {
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         for worst in [of_jacobi(four), of_complete(three), of_incomplete(two)] {
             assert!(worst <= 3.0, "{set:?} {worst}");
         }
-    }
+    });
 }
 
 #[test]
@@ -86,9 +83,8 @@ fn jacobi_limits() {
     for row in rows(SPECIAL, 116) {
         for (name, got) in FUNCTIONS.iter().zip(four(&row)) {
             let truth = row.hex(name);
-            let same = got.to_bits() == truth.to_bits() || (got.is_nan() && truth.is_nan());
             assert!(
-                same,
+                same(got, truth),
                 "{name} {got} {truth} {} {} {}",
                 row.text("given"),
                 row.text("parameter"),

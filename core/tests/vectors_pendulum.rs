@@ -1,10 +1,8 @@
 //! Pendulum against the truth, stratum by stratum, and the spoiled siblings that must go red.
 
-mod ruler;
-
-use libration::lanes::InstructionSet;
+use crate::on_every_set;
+use crate::ruler::{Row, distance, eased, rows, summary, ulp};
 use libration::{Frequency, Orbit, advance};
-use ruler::{Row, distance, eased, rows, summary};
 use std::collections::BTreeMap;
 
 const PENDULUM: &str = include_str!("../../reference/vectors/pendulum.csv");
@@ -76,7 +74,7 @@ fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64
             ),
             {
                 let truth = row.truth("period");
-                let unit = ruler::ulp(truth[0]) + row.decimal("cond_period") * 2f64.powi(-100);
+                let unit = ulp(truth[0]) + row.decimal("cond_period") * 2f64.powi(-100);
                 distance(orbit.period(), truth, unit)
             },
         ];
@@ -95,8 +93,7 @@ fn report(rows: &[Row], corners: bool, motion: impl Fn(&Orbit, f64) -> (f64, f64
 fn every_stratum_keeps_its_last_digits() {
     let rows = rows(PENDULUM, 1998);
     let corners = rows_of_corners();
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         let mut report = report(&rows, false, |orbit, t| orbit.motion(t));
         assert_eq!(report.strata.len(), 16);
         let (worst, median) = report.worst();
@@ -108,7 +105,7 @@ fn every_stratum_keeps_its_last_digits() {
         let (worst, median) = report.worst();
         assert_eq!(report.wrong_regimes, 0);
         assert!(worst <= 4.0 && median <= 0.5, "{set:?} in the corners");
-    }
+    });
 }
 
 fn rows_of_corners() -> Vec<Row<'static>> {
@@ -132,7 +129,7 @@ fn energies_and_turning_angles() {
                 ("theta_max", orbit.theta_max(), 0.0),
             ] {
                 let truth = row.truth(name);
-                let error = distance(got, truth, ruler::ulp(truth[0]) + ease);
+                let error = distance(got, truth, ulp(truth[0]) + ease);
                 assert!(error <= 4.0, "{} {name} {got:e} {truth:?} {error}", row.text("id"));
             }
         }

@@ -1,10 +1,8 @@
 //! Second derivatives against the truth, and the spoiled sibling that must go red.
 
-mod ruler;
-
+use crate::ruler::rows;
 use libration::pendulum::second_derivatives::Hessians;
 use libration::{Frequency, Orbit};
-use ruler::rows;
 
 const SECOND: &str = include_str!("../../reference/vectors/second.csv");
 

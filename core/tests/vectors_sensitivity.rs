@@ -1,10 +1,8 @@
 //! Derivatives against the truth, and the spoiled sibling that must go red.
 
-mod ruler;
-
-use libration::lanes::InstructionSet;
+use crate::on_every_set;
+use crate::ruler::{Row, bits, rows};
 use libration::{Frequency, Jacobian, Orbit, Sensitivity};
-use ruler::{Row, rows};
 use std::collections::BTreeMap;
 
 const PENDULUM: &str = include_str!("../../reference/vectors/pendulum.csv");
@@ -73,12 +71,11 @@ fn worst(rows: &[Row], values: impl Fn(&Orbit, f64) -> Jacobian) -> f64 {
 #[test]
 fn every_derivative_keeps_its_digits() {
     let rows = rows(PENDULUM, 1998);
-    for set in InstructionSet::available() {
-        set.force().unwrap();
+    on_every_set(|set| {
         let worst = worst(&rows, |orbit, t| Sensitivity::new(orbit).at(t));
         println!("{set:?} {worst:e}");
         assert!(worst <= BOUND, "{worst:e}");
-    }
+    });
 }
 
 /// One column a little off, a sign, a neglected infinity: each is found.
@@ -211,8 +208,7 @@ fn slices_are_their_scalars() {
         [(1.0, 0.2), (3.0, 0.0), (-2.0, -0.4), (0.0, 2.6), (0.5, -3.0), (0.1, 9.0), (3.1415, 0.0), (0.0, 0.0)]
     {
         let sensitivity = Sensitivity::new(&Orbit::new(theta0, velocity0, force).unwrap());
-        for set in InstructionSet::available() {
-            set.force().unwrap();
+        on_every_set(|_| {
             for length in 0..40 {
                 let times: Vec<f64> = (0..length).map(|i| f64::from(i) * 1.7 - 20.0).collect();
                 let mut columns = vec![vec![0.0; times.len()]; 6];
@@ -220,10 +216,10 @@ fn slices_are_their_scalars() {
                 sensitivity.at_into(&times, [a, b, c, d, e, f]);
                 for (row, t) in times.iter().enumerate() {
                     for (column, slope) in columns.iter().zip(sensitivity.at(*t).as_flattened()) {
-                        assert_eq!(column[row].to_bits(), slope.to_bits(), "{theta0} {velocity0} {t}");
+                        assert_eq!(bits(column[row]), bits(*slope), "{theta0} {velocity0} {t}");
                     }
                 }
             }
-        }
+        });
     }
 }

@@ -34,8 +34,9 @@ mod host;
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep, tabulate};
 
 use crate::domain::Domain;
+use core::cell::Cell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use core::sync::atomic::{AtomicU8, Ordering};
+use core::sync::atomic::{AtomicUsize, Ordering};
 
 /// Doubles side by side, with the operations the kernels use.
 pub trait Lane:
@@ -105,8 +106,34 @@ pub enum InstructionSet {
     Avx512 = 3,
 }
 
-/// The set in use; 0 until it is first asked for.
-static IN_USE: AtomicU8 = AtomicU8::new(0);
+/// How many scopes are open in all threads, times four, plus the best set; that is 0 until it is first asked for. So
+/// the value is 1, 2 or 3 unless a thread has chosen a set of its own, and a call reads nothing else.
+static IN_USE: AtomicUsize = AtomicUsize::new(0);
+const ONE_SCOPE: usize = 4;
+
+thread_local! {
+    /// The set that a scope of this thread has chosen.
+    static CHOSEN: Cell<Option<InstructionSet>> = const { Cell::new(None) };
+}
+
+/// An open scope; closed when it is dropped, also by a panic.
+struct Scope {
+    outer: Option<InstructionSet>,
+}
+
+impl Scope {
+    fn open(set: InstructionSet) -> Scope {
+        IN_USE.fetch_add(ONE_SCOPE, Ordering::Relaxed);
+        Scope { outer: CHOSEN.replace(Some(set)) }
+    }
+}
+
+impl Drop for Scope {
+    fn drop(&mut self) {
+        CHOSEN.set(self.outer);
+        IN_USE.fetch_sub(ONE_SCOPE, Ordering::Relaxed);
+    }
+}
 
 impl InstructionSet {
     /// The sets that this processor has, best last.
@@ -116,33 +143,37 @@ impl InstructionSet {
         &ALL[..host::instruction_sets()]
     }
 
-    /// The set in use: the best one, unless [`InstructionSet::force`] has chosen another.
+    /// The set in use on this thread: the best one, unless [`InstructionSet::scope`] has chosen another.
     #[inline]
     pub fn in_use() -> InstructionSet {
+        // Relaxed: the only value that a thread must not miss is the one it wrote itself.
         match IN_USE.load(Ordering::Relaxed) {
             1 => InstructionSet::Plain,
             2 => InstructionSet::Fused,
             3 => InstructionSet::Avx512,
-            _ => InstructionSet::first_use(),
+            _ => InstructionSet::chosen_or_best(),
         }
     }
 
     #[cold]
-    fn first_use() -> InstructionSet {
-        let available = InstructionSet::available();
-        let best = available[available.len() - 1];
-        IN_USE.store(best as u8, Ordering::Relaxed);
-        best
+    fn chosen_or_best() -> InstructionSet {
+        CHOSEN.get().unwrap_or_else(|| {
+            let available = InstructionSet::available();
+            let best = available[available.len() - 1];
+            IN_USE.fetch_or(best as usize, Ordering::Relaxed);
+            best
+        })
     }
 
-    /// Makes the whole process use this set, for tests and benchmarks; refused where it is not available.
-    pub fn force(self) -> Result<(), Domain> {
+    /// Runs `work` with this set on this thread and on no other, for tests and benchmarks; refused where the
+    /// processor does not have it.
+    pub fn scope<T>(self, work: impl FnOnce() -> T) -> Result<T, Domain> {
         let allowed = "an instruction set of this processor";
         if !InstructionSet::available().contains(&self) {
             return Err(Domain::new("instruction set", format!("{self:?}"), allowed));
         }
-        IN_USE.store(self as u8, Ordering::Relaxed);
-        Ok(())
+        let _open = Scope::open(self);
+        Ok(work())
     }
 }
 

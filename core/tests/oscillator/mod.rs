@@ -1,7 +1,5 @@
 //! What the tests of the oscillators share.
 
-#![allow(dead_code)]
-
 use libration::{Duffing, Form, Glaisher};
 
 /// Reproducible numbers in [0, 1).

@@ -1,14 +1,22 @@
 //! The ruler of every accuracy test: distances from a truth stored as hi + lo, in ulps and in the unit that
 //! the condition of the problem allows; and the reader of the vectors, which refuses to lose a row.
 
-#![allow(dead_code)]
-
 use std::collections::HashMap;
 
 /// Size of the last place of a double (the spacing above it), the smallest subnormal at and near zero.
 pub fn ulp(value: f64) -> f64 {
     let value = value.abs();
     if value.is_infinite() { f64::INFINITY } else { f64::from_bits(value.to_bits() + 1) - value }
+}
+
+/// The bits of a double; any NaN is one NaN, whose sign a processor may choose.
+pub fn bits(value: f64) -> u64 {
+    if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() }
+}
+
+/// Whether two doubles are the same, bit for bit.
+pub fn same(a: f64, b: f64) -> bool {
+    bits(a) == bits(b)
 }
 
 /// |got - (hi + lo)| in units of `unit`: infinite for NaN, for a wrong infinity, for a unit of nothing.
