@@ -69,7 +69,7 @@ bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes a
 	@$(PY) bench/run.py --full
 
 bench-elliptic: $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's, in five minutes: docs/elliptic.md
-	@$(PY) bench/elliptic.py
+	@$(PY) bench/run_elliptic.py
 
 docs: $(VENV)/.built ## write every generated page, table and picture
 	@mkdir -p out
@@ -127,7 +127,7 @@ TYPES := mypy --no-error-summary python/libration
 LAWS := for law in rooms names functions pages links; do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed"
 PAGES := $(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py
 
-BENCH := pytest $(QUIET) bench && $(PY) bench/page.py --check && $(PY) bench/elliptic.py --check
+BENCH := pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check
 
 # `pip install .` as a user has it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh

@@ -1,11 +1,10 @@
-"""Errors of libration, and of the usual SciPy recipe, on every row of the truth; writes docs/accuracy.md.
+"""Errors of libration, and of the usual SciPy recipe, on every reference row; writes docs/accuracy.md.
 
-The error of an output is E = |got - truth| / (ulp(max(|truth|, floor)) + ease): how many units in the last
-place it is off, where one unit is never smaller than
-    floor = 2^-30 * scale   scale = the largest |angle| (pi for separatrix and rotation) or |velocity| of the orbit,
-    ease  = min(2^-100 * cond, 2^-44 * scale)   cond = what relative changes of the inputs move the output by,
-so that an angle passing through zero after a billion periods is not asked for digits nobody can have. The period
-has no floor and its ease is 2^-100 * cond. Truths are hi + lo; differences are exact (fractions).
+The error of an output is E = |got - reference| / (ulp(max(|reference|, floor)) + conditioning), in units of the last place, with
+    floor        = 2^-30 * scale   scale = the largest |angle| (pi for separatrix and rotation) or |velocity| of the orbit,
+    conditioning = min(2^-100 * cond, 2^-44 * scale)   cond = what relative changes of the inputs move the output by.
+So an angle near zero, after a billion periods, is measured by what the inputs determine. The period has no floor, and its
+conditioning term is 2^-100 * cond. Reference values are hi + lo; differences are exact (fractions).
 
     python bench/accuracy.py            measure, write docs/accuracy.md, exit 1 if a promise of functions.toml breaks
     python bench/accuracy.py --check    measure and compare with the page as it stands instead of writing it
@@ -27,6 +26,10 @@ from scipy.special import ellipj, ellipk, ellipkinc, ellipkm1
 
 import libration
 
+sys.path.append(str(Path(__file__).parent))  # for who loads this file by its path
+
+from report.tables import table
+
 ROOT = Path(__file__).resolve().parents[1]
 VECTORS = ROOT / "reference/vectors/pendulum.csv"
 PAGE = ROOT / "docs/accuracy.md"
@@ -37,7 +40,7 @@ PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459"
 
 @dataclass
 class Row:
-    """One row of the truth: an orbit, an instant, what is true there and how it is measured."""
+    """One reference row: an orbit, a time, the values there and how they are measured."""
 
     stratum: str
     regime: str
@@ -45,21 +48,21 @@ class Row:
     velocity0: float
     omega2: float
     t: float
-    truth: dict = field(default_factory=dict)  # output -> Fraction, or an infinite float
+    reference: dict = field(default_factory=dict)  # output -> Fraction, or an infinite float
     scale: dict = field(default_factory=dict)
     cond: dict = field(default_factory=dict)
 
     def error(self, output: str, got: float, floor: Fraction = Fraction(1, 2**30)) -> float:
         """E as defined above; infinite for NaN and for an infinity on one side only."""
-        truth, got = self.truth[output], float(got)
-        if not math.isfinite(got) or isinstance(truth, float):
-            return 0.0 if got == truth or (got != got and truth != truth) else math.inf
-        ease = self.cond.get(output, 0) / 2**100
-        unit = abs(truth)
+        reference, got = self.reference[output], float(got)
+        if not math.isfinite(got) or isinstance(reference, float):
+            return 0.0 if got == reference or (got != got and reference != reference) else math.inf
+        conditioning = self.cond.get(output, 0) / 2**100
+        unit = abs(reference)
         if output in self.scale:
-            ease = min(ease, self.scale[output] / 2**44)
+            conditioning = min(conditioning, self.scale[output] / 2**44)
             unit = max(unit, floor * self.scale[output])
-        ratio = abs(Fraction(got) - truth) / (Fraction(math.ulp(float(unit))) + ease)
+        ratio = abs(Fraction(got) - reference) / (Fraction(math.ulp(float(unit))) + conditioning)
         return float(ratio) if ratio < 2**1000 else math.inf
 
     @property
@@ -88,7 +91,7 @@ def measure_of(row: Row) -> dict:
 
 
 def rows(path: Path = VECTORS) -> list[Row]:
-    """The truth. A missing file or column is an error; nothing is passed over."""
+    """The reference rows. A missing file or column is an error; no row is skipped."""
     found = []
     with path.open(newline="", encoding="utf-8") as lines:
         for line in csv.DictReader(line for line in lines if not line.startswith("#")):
@@ -96,7 +99,7 @@ def rows(path: Path = VECTORS) -> list[Row]:
             row = Row(line["stratum"], line["regime"], *inputs)
             for output in OUTPUTS + ATTRIBUTES:
                 hi, lo = number(line[output + "_hi"]), number(line[output + "_lo"])
-                row.truth[output] = Fraction(hi) + Fraction(lo) if math.isfinite(hi) else hi
+                row.reference[output] = Fraction(hi) + Fraction(lo) if math.isfinite(hi) else hi
             row.cond = {output: Fraction(line["cond_" + output]) for output in OUTPUTS}
             row.scale = measure_of(row)
             found.append(row)
@@ -131,13 +134,13 @@ def scipy_recipe(row: Row) -> tuple[float, float, float]:
 
 def measure(path: Path = VECTORS) -> dict[str, dict]:
     """Per stratum: the errors of every row on each path, and how many regimes are right."""
-    truth = rows(path)
-    strata = {row.stratum: {"rows": 0, "regimes": 0, "errors": {}} for row in truth}
+    found = rows(path)
+    strata = {row.stratum: {"rows": 0, "regimes": 0, "errors": {}} for row in found}
 
-    def note(row: Row, way: str, output: str, error: float) -> None:
-        strata[row.stratum]["errors"].setdefault((way, output), []).append(error)
+    def note(row: Row, path: str, output: str, error: float) -> None:
+        strata[row.stratum]["errors"].setdefault((path, output), []).append(error)
 
-    for row in truth:
+    for row in found:
         orbit = libration.Pendulum(row.theta0, row.velocity0, omega2=row.omega2)
         strata[row.stratum]["rows"] += 1
         strata[row.stratum]["regimes"] += orbit.regime.value == row.regime
@@ -148,19 +151,19 @@ def measure(path: Path = VECTORS) -> dict[str, dict]:
         for output in ATTRIBUTES:
             note(row, "orbit", output, row.error(output, getattr(orbit, output)))
         n, angle = orbit.turns(row.t)
-        for what in (row.scale, row.cond):
-            what["turns"] = what["theta"]
-        row.truth["turns"] = row.truth["theta"] - 2 * PI * int(n)
+        for part in (row.scale, row.cond):
+            part["turns"] = part["theta"]
+        row.reference["turns"] = row.reference["theta"] - 2 * PI * int(n)
         note(row, "orbit", "turns", row.error("turns", angle) if -math.pi <= angle < math.pi else math.inf)
-    stated = [row for row in truth if row.omega0 is not None]
+    stated = [row for row in found if row.omega0 is not None]
     columns = numpy.array([(row.t, row.theta0, row.velocity0, row.omega0) for row in stated]).T
     times, theta0, velocity0, omega0 = columns
     pair = libration.motion(*columns)
     single = libration.theta(*columns), libration.velocity(*columns)
     step = libration.advance(theta0, velocity0, times, omega0)
-    for output, *ways in zip(OUTPUTS, pair, single, step, strict=False):
+    for output, *results in zip(OUTPUTS, pair, single, step, strict=False):
         for index, row in enumerate(stated):
-            error = max(row.error(output, way[index], floor=Fraction(1)) for way in ways)
+            error = max(row.error(output, result[index], floor=Fraction(1)) for result in results)
             note(row, "states", output, error)
     return strata
 
@@ -184,11 +187,11 @@ def failures(strata: dict[str, dict]) -> list[str]:
     for stratum, held in strata.items():
         if held["regimes"] != held["rows"]:
             found.append(f"{stratum}: regime wrong in {held['rows'] - held['regimes']} rows")
-        for (way, output), (largest, median) in promises().items():
-            errors = held["errors"][way, output]
+        for (path, output), (largest, median) in promises().items():
+            errors = held["errors"][path, output]
             for what, got, limit in [("largest", max(errors), largest), ("median", statistics.median(errors), median)]:
                 if not got <= limit:
-                    found.append(f"{stratum}: {what} error of {output} ({way}) is {got:.3g}, promised {limit:g}")
+                    found.append(f"{stratum}: {what} error of {output} ({path}) is {got:.3g}, promised {limit:g}")
     return found
 
 
@@ -197,19 +200,13 @@ def shown(value: float) -> str:
     return f"{value:.2f}" if value < 100 else f"{value:.0e}".replace("e+", "e") if value < math.inf else "inf"
 
 
-def table(head: list[str], body: list[list[str]]) -> str:
-    """A table of a page, numbers to the right."""
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *body]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
-
-
 def by_stratum(strata: dict[str, dict], output: str) -> str:
     """Every stratum's errors of one output on every path."""
     head = ["stratum", "rows", "one orbit at many times: max", "median", "SciPy recipe: max", "median"]
     body = []
     for stratum, held in strata.items():
-        ways = [held["errors"]["orbit", output], held["errors"]["scipy", output]]
-        numbers = [shown(what(errors)) for errors in ways for what in (max, statistics.median)]
+        paths = [held["errors"]["orbit", output], held["errors"]["scipy", output]]
+        numbers = [shown(what(errors)) for errors in paths for what in (max, statistics.median)]
         body.append([stratum, str(held["rows"]), *numbers])
         if states := held["errors"].get(("states", output)):
             body[-1] += [str(len(states)), shown(max(states))]
@@ -217,18 +214,20 @@ def by_stratum(strata: dict[str, dict], output: str) -> str:
     return f"## {output}\n\n" + table(head + own, body)
 
 
-def reach(truth: list[Row]) -> tuple[str, str]:
-    """How small the smallest swing of the truth is, rounded up to a power of ten, and how many periods it goes."""
-    smallest = min(row.truth["theta_max"] for row in truth if row.regime == "libration")
-    periods = max(abs(Fraction(row.t)) / row.truth["period"] for row in truth if row.truth["period"] != math.inf)
+def reach(found: list[Row]) -> tuple[str, str]:
+    """The smallest swing of the reference rows, rounded up to a power of ten, and the most periods."""
+    smallest = min(row.reference["theta_max"] for row in found if row.regime == "libration")
+    periods = max(
+        abs(Fraction(row.t)) / row.reference["period"] for row in found if row.reference["period"] != math.inf
+    )
     return f"1e{math.ceil(math.log10(smallest))}", f"{float(periods) / 1e6:.0f} million"
 
 
 def page(strata: dict[str, dict]) -> str:
     """docs/accuracy.md, whole."""
 
-    def worst(way: str, output: str, what=max) -> str:
-        return shown(max(what(held["errors"][way, output]) for held in strata.values()))
+    def worst(path: str, output: str, what=max) -> str:
+        return shown(max(what(held["errors"][path, output]) for held in strata.values()))
 
     def orbit(output: str) -> list[str]:
         return [output, worst("orbit", output), worst("orbit", output, statistics.median)]
@@ -270,26 +269,26 @@ Written by `python bench/accuracy.py` with {versions}.
 <!-- summary -->
 {summary}
 
-One unit is the last place of the true value, but never less than that of 2^-30 of the orbit's largest angle or velocity
-(for arrays of orbits: of the largest itself); the period has no such floor.
+The unit is one unit in the last place (ulp) of the exact value, but at least that of 2^-30 of the orbit's largest angle or
+velocity (for arrays of orbits: of the largest itself). The period has no such floor.
 
-Over {rows} orbits and instants in {strata} strata, most of them hard on purpose: from swings below {swing} rad to the
-last double before the separatrix and to {periods} periods. The regime is right in {regimes} rows. *Worst median* is the
-largest of the strata's medians; *inf* means that at least one answer was not a finite number where the truth is one, or
+The table is over {rows} orbits and times in {strata} strata. Most of them are hard on purpose: from swings below {swing} rad to
+the last double before the separatrix, and up to {periods} periods. The regime is right in {regimes} rows. *Worst median* is
+the largest of the medians of the strata. *inf* means that at least one answer was not finite where the exact value is, or
 the reverse.
 <!-- end summary -->
 
-The error is E = |got - truth| / (ulp(max(|truth|, 2^-30 scale)) + ease) with scale the largest |angle| (pi for
-separatrix and rotation) or |velocity| of the orbit and ease = min(2^-100 cond, 2^-44 scale), where cond is by how
-much the output moves when each input moves by its own size; the period has no floor and its ease is 2^-100 cond.
-Attributes are measured with neither floor nor ease. Arrays of orbits go through `theta`, `velocity`, `motion` and
-`advance`, measured with the floor at scale on the rows whose omega0 is a double. The truth
-([reference/](../reference/README.md)) is exact for the doubles passed in and stored as hi + lo; differences are
-taken in fractions. What is promised stands in [functions.md](functions.md).
+The error is E = |got - reference| / (ulp(max(|reference|, 2^-30 scale)) + conditioning). Here scale is the largest |angle| (pi
+for separatrix and rotation) or |velocity| of the orbit, conditioning = min(2^-100 cond, 2^-44 scale), and cond is how much
+the output moves when each input moves by its own size. The period has no floor, and its conditioning term is 2^-100 cond.
+Attributes are measured with neither. Arrays of orbits go through `theta`, `velocity`, `motion` and `advance`. They are
+measured with the floor at scale, on the rows whose omega0 is a double. The reference values
+([reference/](../reference/README.md)) are exact for the doubles passed in and stored as hi + lo; differences are taken in
+fractions. The promises are listed in [functions.md](functions.md).
 
-The SciPy recipe is m = sin²(θ₀/2) + (θ̇₀/2ω₀)², `ellipkinc` for the starting phase, `ellipj` for the motion, the
-angle from 2·atan2(k·sn, dn) or 2·am, the period from `ellipk` (`ellipkm1` when released from rest), in double
-throughout. Near the separatrix and after many periods it has no digits left; its medians show where it is fine.
+The SciPy recipe is m = sin²(θ₀/2) + (θ̇₀/2ω₀)², `ellipkinc` for the starting phase, `ellipj` for the motion, and the angle
+from 2·atan2(k·sn, dn) or 2·am. The period is from `ellipk` (`ellipkm1` when released from rest). All of it is in double
+precision. Near the separatrix and after many periods it has no digits left; its medians show where it is accurate.
 
 {tables}
 """

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import Call, NotAvailable, Way
+from .method import Call, Method, NotAvailable
 
 HERE = Path(__file__).parent
 BUILD = HERE / "build"
@@ -27,7 +27,7 @@ def driver(name: str) -> ctypes.CDLL:
     Raises
     ------
     NotAvailable
-        With the first line of what the compiler said.
+        With the first error of the compiler.
     """
     compiler = shutil.which("g++")
     if compiler is None:
@@ -37,7 +37,8 @@ def driver(name: str) -> ctypes.CDLL:
     command = [compiler, *FLAGS, str(HERE / f"{name}.cpp"), "-o", str(target), *LIBRARIES[name]]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
-        raise NotAvailable((done.stderr.splitlines() or [name])[0])
+        said = done.stderr.partition("error: ")[2].splitlines()  # without the path of the source file
+        raise NotAvailable((said or [name])[0])
     library = ctypes.CDLL(str(target))
     library.version.restype = ctypes.c_char_p
     library.version()
@@ -86,5 +87,5 @@ def states_by(name: str):
     return prepare
 
 
-GSL = Way("GSL, C", orbit=orbit_by("gsl"), states=states_by("gsl"), advance=states_by("gsl"))
-BOOST = Way("Boost.Math, C++", orbit=orbit_by("boost"), states=states_by("boost"), advance=states_by("boost"))
+GSL = Method("GSL, C", orbit=orbit_by("gsl"), states=states_by("gsl"), advance=states_by("gsl"))
+BOOST = Method("Boost.Math, C++", orbit=orbit_by("boost"), states=states_by("boost"), advance=states_by("boost"))

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from scipy.special import ellipj, ellipkinc
 
-from . import Call, NotAvailable, Way
+from .method import Call, Method, NotAvailable
 
 
 def linear(orbit, t) -> Call:
@@ -109,7 +109,7 @@ def by_mpmath(orbit, t, digits: int = 15) -> Call:
     return call
 
 
-def one_orbit(library, with_velocity: bool):
+def orbit_recipe(library, with_velocity: bool):
     """Preparation of one orbit by a library's functions."""
 
     def prepare(orbit, t) -> Call:
@@ -119,7 +119,7 @@ def one_orbit(library, with_velocity: bool):
     return prepare
 
 
-def own_states(library):
+def states_recipe(library):
     """Preparation of states of their own by a library's functions."""
 
     def prepare(theta0, velocity0, t) -> Call:
@@ -140,20 +140,20 @@ def sine_and_cosine(theta, velocity, dt) -> Call:
     return lambda: (np.sin(theta) + np.cos(theta),)
 
 
-LINEAR = Way("θ₀ cos ω₀t, NumPy with out=", orbit=linear)
-LINEAR_AS_WRITTEN = Way("θ₀ cos ω₀t, NumPy as written", orbit=linear_as_written)
-SINE_COSINE = Way("np.sin(a) + np.cos(a)", advance=sine_and_cosine)
-SCIPY = Way("SciPy recipe: θ", orbit=one_orbit(by_scipy, False))
-SCIPY_MOTION = Way(
+LINEAR = Method("θ₀ cos ω₀t, NumPy with out=", orbit=linear)
+LINEAR_AS_WRITTEN = Method("θ₀ cos ω₀t, NumPy as written", orbit=linear_as_written)
+SINE_COSINE = Method("np.sin(a) + np.cos(a)", advance=sine_and_cosine)
+SCIPY = Method("SciPy recipe: θ", orbit=orbit_recipe(by_scipy, False))
+SCIPY_MOTION = Method(
     "SciPy recipe: θ and θ̇",
-    orbit=one_orbit(by_scipy, True),
-    states=own_states(by_scipy),
-    advance=own_states(by_scipy),
+    orbit=orbit_recipe(by_scipy, True),
+    states=states_recipe(by_scipy),
+    advance=states_recipe(by_scipy),
 )
-ELLIPTIC_FUNCTIONS = Way(
+ELLIPTIC_FUNCTIONS = Method(
     "elliptic-functions",
-    orbit=one_orbit(elliptic_functions, True),
-    states=own_states(elliptic_functions),
-    advance=own_states(elliptic_functions),
+    orbit=orbit_recipe(elliptic_functions, True),
+    states=states_recipe(elliptic_functions),
+    advance=states_recipe(elliptic_functions),
 )
-MPMATH = Way("mpmath, 15 digits: θ", orbit=by_mpmath)
+MPMATH = Method("mpmath, 15 digits: θ", orbit=by_mpmath)

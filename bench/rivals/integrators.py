@@ -11,7 +11,7 @@ import warnings
 import numpy as np
 from scipy.integrate import odeint, solve_ivp
 
-from . import Call, NotAvailable, Refused, Way
+from .method import Call, Method, NotAvailable, Refused
 
 BATCH = 32
 DENSE_SPAN = 2e4  # time units: beyond this a kept dense output needs gigabytes
@@ -93,7 +93,7 @@ def taylor_batch(tolerance: float):
 
 
 def dense(tolerance: float):
-    """Preparation of heyoka's fastest way for many samples of one orbit: one propagation, then its dense output."""
+    """Preparation of heyoka's fastest method for many samples of one orbit: one propagation, then its dense output."""
 
     def prepare(orbit, t) -> Call:
         span, integrator = float(np.max(t)), taylor(tolerance)
@@ -177,12 +177,12 @@ def one_by_one(prepare_orbit):
     return prepare
 
 
-def way(name: str, prepare, tolerance: float) -> Way:
+def at_tolerance(name: str, prepare, tolerance: float) -> Method:
     """An integrator at a tolerance, for one orbit and, state after state, for many."""
     prepared = prepare(tolerance)
-    return Way(f"{name}, tol {tolerance:.0e}", prepared, one_by_one(prepared), any_order=False)
+    return Method(f"{name}, tol {tolerance:.0e}", prepared, one_by_one(prepared), any_order=False)
 
 
-HEYOKA_DENSE = Way("heyoka, dense output, tol 1e-15", orbit=dense(1e-15))
-HEYOKA_GRID = Way("heyoka, propagate_grid, tol 1e-15", orbit=grid(1e-15), any_order=False)
-HEYOKA_BATCH = Way(f"heyoka, batch of {BATCH}, tol 1e-15", states=batch(1e-15), advance=batch(1e-15))
+HEYOKA_DENSE = Method("heyoka, dense output, tol 1e-15", orbit=dense(1e-15))
+HEYOKA_GRID = Method("heyoka, propagate_grid, tol 1e-15", orbit=grid(1e-15), any_order=False)
+HEYOKA_BATCH = Method(f"heyoka, batch of {BATCH}, tol 1e-15", states=batch(1e-15), advance=batch(1e-15))

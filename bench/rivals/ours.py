@@ -4,7 +4,7 @@ import numpy as np
 
 import libration
 
-from . import Call, Way
+from .method import Call, Method
 
 
 def theta(orbit, t) -> Call:
@@ -42,7 +42,7 @@ def advance(theta, velocity, dt) -> Call:
     return lambda: libration.advance(theta, velocity, dt, out=(theta, velocity))
 
 
-THETA = Way("libration: θ", orbit=theta)
-FRESH = Way("libration: θ, orbit set up in the call", orbit=fresh)
-ALLOCATING = Way("libration: θ, new array", orbit=allocating)
-MOTION = Way("libration: θ and θ̇", orbit=motion, states=states, advance=advance)
+THETA = Method("libration: θ", orbit=theta)
+FRESH = Method("libration: θ, orbit set up in the call", orbit=fresh)
+ALLOCATING = Method("libration: θ, new array", orbit=allocating)
+MOTION = Method("libration: θ and θ̇", orbit=motion, states=states, advance=advance)

@@ -1,16 +1,20 @@
 """One thread against two: a process for each, because LIBRATION_NUM_THREADS is read once, at import.
 
-Both processes are alive together and are asked in turn, so that a slow minute is slow for both; the one that is not
-asked waits on its input and takes no processor.
-
-    python bench/threads.py CASE COUNT        the process that is asked: one line in, seconds per call out
+Both processes are asked in turn, so that a slow minute is slow for both. The other one waits on its input and uses no
+processor. Such a process is this module, run with `-m measurement.threads CASE COUNT` in bench/: one line in, seconds per
+call out.
 """
 
 import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 
+from cases.orbits import BY_NAME, states, times
+from rivals.ours import MOTION, THETA
+
+BENCH = Path(__file__).resolve().parents[1]
 TEN_MILLION = 10**7
 MILLION = 10**6
 ROUNDS = 9
@@ -18,9 +22,6 @@ ROUNDS = 9
 
 def answer(case: str, count: int) -> None:
     """Prepare the work, then time one call (after an untimed one) for every line of the input."""
-    from cases import BY_NAME, states, times
-    from rivals.ours import MOTION, THETA
-
     call = THETA.orbit(BY_NAME[case], times(BY_NAME[case], count, 10)) if case in BY_NAME else None
     call = call or MOTION.states(*states(count))
     call()
@@ -32,12 +33,12 @@ def answer(case: str, count: int) -> None:
         print((time.perf_counter_ns() - begun) / 1e9, flush=True)
 
 
-def asked(case: str, count: int, threads: int) -> subprocess.Popen:
-    """A process that is ready to be asked."""
-    command = [sys.executable, __file__, case, str(count)]
+def started(case: str, count: int, threads: int) -> subprocess.Popen:
+    """A process whose work is prepared."""
+    command = [sys.executable, "-m", "measurement.threads", case, str(count)]
     environment = {**os.environ, "LIBRATION_NUM_THREADS": str(threads)}
     pipe = subprocess.PIPE
-    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, env=environment)
+    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, env=environment, cwd=BENCH)
     if process.stdout.readline().strip() != "ready":
         raise SystemExit(f"{' '.join(command)}: no answer")
     return process
@@ -47,7 +48,7 @@ def compare(names: list[str]) -> list[dict]:
     """Seconds per call with one thread and with two, round by round, for orbits by name and for own states."""
     found = []
     for case, count in [*((name, TEN_MILLION) for name in names), ("states of their own", MILLION)]:
-        processes = {str(threads): asked(case, count, threads) for threads in (1, 2)}
+        processes = {str(threads): started(case, count, threads) for threads in (1, 2)}
         seconds = {threads: [] for threads in processes}
         for _ in range(ROUNDS):
             for threads, process in processes.items():

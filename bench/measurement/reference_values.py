@@ -1,18 +1,18 @@
-"""True angles and velocities for a sample of the inputs, in Arb balls, by the flow map of reference/balls.py.
+"""Exact angles and velocities for a sample of the inputs, in Arb balls, by the addition theorem of reference/balls.py.
 
-Runs in a process of its own that knows neither libration nor NumPy: it reads lines `theta0 velocity0 t` of hexadecimal
-floats (omega0 = 1, each taken as an exact rational) and writes `theta_hi theta_lo velocity_hi velocity_lo` for each.
+Runs in a process of its own, which imports neither libration nor NumPy. It reads lines `theta0 velocity0 t` of hexadecimal
+floats (omega0 = 1, each taken as an exact rational). It writes `theta_hi theta_lo velocity_hi velocity_lo` for each.
 
-    python bench/truth.py < inputs > truths
+    python bench/measurement/reference_values.py < inputs > values
 """
 
 import sys
 from fractions import Fraction
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[1] / "reference")
+sys.path[0] = str(Path(__file__).resolve().parents[2] / "reference")
 
-from balls import pendulum_values, rising  # noqa: E402  (the room reference/ is put on the path first)
+from balls import pendulum_values, rising  # noqa: E402  (reference/ is put on the path first)
 
 
 def hi_lo(value) -> tuple[str, str]:
@@ -22,10 +22,10 @@ def hi_lo(value) -> tuple[str, str]:
 
 
 def main() -> None:
-    """Answer every line; a ball that stays too wide is an error, never an answer."""
+    """Answer every line. A ball that stays too wide is an error, never an answer."""
     for line in sys.stdin:
         theta0, velocity0, t = (Fraction(float.fromhex(word)) for word in line.split())
-        # an instant at which nothing has happened yet, or rest, holds exact zeros: no relative width to wait for
+        # at t = 0 and at rest the values are exact, zeros among them: a zero has no relative width
         if t == 0 or theta0 == velocity0 == 0:
             print(*(float(x).hex() for x in (theta0, 0, velocity0, 0)))
             continue

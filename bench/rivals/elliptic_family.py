@@ -21,7 +21,7 @@ UNIT = "0 ≤ m ≤ 1"
 
 @dataclass(frozen=True)
 class Rival:
-    """A library's way: the domain it states, the call, the keywords that carry the parameter, and whether the numbers
+    """How a library is asked: the domain it states, the call, the keywords that carry the parameter, and whether the numbers
     of a row, `m` among them, are in that domain."""
 
     domain: str
@@ -46,7 +46,7 @@ def no_pole(numbers: dict) -> bool:
 
 @dataclass(frozen=True)
 class Function:
-    """One function: its vectors, arguments, outputs and the three ways to it (None: the library has none)."""
+    """One function: its vectors, arguments, outputs and how the three libraries are asked for it (None: the library has none)."""
 
     name: str
     file: str

@@ -1,6 +1,6 @@
-"""One comparison: several ways, the same inputs, interleaved rounds, every answer held against the truth.
+"""One comparison: several methods, the same inputs, interleaved rounds, every answer compared with the reference values.
 
-A record is what one way gave: `case`, `periods`, `count`, `order`, `way`, `seconds` (one entry a round, seconds per
+A record is what one method gave: `case`, `periods`, `count`, `order`, `method`, `seconds` (one entry a round, seconds per
 call), `errors` (one per output, see ruler.py) or a `note` that says why there is nothing.
 """
 
@@ -9,29 +9,35 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from cases import Orbit, sample, times
-from rivals import NotAvailable, Refused, Way
-from ruler import SAMPLE, Truth
-from timing import LIMIT, SLOW, affordable, rounds
+from cases.orbits import Orbit, sample, times
+from rivals.method import Method, NotAvailable, Refused
+
+from .ruler import SAMPLE, Reference
+from .timing import LIMIT, SLOW, affordable, rounds
 
 GOAL = 1e-9
 TOLERANCES = [10.0**-digits for digits in range(3, 14)] + [3e-14]
 TOO_LONG = f"> {LIMIT:g} s"
 
 
-def tried(entry: dict, make: Callable[[int], Callable[[], tuple]], wanted: int, truth: Callable[[int], Truth]) -> None:
-    """Find out how far a way gets, hold its first answer against the truth, and note what is missing.
+def first_answer(
+    entry: dict,
+    make: Callable[[int], Callable[[], tuple]],
+    wanted: int,
+    reference: Callable[[int], Reference | None],
+) -> None:
+    """Find how many samples a method can do in time, and the error of its first answer; note what is missing.
 
     Parameters
     ----------
     entry : dict
-        The record to fill; its `count` is what was asked of everybody.
+        The record to fill; its `count` is what every method is asked for.
     make : callable
         The preparation for a number of samples.
     wanted : int
-        How many this way is asked for.
-    truth : callable
-        The truth for that many samples, or None where the way is only a yardstick.
+        How many this method is asked for.
+    reference : callable
+        The reference values for that many samples, or None where the method is no motion.
     """
     try:
         with np.errstate(all="ignore"):
@@ -48,9 +54,9 @@ def tried(entry: dict, make: Callable[[int], Callable[[], tuple]], wanted: int, 
     if limit < entry["count"]:
         entry["note"] = f"{wanted:,} samples: {TOO_LONG}" if limit < wanted else f"{wanted:,} samples only"
     entry["count"] = limit
-    if held := truth(limit):
+    if held := reference(limit):
         entry["errors"] = held.errors(answer)
-    if taken > SLOW and not entry["way"].startswith("libration"):  # a demand rests on ours: always in rounds
+    if taken > SLOW and not entry["method"].startswith("libration"):  # targets need the rounds of ours
         entry["seconds"] = [taken]
     else:
         entry["call"] = call
@@ -59,11 +65,11 @@ def tried(entry: dict, make: Callable[[int], Callable[[], tuple]], wanted: int, 
 def interleaved(entries: list[dict]) -> list[dict]:
     """Fill the `seconds` of every entry that has a `call`, in rounds; the calls are dropped from the records."""
     with np.errstate(all="ignore"):
-        taken = rounds({entry["way"]: entry["call"] for entry in entries if entry["call"]})
+        taken = rounds({entry["method"]: entry["call"] for entry in entries if entry["call"]})
     for entry in entries:
         del entry["call"]
-        entry["seconds"] = taken.get(entry["way"], entry["seconds"])
-        print(f"    {entry['way']:44s}", shown(entry) if entry["seconds"] else entry["note"], flush=True)
+        entry["seconds"] = taken.get(entry["method"], entry["seconds"])
+        print(f"    {entry['method']:44s}", shown(entry) if entry["seconds"] else entry["note"], flush=True)
     return entries
 
 
@@ -75,7 +81,7 @@ def shown(entry: dict) -> str:
 
 
 def one_orbit(
-    ways: list[Way],
+    methods: list[Method],
     orbit: Orbit,
     count: int,
     periods: float,
@@ -87,38 +93,38 @@ def one_orbit(
 
     Parameters
     ----------
-    ways : list of Way
-        Who takes part.
+    methods : list of Method
+        What is compared.
     orbit, count, periods, order
-        The inputs, see cases.times.
+        The inputs, see `times`.
     most : dict, optional
-        Samples that a way is given at most, by its name, where the full count is known to take too long.
+        The most samples for a method, by its name, where the full count is known to take too long.
     over : set of str, optional
-        Ways known to take longer than the limit here; they are only named.
+        Methods known to take longer than the limit here; they are only named.
     """
     print(f"  {orbit.name}, {count} times over {periods:g} periods, {order}", flush=True)
 
     @functools.cache
-    def truth(few: int) -> Truth:
+    def reference(few: int) -> Reference:
         t = times(orbit, few, periods, order)
-        return Truth(orbit.theta0, orbit.velocity0, t, sample(few, SAMPLE))
+        return Reference(orbit.theta0, orbit.velocity0, t, sample(few, SAMPLE))
 
     entries = []
-    for way in ways:
-        here = {"case": orbit.name, "periods": periods, "count": count, "order": order, "way": way.name}
+    for method in methods:
+        here = {"case": orbit.name, "periods": periods, "count": count, "order": order, "method": method.name}
         entries.append({**here, "errors": [], "seconds": [], "note": "", "call": None})
         entry = entries[-1]
-        if way.name in over:
+        if method.name in over:
             entry["note"] = TOO_LONG
             continue
-        if order == "random" and not way.any_order:
+        if order == "random" and not method.any_order:
             entry["note"] = "times must rise"
             continue
-        tried(
+        first_answer(
             entry,
-            lambda few, way=way: way.orbit(orbit, times(orbit, few, periods, order)),
-            min(count, (most or {}).get(way.name, count)),
-            truth,
+            lambda few, method=method: method.orbit(orbit, times(orbit, few, periods, order)),
+            min(count, (most or {}).get(method.name, count)),
+            reference,
         )
     return interleaved(entries)
 
@@ -132,36 +138,36 @@ def tuned(build: Callable[[float], Callable], orbit: Orbit, periods: float) -> t
         The preparation of an integrator at a tolerance.
     """
     t = times(orbit, SAMPLE, periods)
-    truth = Truth(orbit.theta0, orbit.velocity0, t, np.arange(SAMPLE))
+    reference = Reference(orbit.theta0, orbit.velocity0, t, np.arange(SAMPLE))
     found = {}
     for tolerance in TOLERANCES:
         try:
-            found[tolerance] = max(truth.errors(build(tolerance)(orbit, t)()))
+            found[tolerance] = max(reference.errors(build(tolerance)(orbit, t)()))
         except Refused:
             found[tolerance] = math.inf
     reached = [tolerance for tolerance, error in found.items() if error <= GOAL]
     return (reached[0] if reached else None), min(found, key=found.get)
 
 
-def own_states(ways: list[Way], work: str, inputs: tuple, most: dict[str, int], case: str) -> list[dict]:
+def own_states(methods: list[Method], work: str, inputs: tuple, most: dict[str, int], case: str) -> list[dict]:
     """Records of states of their own: `work` is `states` or `advance`; the last of `inputs` is t, or dt for all."""
     count = len(inputs[0])
     print(f"  {case}, {count} states", flush=True)
 
     @functools.cache
-    def truth(few: int) -> Truth:
+    def reference(few: int) -> Reference:
         theta0, velocity0, t = (np.broadcast_to(part, count)[:few] for part in inputs)
-        return Truth(theta0, velocity0, t, sample(few, SAMPLE))
+        return Reference(theta0, velocity0, t, sample(few, SAMPLE))
 
     entries = []
-    for way in ways:
-        entry = {"case": case, "periods": None, "count": count, "order": "random", "way": way.name}
+    for method in methods:
+        entry = {"case": case, "periods": None, "count": count, "order": "random", "method": method.name}
         entry.update(errors=[], seconds=[], note="", call=None)
         entries.append(entry)
 
-        def prepared(few: int, way=way):
-            return getattr(way, work)(*(np.copy(part[:few]) if np.ndim(part) else part for part in inputs))
+        def prepared(few: int, method=method):
+            return getattr(method, work)(*(np.copy(part[:few]) if np.ndim(part) else part for part in inputs))
 
-        held = (lambda few: None) if way.name.startswith("np.") else truth
-        tried(entry, prepared, min(count, most.get(way.name, count)), held)
+        known = (lambda few: None) if method.name.startswith("np.") else reference
+        first_answer(entry, prepared, min(count, most.get(method.name, count)), known)
     return interleaved(entries)

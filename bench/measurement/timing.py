@@ -1,8 +1,8 @@
-"""Rounds: everybody does the same work in turn, round after round, so that a slow minute is slow for all.
+"""Rounds: all methods do the same work in turn, round after round, so that a slow minute is slow for all.
 
-A slot of a round is one untimed call, then as many timed ones as fill SLOT seconds; its result is the mean. Ratios are
-medians of the ratios within rounds. A call that takes longer than PATIENT is timed once a slot, without the untimed
-call; one longer than SLOW takes no part in the rounds: its only call is the one whose answer was checked, and the page
+A slot of a round is one call that is not timed, then as many timed calls as fill SLOT seconds; its result is the mean.
+Ratios are medians of the ratios within rounds. A call that takes longer than PATIENT is timed once a slot, without the call
+before it. A call longer than SLOW has no rounds: its only timing is that of the call whose answer was compared, and the page
 marks it.
 """
 
@@ -23,7 +23,7 @@ SLOW = 1.5
 
 @dataclass
 class Timed:
-    """What the rounds say of one way of doing the work; `seconds` has one entry a round, seconds per call."""
+    """What the rounds say of one method; `seconds` has one entry a round, seconds per call."""
 
     call: Callable[[], tuple]
     first: float = 0.0
@@ -41,14 +41,14 @@ class Timed:
 
 
 def rounds(calls: dict[str, Callable[[], tuple]], count: int = ROUNDS) -> dict[str, list[float]]:
-    """Seconds per call of every way in every round, all interleaved, starting with another one each round.
+    """Seconds per call of every method in every round, all interleaved, starting with another one each round.
 
     Parameters
     ----------
     calls : dict
-        Ways of doing the same work, by name.
+        Methods of doing the same work, by name.
     count : int
-        Rounds, at least 7 for anything that a demand rests on.
+        Rounds, at least 7 for anything that a target rests on.
     """
     timed = {}
     for name, call in calls.items():
@@ -70,11 +70,11 @@ def rounds(calls: dict[str, Callable[[], tuple]], count: int = ROUNDS) -> dict[s
     finally:
         if collecting:
             gc.enable()
-    return {name: way.seconds for name, way in timed.items()}
+    return {name: held.seconds for name, held in timed.items()}
 
 
 def ratio(ours: list[float], theirs: list[float]) -> float:
-    """Median over the rounds of ours / theirs; against one number where a slow way has only one."""
+    """Median over the rounds of ours / theirs; against one number where a slow method has only one."""
     if len(ours) != len(theirs):
         return statistics.median(ours) / statistics.median(theirs)
     return statistics.median(a / b for a, b in zip(ours, theirs, strict=True))
@@ -83,8 +83,8 @@ def ratio(ours: list[float], theirs: list[float]) -> float:
 def affordable(make: Callable[[int], Callable], count: int, limit: float = LIMIT) -> tuple:
     """How many samples end within the limit: that number, the call for it, its first answer (copied) and its seconds.
 
-    Powers of ten up to `count`. Two trials give a fixed part and a part for each sample, which foretell the next one,
-    so that nobody is charged for a long start as if every sample had it. Nothing within the limit: (0, None, (), 0.0).
+    Powers of ten up to `count`. Two trials give a fixed part and a part for each sample, which predict the next trial.
+    So a long start is not counted again for every sample. Nothing within the limit: (0, None, (), 0.0).
 
     Parameters
     ----------

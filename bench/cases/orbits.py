@@ -1,4 +1,4 @@
-"""The inputs of every comparison: orbits, times and states, as doubles, the same for everybody in a run.
+"""The inputs of every comparison: orbits, times and states, as doubles, the same for every method of a run.
 
 omega0 is 1 throughout: the angle depends on omega0 t only. Random numbers come from one seeded generator.
 """
@@ -51,15 +51,15 @@ def mean(a: float, b: float) -> float:
     return a
 
 
-GENTLE = [Orbit(f"{degrees:g}°", math.radians(degrees)) for degrees in (0.1, 30, 90, 150)]
-STEEP = [
+UP_TO_150 = [Orbit(f"{degrees:g}°", math.radians(degrees)) for degrees in (0.1, 30, 90, 150)]
+BEYOND_150 = [
     Orbit("170°", math.radians(170)),
     Orbit("179.999°", math.radians(179.999)),
     Orbit("1 − κ² = 1e-12", 0.0, 2 * math.sqrt(1 - 1e-12)),
     Orbit("1 − κ² = −1e-12", 0.0, 2 * math.sqrt(1 + 1e-12)),
     Orbit("fast rotation", 0.5, 20.0),
 ]
-ORBITS = GENTLE + STEEP
+ORBITS = UP_TO_150 + BEYOND_150
 BY_NAME = {orbit.name: orbit for orbit in ORBITS}
 
 
@@ -82,7 +82,7 @@ def states(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def sample(count: int, most: int) -> np.ndarray:
-    """Which inputs are compared with the truth: the first, the last and random ones between, in order."""
+    """Which inputs are compared with the reference values: the first, the last and random ones between, in order."""
     if count <= most:
         return np.arange(count)
     inner = np.random.default_rng(SEED).choice(np.arange(1, count - 1), most - 2, replace=False)

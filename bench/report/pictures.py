@@ -1,6 +1,6 @@
-"""The pictures of docs/benchmarks.md: error against time for everybody, and how cost and error grow.
+"""The pictures of docs/benchmarks.md: error against time for every method, and how cost and error grow.
 
-matplotlib's Figure only. Names stand at the points themselves, no legend; ours is the one strong colour.
+Made with matplotlib's Figure alone. Names are written at the points, without a legend; libration has the one strong colour.
 """
 
 import itertools
@@ -39,21 +39,21 @@ STYLE = {
 LEAST = 3e-17
 
 
-def family(way: str) -> str:
-    """The rival to whom a way belongs."""
-    return next(name for name in COLOURS if way.startswith(name))
+def family(method: str) -> str:
+    """The rival to which a method belongs."""
+    return next(name for name in COLOURS if method.startswith(name))
 
 
 def points(records: list[dict]) -> dict[str, list[tuple[float, float]]]:
     """Nanoseconds per sample and worst error, by family; ours and the recipes with θ alone."""
     found: dict[str, list[tuple[float, float]]] = {}
     for record in records:
-        if not record["seconds"] or record["way"] in (FRESH.name, MOTION.name):
+        if not record["seconds"] or record["method"] in (FRESH.name, MOTION.name):
             continue
         nanoseconds = statistics.median(record["seconds"]) / record["count"] * 1e9
         worst = float(record["errors"][0])
         if math.isfinite(worst):
-            found.setdefault(family(record["way"]), []).append((nanoseconds, max(worst, LEAST)))
+            found.setdefault(family(record["method"]), []).append((nanoseconds, max(worst, LEAST)))
     return found
 
 
@@ -80,7 +80,7 @@ PLACES = {
 
 
 def error_against_time(records: list[dict]) -> Figure:
-    """Everybody's worst error against nanoseconds per sample; integrators are lines over their tolerances."""
+    """The worst error of every method against nanoseconds per sample; integrators are lines over their tolerances."""
     figure = Figure(figsize=(7.6, 5.0), layout="constrained")
     axes = figure.add_subplot()
     quiet(axes, "nanoseconds per sample", "worst error of θ, relative to the swing")
@@ -111,12 +111,12 @@ def error_against_time(records: list[dict]) -> Figure:
 
 
 def lines(records: list[dict], over: str, value) -> dict[str, list[tuple[float, float]]]:
-    """A line for each family: its first way with an entry, or its fastest, over `count` or `periods`."""
+    """A line for each family: its first method with an entry, or its fastest, over `count` or `periods`."""
     found: dict[str, dict[float, float]] = {}
     for record in records:
-        if record["way"] in (FRESH.name, MOTION.name) or not record["seconds"]:
+        if record["method"] in (FRESH.name, MOTION.name) or not record["seconds"]:
             continue
-        here = found.setdefault(family(record["way"]), {})
+        here = found.setdefault(family(record["method"]), {})
         y = value(record)
         if math.isfinite(y):
             here[record[over]] = min(y, here.get(record[over], math.inf))
@@ -156,7 +156,7 @@ def growth(sizes: list[dict], horizons: list[dict]) -> Figure:
 
 
 def named_at_ends(axes, ends: dict[str, tuple[float, float]]) -> None:
-    """Names to the right of the last points; those that would touch push each other apart."""
+    """Names to the right of the last points; names that would overlap are moved apart."""
     low, high = (math.log(limit) for limit in axes.get_ylim())
     apart = (high - low) / 22
     places = {name: math.log(y) for name, (_, y) in ends.items()}

@@ -1,8 +1,8 @@
-"""How far an answer is from the truth: the largest |got - truth| / max(|truth|, scale) over the sample.
+"""The error of an answer: the largest |got - reference| / max(|reference|, scale) over a sample of the inputs.
 
-scale is the largest angle (velocity) of the orbit, pi in rotation: an angle that passes through zero is not asked for
-digits that the size of the swing does not have, one that has counted many turns is measured by its own size.
-One unit of the double is 1.1e-16 to 2.2e-16 here. Whatever is not finite is infinitely far.
+scale is the largest angle (velocity) of the orbit, pi in rotation. So an angle near zero is measured by the size of the swing,
+and an angle of many turns by its own size. One unit in the last place is 1.1e-16 to 2.2e-16 here. An answer that is not
+finite has an infinite error.
 """
 
 import math
@@ -13,33 +13,32 @@ from pathlib import Path
 import numpy as np
 
 SAMPLE = 200
-UNIT = 2.0**-52
 
 
-def truths(theta0, velocity0, t) -> np.ndarray:
-    """Rows theta_hi, theta_lo, velocity_hi, velocity_lo for broadcast inputs, from bench/truth.py."""
+def reference_values(theta0, velocity0, t) -> np.ndarray:
+    """Rows theta_hi, theta_lo, velocity_hi, velocity_lo for broadcast inputs, from reference_values.py."""
     rows = np.broadcast(theta0, velocity0, t)
     asked = "\n".join(" ".join(float(value).hex() for value in row) for row in rows)
-    script = Path(__file__).with_name("truth.py")
+    script = Path(__file__).with_name("reference_values.py")
     answer = subprocess.run([sys.executable, str(script)], input=asked, text=True, capture_output=True, check=True)
     lines = answer.stdout.splitlines()
     if len(lines) != rows.size:
-        raise SystemExit(f"{script}: {len(lines)} answers to {rows.size} questions")
+        raise SystemExit(f"{script}: {len(lines)} answers to {rows.size} inputs")
     return np.array([[float.fromhex(word) for word in line.split()] for line in lines]).T
 
 
 def error(got, hi, lo, scale) -> float:
-    """The largest relative distance; `got`, `hi`, `lo` are arrays of the same length."""
+    """The largest relative error; `got`, `hi`, `lo` are arrays of the same length."""
     got = np.asarray(got, dtype=float)
     if got.shape != hi.shape:
-        raise ValueError(f"{got.shape} answers to {hi.shape} questions")
+        raise ValueError(f"{got.shape} answers to {hi.shape} inputs")
     if not np.all(np.isfinite(got)):
         return math.inf
     return float(np.max(np.abs((got - hi) - lo) / np.maximum(np.abs(hi), scale)))
 
 
-class Truth:
-    """The truth at a sample of inputs, ready to measure whole answers.
+class Reference:
+    """Reference values at a sample of the inputs, which measure whole answers.
 
     Parameters
     ----------
@@ -52,7 +51,7 @@ class Truth:
     def __init__(self, theta0, velocity0, t, indices: np.ndarray) -> None:
         inputs = [np.broadcast_to(value, np.shape(t))[indices] for value in (theta0, velocity0, t)]
         self.indices = indices
-        self.rows = truths(*inputs)
+        self.rows = reference_values(*inputs)
         s, half = np.sin(inputs[0] / 2), inputs[1] / 2
         kappa = np.hypot(s, half)
         angle = np.where(kappa < 1, 2 * np.arcsin(np.minimum(kappa, 1)), math.pi)
