@@ -3,7 +3,7 @@
 import math
 
 from libration import approx
-from libration.approx.period import listed
+from libration.approx._period import listed
 
 ANGLES = (30, 60, 90, 120, 150, 170)
 SHOWN = (

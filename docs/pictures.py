@@ -9,9 +9,9 @@ import matplotlib
 import numpy as np
 
 from libration import Duffing
-from libration.approx.chart import plot_periods
-from libration.plot import EXACT, FAINT, SEPARATRIX, quiet
-from libration.portrait import along, barriers, equilibria, polynomial, potential
+from libration.plot import plot_periods
+from libration.plot._springs import along, barriers, equilibria, polynomial, potential
+from libration.plot._style import EXACT, FAINT, SEPARATRIX, quiet
 
 matplotlib.use("Agg")
 from matplotlib import pyplot

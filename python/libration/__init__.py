@@ -13,15 +13,10 @@ Examples
 """
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from . import elliptic as elliptic
 from ._core import __version__
-from .action_angle import action, frequency, from_action_phase, phase
-from .arrays import advance, motion, theta, velocity
-from .cubic_quintic import CubicQuintic
-from .derivatives import sensitivities
-from .duffing import Duffing, duffing_motion
-from .duffing_form import DuffingForm
 from .elliptic import (
     JacobiComplexValues,
     JacobiValues,
@@ -46,9 +41,27 @@ from .elliptic import (
     theta3,
     theta4,
 )
-from .oscillator import OscillatorRegime
-from .pendulum import Pendulum, Regime
-from .series import Fourier, harmonic_distortion
+from .oscillator import CubicQuintic, Duffing, DuffingForm, OscillatorRegime, duffing_motion
+from .pendulum import (
+    Fourier,
+    Pendulum,
+    Regime,
+    action,
+    advance,
+    frequency,
+    from_action_phase,
+    harmonic_distortion,
+    motion,
+    phase,
+    sensitivities,
+    theta,
+    velocity,
+)
+
+if TYPE_CHECKING:
+    from . import approx as approx
+    from . import papers as papers
+    from . import plot as plot
 
 __all__ = [
     "CubicQuintic",
@@ -95,8 +108,15 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
-    """The packages that are loaded when they are asked for."""
-    if name in ("approx", "papers"):
-        return import_module(f".{name}", __name__)
-    raise AttributeError(f"module 'libration' has no attribute {name!r}")
+def __dir__() -> list[str]:
+    return [*__all__, "approx", "elliptic", "papers", "plot"]
+
+
+# Hidden from type checkers, so that a name that does not exist is an error there too.
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Any:
+        """The packages that are loaded when they are asked for."""
+        if name in ("approx", "papers", "plot"):
+            return import_module(f".{name}", __name__)
+        raise AttributeError(f"module 'libration' has no attribute {name!r}")

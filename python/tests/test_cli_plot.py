@@ -13,7 +13,9 @@ from matplotlib.figure import Figure
 
 from libration import Pendulum
 from libration.cli import main
-from libration.plot import angle_ticks, covered, draw_angle, draw_portrait, headline, linear_theta, pi_text, plot_motion
+from libration.plot import linear_theta, plot_motion
+from libration.plot._motion import covered, draw_angle, draw_portrait, headline
+from libration.plot._style import angle_ticks, pi_text
 
 MOTIONS = {
     "libration": (Pendulum(3.0, length=1.0, gravity=9.8), np.linspace(0, 10, 500)),

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 import libration
 from libration import Duffing, DuffingForm, Pendulum
 from libration.cli import main
-from libration.portrait import draw_displacement, draw_portrait
+from libration.plot._springs import draw_displacement, draw_portrait
 
 ROOT = Path(__file__).resolve().parents[2]
 with (ROOT / "reference/vectors/duffing.csv").open(newline="") as file:

@@ -13,11 +13,11 @@ Examples
 '3.5e-04'
 """
 
-from .angle import AngleApproximation, AngleError, AngleFormula, angle
-from .period import PeriodFormula, period
-from .registry import Registry
-from .sine import SineError, SineFormula, sine
-from .solvers import NumericalFormula, NumericalSolution, numerical
+from ._angle import AngleApproximation, AngleError, AngleFormula, angle
+from ._numerical import NumericalFormula, NumericalSolution, numerical
+from ._period import PeriodFormula, period
+from ._registry import Registry
+from ._sine import SineError, SineFormula, sine
 
 __all__ = [
     "AngleApproximation",
@@ -34,3 +34,7 @@ __all__ = [
     "period",
     "sine",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -78,7 +78,7 @@ def run(words):
     motion = moving(options, pendulum(given))
     solutions = different([solution(name, motion) for name in wanted], getattr(options, "with"))
     with targets(options) as (table, picture):
-        draw = plotter("libration.approx.picture", "plot_comparison", "--plot", options.plot)
+        draw = plotter("libration.plot", "plot_comparison", "--plot", options.plot)
         spans = sorted({periods, LONG})
         rows = [(name, [measured(name, made, each) for each in spans]) for name, made in solutions]
         if table:
@@ -117,7 +117,7 @@ def span(text):
     """How many periods."""
     if text is None:
         return 1.0
-    from libration.approx.solvers import MOST_PERIODS
+    from libration.approx._numerical import MOST_PERIODS
 
     periods = plain("--periods", text)
     if not 0 < periods <= MOST_PERIODS:
@@ -141,7 +141,7 @@ def moving(options, motion):
 def solution(name, motion):
     """One solution by its name, or a Refusal with the nearest names first."""
     from libration import approx
-    from libration.approx.solvers import nearest
+    from libration.approx._numerical import nearest
 
     base = name.partition(":")[0]
     patterns = (*approx.angle.names, *approx.numerical.names)

@@ -76,7 +76,7 @@ def run(words):
     check_targets(options)
     motion = Duffing(**given)
     with targets(options) as (table, picture):
-        plot = plotter("libration.portrait", "plot_oscillator", "--plot", options.plot)
+        plot = plotter("libration.plot", "plot_oscillator", "--plot", options.plot)
         times, source = instants(options)
         u, velocity = motion.motion(times)
         if table:

@@ -63,7 +63,7 @@ def run(words):
     with contextlib.ExitStack() as stack:
         if options.chart is not None:
             picture = stack.enter_context(staged("--chart", options.chart, PICTURES))
-            plot_periods = plotter("libration.approx.chart", "plot_periods", "--chart", options.chart)
+            plot_periods = plotter("libration.plot", "plot_periods", "--chart", options.chart)
             mark = motion.theta_max if formulas else None
             plot_periods(picture, theta_max=mark, form=form(options.chart))
     if options.json:
@@ -77,7 +77,7 @@ def run(words):
 
 def compared(motion):
     """Every formula with its T/T0 and its relative error, where the motion is a swing."""
-    from libration.approx.period import listed
+    from libration.approx._period import listed
 
     if motion.regime != "libration" or upright(motion):
         return []

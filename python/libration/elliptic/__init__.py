@@ -18,7 +18,8 @@ Examples
 '0.25000000'
 """
 
-from .glaisher import (
+from ._carlson import carlson_rc, carlson_rd, carlson_rf, carlson_rj
+from ._glaisher import (
     arccd,
     arccn,
     arccs,
@@ -44,8 +45,8 @@ from .glaisher import (
     sd,
     sn,
 )
-from .jacobian import JacobiComplexValues, JacobiValues, jacobi, jacobi_complex
-from .legendre import (
+from ._jacobi import JacobiComplexValues, JacobiValues, jacobi, jacobi_complex
+from ._legendre import (
     complete_e,
     complete_k,
     complete_pi,
@@ -54,9 +55,8 @@ from .legendre import (
     incomplete_f,
     incomplete_pi,
 )
-from .second_kind import jacobi_epsilon, jacobi_zeta
-from .symmetric import carlson_rc, carlson_rd, carlson_rf, carlson_rj
-from .thetas import nome, theta1, theta2, theta3, theta4
+from ._second_kind import jacobi_epsilon, jacobi_zeta
+from ._theta import nome, theta1, theta2, theta3, theta4
 
 __all__ = [
     "JacobiComplexValues",
@@ -106,3 +106,7 @@ __all__ = [
     "theta3",
     "theta4",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

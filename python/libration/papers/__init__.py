@@ -33,3 +33,7 @@ __all__ = [
     "salas_23",
     "salas_24",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

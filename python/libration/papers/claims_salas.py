@@ -6,8 +6,7 @@ import math
 import numpy as np
 
 from .. import approx
-from ..arrays import theta
-from ..pendulum import Pendulum
+from ..pendulum import Pendulum, theta
 from .claim import Claim, rounded
 from .errata_salas import TWELVE, forms_missing
 from .errata_salas_periods import swing_time

@@ -5,9 +5,8 @@ import functools
 import numpy as np
 
 from .. import approx
-from ..arrays import theta
 from ..elliptic import complete_k, jacobi, sn
-from ..pendulum import Pendulum
+from ..pendulum import Pendulum, theta
 from .erratum import Erratum, Kind, largest, motion_residual, second_derivative, swing_residual
 
 INSTANTS = np.linspace(0.1, 3.0, 30)

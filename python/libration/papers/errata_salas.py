@@ -6,11 +6,9 @@ from decimal import Decimal, localcontext
 import numpy as np
 
 from .. import elliptic
-from ..arrays import theta
-from ..duffing import Duffing
-from ..duffing_form import DuffingForm
 from ..elliptic import cn, dn, jacobi, nc, sn
-from ..pendulum import Pendulum
+from ..oscillator import Duffing, DuffingForm
+from ..pendulum import Pendulum, theta
 from .erratum import SWINGS, Erratum, Kind, largest, motion_residual, swing_residual
 from .exact import salas_23
 

@@ -12,7 +12,8 @@ import numpy as np
 from .. import approx
 from ..elliptic import complete_k, jacobi
 from ..pendulum import Pendulum
-from ..plot import angle_ticks, linear_theta, quiet
+from ..plot import linear_theta
+from ..plot._style import angle_ticks, quiet
 from .diagram import angle, arrow, bare, bob, letter, path, rod, vertical
 from .picture import BLACK, BLUE, GREY, RED, Picture, named, panels
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..arrays import theta
+from ..pendulum import theta
 from .exact import juchem_neto, salas_22, salas_23, salas_24
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..plot import BLACK, DASHED, DOTTED, EXACT, LINEAR, SEPARATRIX, head, legend, quiet, save_figure
+from ..plot._style import BLACK, DASHED, DOTTED, EXACT, LINEAR, SEPARATRIX, head, legend, quiet, save_figure
 from .work import chosen
 
 # The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import approx
 from ..pendulum import Pendulum
-from ..plot import angle_ticks
+from ..plot._style import angle_ticks
 from .diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical
 from .exact import salas_23
 from .picture import BLACK, BLUE, DASHED, DOTTED, GREY, RED, Picture, dashed, dotted, exact, named, panels

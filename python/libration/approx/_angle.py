@@ -1,0 +1,261 @@
+"""Formulas for the angle over time: linear, harmonic, Fourier, trigonometric, small m, polynomial sines, Taylor.
+
+Each is set up for one pendulum, answers at any time, and knows how far it is from the exact angle.
+"""
+
+import math
+from typing import Any, NamedTuple, Self
+
+import numpy as np
+
+from .. import _core
+from .._immutable import Immutable
+from .._scalars import real
+from ..pendulum import Pendulum
+from ._named import Named, each, moving
+from ._registry import Registry
+
+
+class AngleError(NamedTuple):
+    """The largest error of an approximation over some periods.
+
+    Examples
+    --------
+    >>> from libration import Pendulum, approx
+    >>> error = approx.angle("harmonic").of(Pendulum(1.0)).error()
+    >>> f"{error.difference:.6f} {error.relative:.3%} {error.t:.6f}"
+    '0.008530 0.853% 1.025253'
+    """
+
+    difference: float
+    """Largest size of approximate minus exact, rad; infinite where the approximation escapes to infinity."""
+    relative: float
+    """The same over the turning angle; NaN in rotation, which has none."""
+    t: float
+    """The first time at which it is as large, s."""
+    undefined_from: float
+    """The first time at which the approximation is undefined, s; NaN if it is always defined."""
+
+
+class AngleFormula(Named):
+    """A formula for the angle over time, by its name: an entry of `libration.approx.angle`.
+
+    Parameters
+    ----------
+    name : str
+        `linear`, `harmonic`, `fourier:N`, `fourier-theta:N`, `trigonometric`, `small-m`, `small-m-bounded`, `cubic`,
+        `cubic-quintic` or `taylor:N`.
+
+    Raises
+    ------
+    ValueError
+        In one line: the name, and what is allowed, the nearest first.
+
+    Examples
+    --------
+    >>> from libration import approx
+    >>> formula = approx.angle("cubic")
+    >>> print(formula.formula, "|", formula.source, "|", formula.stated)
+    the exact motion with sin θ ≈ θ − 40θ³/243 | Salas 2019 (2) | up to 70 deg
+    """
+
+    __slots__ = ()
+
+    _formula: _core.AngleFormula
+
+    def __new__(cls, name: str) -> Self:
+        self = super().__new__(cls)
+        object.__setattr__(self, "_formula", _core.AngleFormula(str(name)))
+        return self
+
+    def of(self, pendulum: Pendulum) -> "AngleApproximation":
+        """The formula for one pendulum.
+
+        What is written for a release from rest runs on the exact phase, from the last turning point on.
+
+        Parameters
+        ----------
+        pendulum : Pendulum
+            The motion to approximate.
+
+        Returns
+        -------
+        AngleApproximation
+
+        Raises
+        ------
+        ValueError
+            If the formula is not written for the regime of the pendulum, or only for omega2 >= 0.
+
+        Examples
+        --------
+        >>> from libration import Pendulum, approx
+        >>> f"{approx.angle('trigonometric').of(Pendulum(1.5)).theta(2.0):.6f}"
+        '-0.238115'
+        """
+        return AngleApproximation(self, pendulum)
+
+    def error(self, theta_max: Any, periods: float = 1) -> Any:
+        """Largest error of releases from rest, as a share of their turning angles.
+
+        Parameters
+        ----------
+        theta_max : scalar or array
+            Turning angles in rad, between 0 and pi; else NaN.
+        periods : scalar, default 1
+            For so many exact periods, above 0 and at most 10 000.
+
+        Returns
+        -------
+        float64 or array of the shape of `theta_max`
+            NaN where the approximation is undefined at some time.
+
+        Notes
+        -----
+        Error promised: that of `AngleApproximation.error`. Source: Lima 2019, section 4, counts like this.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from libration import approx
+        >>> (100 * approx.angle("fourier:2").error(np.radians([60, 90, 170]))).round(4)
+        array([0.035 , 0.2269,    nan])
+        """
+        periods = real("periods", periods)
+
+        def released(angle: float) -> float:
+            if not 0 < angle < math.pi:
+                return math.nan
+            found = self.of(Pendulum(angle)).error(periods)
+            return found.relative if math.isnan(found.undefined_from) else math.nan
+
+        return each(lambda angles: np.array([released(angle) for angle in angles.tolist()]), theta_max)
+
+    def ranges(self, bound: float, periods: float = 1) -> tuple[tuple[float, float], ...]:
+        """The turning angles for which the largest error stays within a share of them.
+
+        Of releases from rest. Undefined counts as beyond.
+
+        Parameters
+        ----------
+        bound : scalar
+            Largest error over the turning angle, above 0.
+        periods : scalar, default 1
+            For so many exact periods, above 0 and at most 10 000.
+
+        Returns
+        -------
+        tuple of pairs of float
+            Intervals in rad, within (0, pi).
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from libration import approx
+        >>> np.degrees(approx.angle("harmonic").ranges(0.01)).round(2)
+        array([[ 0.  , 61.71]])
+        """
+        return tuple(self._formula.ranges(real("bound", bound), real("periods", periods)))
+
+
+class AngleApproximation(Immutable):
+    """A formula for the angle set up for one pendulum.
+
+    Parameters
+    ----------
+    formula : AngleFormula
+        The formula.
+    pendulum : Pendulum
+        The motion to approximate.
+
+    Raises
+    ------
+    ValueError
+        If the formula is not written for the regime of the pendulum, or only for omega2 >= 0.
+
+    Examples
+    --------
+    >>> from libration import Pendulum, approx
+    >>> series = approx.angle("fourier-theta:4").of(Pendulum(3.0))
+    >>> print(series.theta([0.0, 1.0]).round(6), series.difference([0.0, 1.0]).round(6))
+    [2.997083 2.926421] [-0.002917  0.002983]
+    """
+
+    __slots__ = ("_approximation", "formula", "pendulum")
+
+    _approximation: _core.AngleApproximation
+    formula: AngleFormula
+    pendulum: Pendulum
+
+    def __new__(cls, formula: AngleFormula, pendulum: Pendulum) -> Self:
+        self = super().__new__(cls)
+        object.__setattr__(self, "_approximation", formula._formula.of(moving(pendulum)._orbit))
+        object.__setattr__(self, "formula", formula)
+        object.__setattr__(self, "pendulum", pendulum)
+        return self
+
+    def theta(self, t: Any) -> Any:
+        """The approximate angle in rad at the times `t`, an array of their shape or a float64.
+
+        NaN where the formula has no value, for times that are not finite and more than 2**53 half periods away.
+        Error promised: 8 ulp of its scale, plus the condition of its phase. Source: that of the formula.
+        """
+        return each(self._approximation.theta, t)
+
+    def difference(self, t: Any) -> Any:
+        """The approximate minus the exact angle in rad at the times `t`, an array of their shape or a float64.
+
+        Error promised: of `harmonic` and of both Fourier series 1e-10 of the difference itself, however small; of the
+        others that of the two angles. Source: the terms that the series leave out.
+        """
+        return each(self._approximation.difference, t)
+
+    @property
+    def period(self) -> float:
+        """Period in s of the approximation itself; NaN where it does not repeat."""
+        return self._approximation.period
+
+    def error(self, periods: float = 1) -> AngleError:
+        """The largest error from t = 0 on.
+
+        Parameters
+        ----------
+        periods : scalar, default 1
+            For so many exact periods (turns of a rotation), above 0 and at most 10 000.
+
+        Returns
+        -------
+        AngleError
+
+        Raises
+        ------
+        ValueError
+            If the number of periods is out of range; on the separatrix, which has no period.
+
+        Notes
+        -----
+        Error promised: 1e-9 of the largest difference, plus the rounding of `difference`; more where a sine model swings over
+        1000 times as fast as the pendulum, and of `small-m` where m omega0 t is beyond some 1000. Source: Lima 2019,
+        section 4.
+
+        Examples
+        --------
+        >>> from libration import Pendulum, approx
+        >>> f"{approx.angle('fourier:2').of(Pendulum(1.0)).error().relative:.2e}"
+        '2.86e-04'
+        """
+        difference, t, undefined_from = self._approximation.largest_error(real("periods", periods))
+        theta_max = self.pendulum.theta_max
+        relative = difference / theta_max if theta_max else 0.0
+        return AngleError(difference, relative, t, undefined_from)
+
+    def __repr__(self) -> str:
+        return f"{self.formula!r}.of({self.pendulum!r})"
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.formula, self.pendulum), {}
+
+
+angle: Registry[AngleFormula] = Registry(
+    AngleFormula, _core.AngleFormula.patterns(), {"fourier": 4, "fourier-theta": 4, "taylor": 8}
+)

@@ -1,0 +1,88 @@
+"""What every named formula knows of itself before it is asked anything."""
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+import numpy as np
+
+from .._immutable import Immutable
+from ..pendulum import Pendulum
+
+
+class Core(Protocol):
+    """The compiled formula behind a named one."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def facts(self) -> tuple[str, str, str, str, tuple[float, float] | None, str]: ...
+
+
+class Named(Immutable):
+    """A formula of a registry: its name, its source, and where it is meant to hold."""
+
+    __slots__ = ("_formula",)
+
+    _formula: Core
+
+    @property
+    def name(self) -> str:
+        """The name that finds it again, with its N."""
+        return self._formula.name
+
+    @property
+    def pattern(self) -> str:
+        """Its entry: the name, with ``:N`` if it takes a number."""
+        return self._formula.facts[0]
+
+    @property
+    def formula(self) -> str:
+        """The formula in one line."""
+        return self._formula.facts[1]
+
+    @property
+    def source(self) -> str:
+        """Author, year and equation."""
+        return self._formula.facts[2]
+
+    @property
+    def stated(self) -> str:
+        """The range its author offers it for, in words; empty where none is stated."""
+        return self._formula.facts[3]
+
+    @property
+    def stated_range(self) -> tuple[float, float] | None:
+        """The same as angles in rad."""
+        return self._formula.facts[4]
+
+    @property
+    def undefined(self) -> str:
+        """Where it has no value, in words."""
+        return self._formula.facts[5]
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name,), {}
+
+
+def each(answer: Callable[[np.ndarray], np.ndarray], argument: Any) -> Any:
+    """The answers to an argument, a float64 or an array of its shape; what is masked stays masked."""
+    values = numbers(argument)
+    answers = answer(np.ascontiguousarray(np.ma.filled(values, np.nan)).ravel()).reshape(values.shape)
+    if isinstance(values, np.ma.MaskedArray):
+        return np.ma.array(answers, mask=values.mask)
+    return answers[()]
+
+
+def numbers(argument: Any) -> Any:
+    """An argument as an array of doubles; text, None and complex numbers are refused, not converted."""
+    values = np.asanyarray(argument)
+    if values.dtype.kind not in "biuf":
+        raise TypeError(f"{argument!r}: must be real numbers")
+    return values.astype(float)
+
+
+def moving(pendulum: Any) -> Pendulum:
+    """A pendulum, or the refusal of anything else."""
+    if not isinstance(pendulum, Pendulum):
+        raise ValueError(f"pendulum = {pendulum!r}: must be a Pendulum")
+    return pendulum

@@ -1,0 +1,256 @@
+"""Numerical solutions by name: what a first program, or SciPy as it comes, makes of the pendulum.
+
+The steps of fixed length are the core's (core/approx/steps.rs); `solve_ivp` and `odeint` are SciPy's, with its defaults.
+"""
+
+import importlib
+import importlib.util
+import math
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from .. import _core
+from .._scalars import real
+from ..pendulum import Pendulum
+from ._angle import AngleError
+from ._named import moving, numbers
+from ._registry import Registry
+
+# SciPy's answer is asked for at this many instants a period, as a student asks for a smooth curve.
+INSTANTS = 1000
+# A fixed step beyond this count is refused: the arrays would fill the memory.
+MOST_STEPS = 5_000_000
+MOST_PERIODS = 10_000
+NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+SCIPY = {
+    "solve_ivp": "Dormand-Prince 5(4) at rtol 1e-3 and atol 1e-6, the defaults of scipy.integrate.solve_ivp",
+    "odeint": "LSODA at rtol and atol 1.49e-8, the defaults of scipy.integrate.odeint",
+}
+
+
+@dataclass(frozen=True)
+class NumericalFormula:
+    """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `rk4:H` with a step of H seconds, `solve_ivp`, `odeint`.
+
+    Parameters
+    ----------
+    name : str
+        Such as ``rk4:0.025``. Steps are positive decimal numbers in s; the name is kept with the shortest that is the
+        same double.
+
+    Raises
+    ------
+    ValueError
+        In one line: the name and what is allowed, the nearest known names first.
+
+    Examples
+    --------
+    >>> from libration import Pendulum, approx
+    >>> euler = approx.numerical("euler:0.01")
+    >>> f"{euler.of(Pendulum(1.0)).error(1).relative:.4f}"
+    '0.0315'
+    """
+
+    name: str
+
+    def __post_init__(self) -> None:
+        _, colon, step = self.name.partition(":")
+        if self.scheme not in SCHEMES and self.scheme not in SCIPY:
+            near = ", ".join(nearest(numerical.names, self.name))
+            raise ValueError(f"numerical solution = {self.name!r}: must be one of {near}")
+        if self.scheme in SCIPY and colon:
+            raise ValueError(f"numerical solution = {self.name!r}: must be {self.scheme} without a step")
+        if self.scheme in SCHEMES:
+            if not (NUMBER.fullmatch(step) and 0 < self.step < math.inf):
+                allowed = f"{self.scheme}:H with a step H > 0 in s, as {self.scheme}:0.01"
+                raise ValueError(f"numerical solution = {self.name!r}: must be {allowed}")
+            object.__setattr__(self, "name", f"{self.scheme}:{self.step!r}".removesuffix(".0"))
+
+    @property
+    def scheme(self) -> str:
+        """The name without its step."""
+        return self.name.partition(":")[0]
+
+    @property
+    def step(self) -> float:
+        """The step in s; NaN where there is none."""
+        return float(self.name.partition(":")[2] or math.nan)
+
+    @property
+    def formula(self) -> str:
+        """What it does, in one line."""
+        return SCHEMES[self.scheme][0] if self.scheme in SCHEMES else SCIPY[self.scheme]
+
+    @property
+    def source(self) -> str:
+        """Who says so, with the order of the scheme."""
+        return SCHEMES[self.scheme][1] if self.scheme in SCHEMES else f"SciPy, scipy.integrate.{self.scheme}"
+
+    def of(self, pendulum: Pendulum) -> "NumericalSolution":
+        """The numerical solution for one pendulum.
+
+        Raises
+        ------
+        ValueError
+            If it is no pendulum.
+        ImportError
+            For SciPy's, if SciPy is missing.
+        """
+        moving(pendulum)
+        if self.scheme in SCIPY and importlib.util.find_spec("scipy") is None:
+            raise ImportError(f"{self.name}: needs SciPy: pip install 'libration[papers]'")
+        return NumericalSolution(self, pendulum)
+
+
+@dataclass(frozen=True)
+class NumericalSolution:
+    """What a numerical scheme makes of one pendulum; from `NumericalFormula.of`."""
+
+    formula: NumericalFormula
+    pendulum: Pendulum
+
+    def theta(self, t: Any) -> Any:
+        """Angle at the times `t`.
+
+        Parameters
+        ----------
+        t : array_like
+            Times in s, not negative. Between steps of fixed length the cubic through both states is taken.
+
+        Returns
+        -------
+        ndarray
+            Angle in rad, of the shape of `t`.
+        """
+        times = np.ma.filled(numbers(t), np.nan)
+        if not (np.isfinite(times).all() and (times >= 0).all()):
+            raise ValueError(f"t = {t!r}: must be finite and not negative, for a solution that begins at 0")
+        rising, place = np.unique(times, return_inverse=True)
+        if not rising.size:
+            return times
+        return self._rising(rising)[place].reshape(times.shape)
+
+    def error(self, periods: float = 1.0) -> AngleError:
+        """Largest difference from the exact motion, at the steps themselves or at 1,000 instants a period.
+
+        Parameters
+        ----------
+        periods : float, default 1
+            From 0, not included, to 10,000; of a turn each in rotation.
+
+        Returns
+        -------
+        AngleError
+        """
+        t, theta = course(self, real("periods", periods))
+        difference = np.abs(theta - self.pendulum.theta(t))
+        where = int(np.nanargmax(difference)) if not np.isnan(difference).all() else 0
+        largest, theta_max = float(difference[where]), self.pendulum.theta_max
+        return AngleError(largest, largest / theta_max if theta_max else 0.0, float(t[where]), math.nan)
+
+    def over_the_top(self, periods: float = 1.0) -> float:
+        """When a swing is carried over the top, which the exact one never reaches; NaN if it is not.
+
+        Parameters
+        ----------
+        periods : float, default 1
+            How long to look, as in `error`.
+        """
+        if self.pendulum.regime != "libration":
+            return math.nan
+        t, theta = course(self, real("periods", periods))
+        bottom = sum(self.pendulum.extremes) / 2
+        beyond = np.abs(theta - bottom) > math.pi
+        if not beyond.any():
+            return math.nan
+        after = int(np.argmax(beyond))
+        sides = np.abs(theta[after - 1 : after + 1] - bottom)
+        return float(np.interp(math.pi, sides, t[after - 1 : after + 1]))
+
+    def _instants(self, periods):
+        """The instants at which it is compared."""
+        last = checked_span(periods, self.pendulum)
+        if self.formula.scheme in SCIPY:
+            return np.linspace(0.0, last, math.ceil(INSTANTS * periods) + 1)
+        t = self.formula.step * np.arange(self._steps(last) + 1)
+        # The last step may end beyond.
+        return np.append(t[t < last], last)
+
+    def _steps(self, last):
+        """How many steps there are to a time."""
+        count = last / self.formula.step
+        if count > MOST_STEPS:
+            raise ValueError(f"{self.formula.name} = {count:.3g} steps: must be at most {MOST_STEPS:,} steps")
+        return max(math.ceil(count), 1)
+
+    def _rising(self, t):
+        """Angle at times that rise."""
+        pendulum = self.pendulum
+        start = [pendulum.theta0, pendulum.velocity0]
+        if self.formula.scheme in SCIPY:
+            return scipy_solution(self.formula.scheme, start, pendulum.omega2, t)
+        step = self.formula.step
+        theta, velocity = _core.march(self.formula.scheme, tuple(start), pendulum.omega2, step, self._steps(t[-1]) + 1)
+        before = np.minimum((t / step).astype(np.int64), theta.size - 2)
+        return between(theta, velocity, before, t / step - before, step)
+
+
+SCHEMES: dict[str, tuple[str, str]] = {name: (formula, source) for name, formula, source in _core.schemes()}
+USUAL = {"euler": "0.01", "euler-cromer": "0.01", "rk4": "0.025"}
+numerical = Registry(NumericalFormula, [*(f"{name}:H" for name in SCHEMES), *SCIPY], USUAL)
+
+
+def nearest(patterns, wanted):
+    """Names with what follows their colon, those most like a wanted one first."""
+    from difflib import SequenceMatcher
+
+    base = wanted.partition(":")[0].lower()
+    return sorted(patterns, key=lambda each: -SequenceMatcher(None, each.partition(":")[0], base).ratio())
+
+
+@lru_cache(maxsize=1)
+def course(solution, periods):
+    """Instants and angles over so many periods; the last are kept: a table asks both for the top and for the error."""
+    t = solution._instants(periods)
+    return t, solution._rising(t)
+
+
+def checked_span(periods, pendulum):
+    """The time of so many periods, in s."""
+    if not 0 < periods <= MOST_PERIODS:
+        raise ValueError(f"periods = {periods!r}: must be above 0 and at most {MOST_PERIODS}")
+    last = periods * pendulum.period
+    if not math.isfinite(last):
+        raise ValueError(f"period = {pendulum.period}: must be finite for an error over periods")
+    return last
+
+
+def between(theta, velocity, before, part, step):
+    """The cubic through two states, at parts of a step."""
+    a, b = theta[before], theta[before + 1]
+    # A step far too long overflows.
+    with np.errstate(over="ignore", invalid="ignore"):
+        slope_a, slope_b = step * velocity[before], step * velocity[before + 1]
+        bend = 3 * (b - a) - 2 * slope_a - slope_b
+        return a + part * (slope_a + part * (bend + part * (2 * (a - b) + slope_a + slope_b)))
+
+
+def scipy_solution(name, start, omega2, t):
+    """SciPy's answer with its own tolerances."""
+    integrate = importlib.import_module("scipy.integrate")
+
+    def slopes(_t, state):
+        return state[1], -omega2 * math.sin(state[0])
+
+    from_start = t if t[0] == 0 else np.append(0.0, t)
+    if from_start.size == 1:
+        return np.array(start[:1])
+    if name == "odeint":
+        theta = integrate.odeint(slopes, start, from_start, tfirst=True)[:, 0]
+    else:
+        theta = integrate.solve_ivp(slopes, (0.0, float(t[-1])), start, t_eval=from_start).y[0]
+    return theta[-t.size :]

@@ -1,0 +1,160 @@
+"""Polynomials in place of the sine of the force: Salas's two, Taylor's, and the best one of a degree on a range."""
+
+from math import pi
+from typing import Any, NamedTuple, Self
+
+import numpy as np
+
+from .. import _core
+from .._scalars import real
+from ._named import Named, each
+from ._registry import Registry
+
+
+class SineError(NamedTuple):
+    """The largest distance of a polynomial from the sine on a range.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> from libration import approx
+    >>> error = approx.sine("salas-3").error(radians(120.0))
+    >>> f"{error.absolute:.5f} {error.relative:.3%}"
+    '0.02372 2.739%'
+    """
+
+    absolute: float
+    """Largest size of polynomial minus sine."""
+    at: float
+    """Where, in rad: the last place if several are as large."""
+    relative: float
+    """Largest size of polynomial over sine minus 1; infinite beyond pi."""
+    relative_at: float
+    """Where, in rad; 0 if it is the limit there."""
+
+
+class SineFormula(Named):
+    """An odd polynomial for the sine, by its name: an entry of `libration.approx.sine`.
+
+    Parameters
+    ----------
+    name : str
+        `salas-2`, `salas-3`, `taylor:N` or `best:N`, of the odd degree N.
+    phi_max : scalar, optional
+        Of `best:N` and of no other: the range, above 0 and at most 2 pi, on which the polynomial is best, that is, has
+        the least largest distance from the sine.
+
+    Raises
+    ------
+    ValueError
+        In one line: the argument, its value and what is allowed, the nearest names first.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> from libration import approx
+    >>> best = approx.sine("best:3", phi_max=radians(70.0))
+    >>> for formula in approx.sine("salas-2"), best:
+    ...     print(formula.name, formula.coefficients.round(5), f"{formula.error(radians(70.0)).absolute:.5f}")
+    salas-2 [ 1.      -0.16461] 0.01814
+    best:3 [ 0.99451 -0.15171] 0.00133
+    """
+
+    __slots__ = ()
+
+    _formula: _core.SineFormula
+
+    def __new__(cls, name: str, phi_max: float | None = None) -> Self:
+        self = super().__new__(cls)
+        given = None if phi_max is None else real("phi_max", phi_max)
+        object.__setattr__(self, "_formula", _core.SineFormula(str(name), given))
+        return self
+
+    @property
+    def phi_max(self) -> float | None:
+        """The range that a `best:N` is best on, in rad."""
+        return self._formula.phi_max
+
+    @property
+    def coefficients(self) -> np.ndarray:
+        """Coefficients of phi, phi**3, phi**5 and so on. Error promised: 1 ulp of each."""
+        return self._formula.coefficients()
+
+    def value(self, phi: Any) -> Any:
+        """The polynomial at angles `phi` in rad, any, an array of their shape or a float64.
+
+        NaN where it leaves the range of the doubles. Error promised: 1 ulp, plus 2**-140 of its largest term.
+
+        Examples
+        --------
+        >>> from libration import approx
+        >>> approx.sine("taylor:3").value([0.5, 1.0]).round(6)
+        array([0.479167, 0.833333])
+        """
+        return each(self._formula.value, phi)
+
+    def error(self, phi_max: float) -> SineError:
+        """The largest distance from the sine for angles of a size up to `phi_max`, absolute and relative.
+
+        Parameters
+        ----------
+        phi_max : scalar
+            In rad, above 0 and at most 2 pi.
+
+        Returns
+        -------
+        SineError
+
+        Raises
+        ------
+        ValueError
+            If `phi_max` is out of range.
+
+        Notes
+        -----
+        Error promised: 2 ulp, of errors as small as the doubles go; 1e-14 of the places. They are those of the
+        polynomial before its coefficients are rounded to doubles, which alone costs about 1e-16 of the sine.
+
+        Examples
+        --------
+        >>> from math import radians
+        >>> from libration import approx
+        >>> f"{approx.sine('salas-2').error(radians(70.0)).absolute:.5f}"
+        '0.01814'
+        """
+        return SineError(*self._formula.largest_error(real("phi_max", phi_max)))
+
+    def ranges(self, bound: float) -> tuple[tuple[float, float], ...]:
+        """The angles up to which the polynomial stays within a bound of the sine: one interval from 0.
+
+        Parameters
+        ----------
+        bound : scalar
+            Largest size of polynomial minus sine, at least 1e-30.
+
+        Returns
+        -------
+        tuple of pairs of float
+            Intervals in rad, within [0, 2 pi].
+
+        Raises
+        ------
+        ValueError
+            If the bound is out of range.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from libration import approx
+        >>> np.degrees(approx.sine("salas-3").ranges(0.01)).round(2)
+        array([[  0. , 102.3]])
+        """
+        return tuple(self._formula.ranges(real("bound", bound)))
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name,), {} if self.phi_max is None else {"phi_max": self.phi_max}
+
+
+sine: Registry[SineFormula] = Registry(
+    SineFormula, _core.SineFormula.patterns(), {"taylor": 5, "best": (5, {"phi_max": 2 * pi / 3})}
+)

@@ -1,0 +1,298 @@
+"""Legendre's elliptic integrals of the three kinds, complete and incomplete, and Heuman's lambda.
+
+Source: DLMF 19.2(ii); Byrd & Friedman 150.03 for Heuman's lambda.
+"""
+
+from typing import Any
+
+from .._dispatch import apply
+from ._parameter import chosen, ufuncs
+
+_COMPLETE_K = ufuncs("complete_k")
+_COMPLETE_E = ufuncs("complete_e")
+_COMPLETE_PI = ufuncs("complete_pi")
+_INCOMPLETE_F = ufuncs("incomplete_f")
+_INCOMPLETE_E = ufuncs("incomplete_e")
+_INCOMPLETE_PI = ufuncs("incomplete_pi")
+_HEUMAN_LAMBDA = ufuncs("heuman_lambda")
+
+
+def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+    """Legendre's complete elliptic integral of the first kind, K.
+
+    K(m) is the integral of 1/sqrt(1 - m sin(x)**2) from 0 to pi/2, a quarter period of sn.
+
+    Parameters
+    ----------
+    m, mc, k : scalar or array, exactly one of them
+        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). m = 1 gives inf, above 1 NaN.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the shape of the keyword's value
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 3 ulp. Source: DLMF 19.2.8, 19.8.5.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.complete_k(m=0.5):.8f} {libration.complete_k(mc=1e-300):.8f}"
+    '1.85407468 346.77405831'
+    """
+    ufunc, parameter = chosen(_COMPLETE_K, m=m, mc=mc, k=k)
+    return apply(ufunc, parameter, out=out, where=where)
+
+
+def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+    """Legendre's complete elliptic integral of the second kind, E.
+
+    E(m) is the integral of sqrt(1 - m sin(x)**2) from 0 to pi/2.
+
+    Parameters
+    ----------
+    m, mc, k : scalar or array, exactly one of them
+        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). Above m = 1: NaN.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the shape of the keyword's value
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 3 ulp. Source: DLMF 19.2.8, 19.25.1.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.complete_e(m=0.5):.8f}"
+    '1.35064388'
+    """
+    ufunc, parameter = chosen(_COMPLETE_E, m=m, mc=mc, k=k)
+    return apply(ufunc, parameter, out=out, where=where)
+
+
+def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+    """Legendre's complete elliptic integral of the third kind, Pi(n).
+
+    Pi(n | m) is the integral of 1/((1 - n sin(x)**2) sqrt(1 - m sin(x)**2)) from 0 to pi/2, for n > 1 Cauchy's principal
+    value.
+
+    Parameters
+    ----------
+    n : scalar or array
+        Characteristic, any real number; n = 1 gives inf. The sign is that of DLMF, where n = alpha**2.
+    m, mc, k : scalar or array, exactly one of them
+        Parameter < 1, its complement 1 - m > 0, or the modulus (m = k**2). m = 1 gives inf, -inf for n > 1; above 1 NaN.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 5 (ulp + 2**-100 of the condition in n and the parameter). Source: DLMF 19.2.8, 19.6.5, 19.25.2.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.complete_pi(0.3, m=0.5):.8f} {libration.complete_pi(3.0, m=0.5):.8f}"
+    '2.25037682 -0.19298821'
+    """
+    ufunc, parameter = chosen(_COMPLETE_PI, m=m, mc=mc, k=k)
+    return apply(ufunc, n, parameter, out=out, where=where)
+
+
+def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+    """Legendre's incomplete elliptic integral of the first kind, F.
+
+    F(phi | m) is the integral of 1/sqrt(1 - m sin(x)**2) from 0 to phi, the inverse of the amplitude.
+
+    Parameters
+    ----------
+    phi : scalar or array
+        Amplitude in rad, any real number while m < 1; beyond pi/2 infinite at m = 1.
+    m, mc, k : scalar or array, exactly one of them
+        Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
+        the way.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 3 ulp. Source: DLMF 19.2.4, 19.25.5.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.incomplete_f(1.0, m=0.5):.8f}"
+    '1.08321677'
+    """
+    ufunc, parameter = chosen(_INCOMPLETE_F, m=m, mc=mc, k=k)
+    return apply(ufunc, phi, parameter, out=out, where=where)
+
+
+def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+    """Legendre's incomplete elliptic integral of the second kind, E(phi).
+
+    E(phi | m) is the integral of sqrt(1 - m sin(x)**2) from 0 to phi.
+
+    Parameters
+    ----------
+    phi : scalar or array
+        Amplitude in rad, any real number while m <= 1.
+    m, mc, k : scalar or array, exactly one of them
+        Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
+        the way.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 3 ulp. Source: DLMF 19.2.5, 19.25.9 to 19.25.11.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.incomplete_e(1.0, m=0.5):.8f}"
+    '0.92732988'
+    """
+    ufunc, parameter = chosen(_INCOMPLETE_E, m=m, mc=mc, k=k)
+    return apply(ufunc, phi, parameter, out=out, where=where)
+
+
+def incomplete_pi(
+    n: Any, phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
+) -> Any:
+    """Legendre's incomplete elliptic integral of the third kind, Pi(n; phi).
+
+    Pi(n; phi | m) is the integral of 1/((1 - n sin(x)**2) sqrt(1 - m sin(x)**2)) from 0 to phi, Cauchy's principal value
+    where n sin(x)**2 passes 1.
+
+    Parameters
+    ----------
+    n : scalar or array
+        Characteristic, any real number. The sign is that of DLMF, where n = alpha**2.
+    phi : scalar or array
+        Amplitude in rad, any real number while m < 1; beyond pi/2 infinite at m = 1 and at n = 1.
+    m, mc, k : scalar or array, exactly one of them
+        Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
+        the way.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 5 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.2.7, 19.7.8 to 19.7.10, 19.25.14.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.incomplete_pi(0.3, 1.0, m=0.5):.8f}"
+    '1.19232544'
+    """
+    ufunc, parameter = chosen(_INCOMPLETE_PI, m=m, mc=mc, k=k)
+    return apply(ufunc, n, phi, parameter, out=out, where=where)
+
+
+def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+    """Heuman's lambda function, Lambda_0(phi).
+
+    Lambda_0(phi | m) = 2/pi (E(m) F(phi | 1 - m) + K(m) (E(phi | 1 - m) - F(phi | 1 - m))): odd in phi, 1 at pi/2, and
+    growing by 2 with every pi. The solid angle of a disc is made of it.
+
+    Parameters
+    ----------
+    phi : scalar or array
+        Angle in rad, any real number.
+    m, mc, k : scalar or array, exactly one of them
+        Parameter in [0, 1], its complement 1 - m, or the modulus (m = k**2); else NaN. The sine at m = 0 up to pi/2,
+        2 phi/pi at m = 1.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `m`, `mc` and `k` is given.
+
+    Notes
+    -----
+    Error promised: 5 (ulp + 2**-100 of the condition in phi and the parameter). Source: Byrd & Friedman, Handbook of
+    Elliptic Integrals, 150.03; Abramowitz & Stegun 17.4.39.
+
+    Examples
+    --------
+    >>> import libration
+    >>> f"{libration.heuman_lambda(1.0, m=0.5):.8f}"
+    '0.74740064'
+    """
+    ufunc, parameter = chosen(_HEUMAN_LAMBDA, m=m, mc=mc, k=k)
+    return apply(ufunc, phi, parameter, out=out, where=where)

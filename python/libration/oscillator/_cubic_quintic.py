@@ -1,0 +1,67 @@
+"""The cubic-quintic oscillator u'' + alpha u + beta u**3 + gamma u**5 = 0, exact for any start.
+
+Its square is an elliptic function of time: with v = 1/u**2, v'**2 is a cubic in v, whose roots give Legendre's normal form.
+"""
+
+from typing import Self
+
+from .. import _core
+from .._scalars import real
+from ._oscillator import Oscillator
+
+
+class CubicQuintic(Oscillator):
+    """The oscillator u'' + alpha u + beta u**3 + gamma u**5 = 0, exact for every sign, start and energy.
+
+    With one well, two or three; its square is an elliptic function of time, whatever the roots of the energy's polynomial.
+
+    Parameters
+    ----------
+    u0 : scalar
+        Initial displacement, finite.
+    velocity0 : scalar, default 0.0
+        Initial velocity, finite.
+    alpha, beta, gamma : scalar
+        Coefficients of the linear, cubic and quintic force per unit mass, finite, of any sign.
+
+    Raises
+    ------
+    ValueError
+        In one line: the argument, its value and what is allowed.
+
+    Notes
+    -----
+    An oscillator does not change; it is hashable, and a pickle rebuilds it bit for bit. Source: Legendre's normal forms of
+    v'**2 = 4 C(v) with v = 1/u**2 and the cubic C; Belendez et al. 2016 for release from rest.
+
+    Examples
+    --------
+    >>> import libration
+    >>> spring = libration.CubicQuintic(1.0, alpha=1.0, beta=-0.5, gamma=0.1)
+    >>> print(spring.regime, f"{spring.period:.6f}")
+    libration 7.603173
+    """
+
+    __slots__ = ()
+
+    _names = ("alpha", "beta", "gamma")
+    _kernels = (_core.cubic_quintic_u, _core.cubic_quintic_velocity, _core.cubic_quintic_motion)
+
+    def __new__(cls, u0: float, velocity0: float = 0.0, *, alpha: float, beta: float, gamma: float) -> Self:
+        given = real("alpha", alpha), real("beta", beta), real("gamma", gamma)
+        return cls._made(_core.CubicQuintic(real("u0", u0), real("velocity0", velocity0), *given))
+
+    @property
+    def alpha(self) -> float:
+        """Coefficient of the linear force, as given, without error."""
+        return self._given[2]
+
+    @property
+    def beta(self) -> float:
+        """Coefficient of the cubic force, as given, without error."""
+        return self._given[3]
+
+    @property
+    def gamma(self) -> float:
+        """Coefficient of the quintic force, as given, without error."""
+        return self._given[4]

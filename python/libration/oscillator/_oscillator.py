@@ -1,0 +1,231 @@
+"""What every nonlinear spring answers: its motion, regime, period, reach, passages and escapes."""
+
+from enum import StrEnum
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from .._dispatch import apply
+from .._immutable import Immutable
+from .._scalars import real
+
+
+class OscillatorRegime(StrEnum):
+    """The seven kinds of motion of a nonlinear spring; a member compares equal to its string.
+
+    ``rest``: at an equilibrium. ``linear``: no force but the linear one. ``libration``: swings about u = 0. ``well``: swings on
+    one side of it. ``homoclinic``: leaves an unstable equilibrium and comes back to it, both in infinite time. ``heteroclinic``: from one unstable
+    equilibrium to another. ``escape``: reaches infinity in finite time, forward, backward or both.
+
+    Examples
+    --------
+    >>> OscillatorRegime.WELL == "well"
+    True
+    """
+
+    REST = "rest"
+    LINEAR = "linear"
+    LIBRATION = "libration"
+    WELL = "well"
+    HOMOCLINIC = "homoclinic"
+    HETEROCLINIC = "heteroclinic"
+    ESCAPE = "escape"
+
+
+class Oscillator(Immutable):
+    """A nonlinear spring: the motion, its kind, its reach and its ends."""
+
+    __slots__ = ("_given", "_operands", "_oscillator")
+
+    _names: ClassVar[tuple[str, ...]]
+    _kernels: ClassVar[tuple[np.ufunc, np.ufunc, np.ufunc]]
+    _given: tuple[float, ...]
+    _operands: tuple[np.ndarray, ...]
+    _oscillator: Any
+
+    @classmethod
+    def _made(cls, made: Any) -> Self:
+        self = super().__new__(cls)
+        object.__setattr__(self, "_oscillator", made)
+        object.__setattr__(self, "_given", tuple(made.operands))
+        object.__setattr__(self, "_operands", tuple(map(np.asarray, made.operands)))
+        return self
+
+    def u(self, t: Any, out: Any = None) -> Any:
+        """Displacement at the times `t`.
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign. NaN beyond an escape, and more than 2**53 half periods away.
+        out : ndarray, optional
+            Where to put the result, as for every NumPy ufunc.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            Displacement. Dask and xarray arrays give their like, and stay lazy.
+
+        Notes
+        -----
+        Error promised: 4 ulp of the largest displacement of a bounded orbit, of the value itself (or of the start) where it
+        escapes, plus 2**-100 of the condition. Source: DLMF 22.13(iii).
+
+        Examples
+        --------
+        >>> import libration
+        >>> f"{libration.Duffing(1.0, p=1.0, q=1.0).u(2.0):.6f}"
+        '-0.859349'
+        """
+        if out is None and type(t) is float:
+            return self._oscillator.u(t)
+        return apply(self._kernels[0], t, *self._operands, out=out)
+
+    def velocity(self, t: Any, out: Any = None) -> Any:
+        """Velocity at the times `t`, the derivative of `u`.
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign; outside as for `u`.
+        out : ndarray, optional
+            Where to put the result, as for every NumPy ufunc.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            Velocity, in units of u per s. Dask and xarray arrays give their like, and stay lazy.
+
+        Notes
+        -----
+        Error promised: 4 ulp of the largest velocity of a bounded orbit, of the value itself (or of the start) where it
+        escapes, plus 2**-100 of the condition. Source: DLMF 22.13(i).
+
+        Examples
+        --------
+        >>> import libration
+        >>> f"{libration.Duffing(1.0, p=1.0, q=1.0).velocity(2.0):.6f}"
+        '-0.699172'
+        """
+        if out is None and type(t) is float:
+            return self._oscillator.velocity(t)
+        return apply(self._kernels[1], t, *self._operands, out=out)
+
+    def motion(self, t: Any) -> Any:
+        """Displacement and velocity at the times `t`, together: ``(u, velocity)``.
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign; outside as for `u`.
+
+        Returns
+        -------
+        pair of float64 or of arrays of the shape of `t`
+            The same digits as `u` and `velocity`. Dask and xarray arrays give their like, and stay lazy.
+
+        Notes
+        -----
+        Error promised: that of `u` and of `velocity`. Source: DLMF 22.13(i), 22.13(iii).
+
+        Examples
+        --------
+        >>> import libration
+        >>> u, velocity = libration.Duffing(1.0, p=1.0, q=1.0).motion(2.0)
+        >>> print(f"{u:.6f} {velocity:.6f}")
+        -0.859349 -0.699172
+        """
+        if type(t) is float:
+            return self._oscillator.motion(t)
+        return apply(self._kernels[2], t, *self._operands)
+
+    def times(self, u: float, start: float, stop: float) -> np.ndarray:
+        """All times from `start` to `stop`, both included, at which the displacement is `u`.
+
+        Parameters
+        ----------
+        u : scalar
+            Displacement, finite. A turning point, also as `range` rounds it, is passed once a swing.
+        start, stop : scalar
+            Ends of the interval in s, start <= stop.
+
+        Returns
+        -------
+        ndarray of float64
+            The times in s, rising; empty at rest, and where the motion does not get.
+
+        Raises
+        ------
+        ValueError
+            In one line: the argument, its value and what is allowed; for more than 10 million passages, how many.
+
+        Notes
+        -----
+        Error promised: the motion at each time is at `u` within 4 ulp of the largest displacement plus what an ulp of the
+        time makes of it. Source: DLMF 19.25(v).
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Duffing(1.0, p=1.0, q=1.0).times(0.5, 0.0, 6.0).round(6)
+        array([0.770429, 3.997593, 5.538451])
+        """
+        return self._oscillator.times(real("u", u), real("start", start), real("stop", stop))
+
+    @property
+    def u0(self) -> float:
+        """Initial displacement, as given, without error."""
+        return self._oscillator.u0
+
+    @property
+    def velocity0(self) -> float:
+        """Initial velocity, as given, without error."""
+        return self._oscillator.velocity0
+
+    @property
+    def regime(self) -> OscillatorRegime:
+        """Kind of motion, decided without error for the doubles passed."""
+        return OscillatorRegime(self._oscillator.regime)
+
+    @property
+    def period(self) -> float:
+        """Period in s of a libration, in a well, of the linear swing; at rest that of small swings; else infinite.
+
+        Error promised: 4 ulp, plus 2**-100 of its condition. Source: DLMF 22.4(i), 19.8.5.
+        """
+        return self._oscillator.period
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Lowest and highest displacement of the whole motion, limits included; infinite where it escapes.
+
+        Error promised: 4 ulp. Source: roots of the energy's polynomial.
+        """
+        return self._oscillator.range
+
+    @property
+    def energy(self) -> float:
+        """Energy per unit mass, half the square of the velocity plus the potential, which is zero at u = 0.
+
+        Error promised: 4 ulp of the larger of the two parts. Source: the first integral of the equation.
+        """
+        return self._oscillator.energy
+
+    @property
+    def escape_time(self) -> float:
+        """Time in s, above 0, at which the displacement is infinite; inf if it never is.
+
+        Error promised: 1e-14 relative, plus 2**-100 of its condition. Source: a pole of the motion, DLMF 22.4(i).
+        """
+        return self._oscillator.escape_time
+
+    @property
+    def escape_time_backward(self) -> float:
+        """Time in s, below 0, at which the displacement was infinite; -inf if it never was.
+
+        Error promised: 1e-14 relative, plus 2**-100 of its condition. Source: a pole of the motion, DLMF 22.4(i).
+        """
+        return self._oscillator.escape_time_backward
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (), dict(zip(("u0", "velocity0", *self._names), self._given, strict=True))

@@ -1,0 +1,151 @@
+"""Action and angle: what an orbit keeps, and the phase that grows evenly with time, of arrays of states.
+
+The action J is the closed integral of velocity dtheta over 2 pi, per unit inertia: of one full swing, or of one turn. At the
+separatrix its limits differ: 8 omega0/pi of librations, which pass both ways, 4 omega0/pi of rotations, which pass
+one way. The separatrix itself is given that of librations. dJ/dE = 1/abs(frequency).
+Source: Landau & Lifshitz, Mechanics, sections 11 and 49.
+"""
+
+from typing import Any
+
+from .. import _core
+from .._dispatch import apply
+
+_STATE = """
+    Parameters
+    ----------
+    theta : scalar or array
+        Angle in rad, finite.
+    velocity : scalar or array, default 0.0
+        Angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+"""
+
+
+def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """Action of pendulums in the states (theta, velocity).
+
+    What `Pendulum.action` is, element by element.
+    {state}
+    Returns
+    -------
+    float64 or array of the broadcast shape
+        Action in rad**2/s. A bad element gives NaN there and nowhere else.
+
+    Notes
+    -----
+    Error promised: 4 ulp, plus 2**-100 of its condition. Source: Landau & Lifshitz, Mechanics, section 49.
+
+    Examples
+    --------
+    >>> import libration
+    >>> libration.action([0.0, 0.0], [1.0, 3.0]).round(6)
+    array([0.517316, 2.631985])
+    """
+    return apply(_core.action, theta, velocity, omega0, out=out, where=where)
+
+
+def frequency(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """Mean angular frequency of pendulums in the states (theta, velocity), negative in rotation downwards.
+
+    What `Pendulum.frequency` is, element by element.
+    {state}
+    Returns
+    -------
+    float64 or array of the broadcast shape
+        Frequency in rad/s. A bad element gives NaN there and nowhere else.
+
+    Notes
+    -----
+    Error promised: 4 ulp, plus 2**-100 of its condition. Source: DLMF 22.19(i).
+
+    Examples
+    --------
+    >>> import libration
+    >>> libration.frequency(0.0, [1.0, 2.0, -3.0]).round(6)
+    array([ 0.931808,  0.      , -2.604008])
+    """
+    return apply(_core.frequency, theta, velocity, omega0, out=out, where=where)
+
+
+def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """Phase of pendulums in the states (theta, velocity).
+
+    What ``Pendulum(theta, velocity).phase(0)`` is, element by element: in (-pi, pi] in libration, along with the angle in
+    rotation.
+    {state}
+    Returns
+    -------
+    float64 or array of the broadcast shape
+        Phase in rad; NaN on the separatrix. A bad element gives NaN there and nowhere else.
+
+    Notes
+    -----
+    Error promised: 4 ulp of the larger of the phase and pi. Source: DLMF 22.19(i).
+
+    Examples
+    --------
+    >>> import libration
+    >>> libration.phase([1.0, -1.0, 7.0], [0.0, 0.0, 3.0]).round(6)
+    array([ 1.570796, -1.570796,  6.916943])
+    """
+    return apply(_core.phase, theta, velocity, omega0, out=out, where=where)
+
+
+for _function in (action, frequency, phase):
+    if _function.__doc__:
+        _function.__doc__ = _function.__doc__.replace("    {state}\n", _STATE)
+
+
+def from_action_phase(
+    action: Any,
+    phase: Any,
+    omega0: Any = 1.0,
+    *,
+    direction: Any = 0.0,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
+    """States of pendulums with these actions and phases: ``(theta, velocity)``.
+
+    The inverse of `action` and `phase`, element by element: librations within one turn of the bottom, rotations in the
+    turn of their phase.
+
+    Parameters
+    ----------
+    action : scalar or array
+        In rad**2/s: from 0 and below 8 omega0/pi in libration, above 4 omega0/pi in rotation; else NaN.
+    phase : scalar or array
+        In rad, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    direction : scalar or array, default 0.0
+        0 for a libration, 1 and -1 for a rotation upwards and downwards; else NaN.
+    out : pair of ndarray, optional
+        Where to put the results.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    pair of float64 or of arrays of the broadcast shape
+        Angle in rad and angular velocity in rad/s.
+
+    Notes
+    -----
+    Error promised: 4 ulp of the largest angle and velocity, plus what an ulp of the action makes of them.
+    Source: Newton's method on the action's integrals, DLMF 19.4.1, 19.4.2.
+
+    Examples
+    --------
+    >>> import libration
+    >>> theta, velocity = libration.from_action_phase(2.0, [0.0, 1.0], direction=[0, 1])
+    >>> print(theta.round(6), velocity.round(6))
+    [0.       1.228194] [1.844231 2.190769]
+    """
+    return apply(_core.from_action_phase, action, phase, direction, omega0, out=out, where=where)

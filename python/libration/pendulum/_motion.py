@@ -1,0 +1,195 @@
+"""Functions of arrays of times and states, each element exact: ``theta``, ``velocity``, ``motion``, ``advance``.
+
+Two paths, decided by the call and never by memory layout: orbit arguments without dimensions take the path of one
+orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own.
+Source: DLMF 22.19(i).
+"""
+
+from typing import Any
+
+import numpy as np
+
+from .. import _core
+from .._dispatch import apply
+
+
+def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """Angle of pendulums at the times `t`, continuous through whole turns.
+
+    The solution of theta'' + omega0**2 sin(theta) = 0 from the state (theta0, velocity0) at t = 0.
+
+    Parameters
+    ----------
+    t : scalar or array
+        Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
+        limit.
+    theta0 : scalar or array
+        Initial angle in rad, finite.
+    velocity0 : scalar or array, default 0.0
+        Initial angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : ndarray, optional
+        Where to put the result, as for every NumPy ufunc.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+        Angle in rad. A bad element gives NaN there and nowhere else; nothing raises for it.
+
+    Notes
+    -----
+    Error promised: with scalar orbit arguments that of `Pendulum`, the same digits as its method; with arrays of
+    them 8 ulp of the largest angle of the orbit. Within each of the two, a value does not depend on shape, order,
+    strides or chunks. Dask and xarray arrays give their like, and stay lazy. Source: DLMF 22.19(i).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import libration
+    >>> libration.theta(np.array([[0.0], [2.0]]), np.array([1.0, 3.0])).round(6)
+    array([[ 1.      ,  3.      ],
+           [-0.306201,  2.613057]])
+    """
+    if _one_orbit(theta0, velocity0, omega0):
+        factors = apply(_core.factors, omega0)
+        return apply(_core.orbit_theta, t, theta0, velocity0, *factors, out=out, where=where)
+    return apply(_core.state_theta, t, theta0, velocity0, omega0, out=out, where=where)
+
+
+def velocity(
+    t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True
+) -> Any:
+    """Angular velocity of pendulums at the times `t`.
+
+    The derivative of `theta`, for theta'' + omega0**2 sin(theta) = 0 from the state (theta0, velocity0) at t = 0.
+
+    Parameters
+    ----------
+    t : scalar or array
+        Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
+        limit.
+    theta0 : scalar or array
+        Initial angle in rad, finite.
+    velocity0 : scalar or array, default 0.0
+        Initial angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : ndarray, optional
+        Where to put the result, as for every NumPy ufunc.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    float64 or array of the broadcast shape
+        Angular velocity in rad/s. A bad element gives NaN there and nowhere else; nothing raises for it.
+
+    Notes
+    -----
+    Error promised: with scalar orbit arguments that of `Pendulum`, the same digits as its method; with arrays of
+    them 8 ulp of the largest velocity of the orbit. Source: DLMF 22.19(i).
+
+    Examples
+    --------
+    >>> import libration
+    >>> libration.velocity([0.0, 1.0], 0.0, 1.0).round(6)
+    array([1.      , 0.568569])
+    """
+    if _one_orbit(theta0, velocity0, omega0):
+        factors = apply(_core.factors, omega0)
+        return apply(_core.orbit_velocity, t, theta0, velocity0, *factors, out=out, where=where)
+    return apply(_core.state_velocity, t, theta0, velocity0, omega0, out=out, where=where)
+
+
+def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """Angle and angular velocity of pendulums at the times `t`, together: ``(theta, velocity)``.
+
+    The same digits as `theta` and `velocity`, for little more than the price of one.
+
+    Parameters
+    ----------
+    t : scalar or array
+        Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
+        limit.
+    theta0 : scalar or array
+        Initial angle in rad, finite.
+    velocity0 : scalar or array, default 0.0
+        Initial angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : pair of ndarray, optional
+        Where to put the results; an input may be among them.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    pair of float64 or of arrays of the broadcast shape
+        Angle in rad and angular velocity in rad/s. A bad element gives NaN there and nowhere else.
+
+    Notes
+    -----
+    Error promised: that of `theta` and of `velocity`. Source: DLMF 22.19(i).
+
+    Examples
+    --------
+    >>> import libration
+    >>> theta, velocity = libration.motion(2.0, 1.0)
+    >>> print(f"{theta:.6f} {velocity:.6f}")
+    -0.306201 -0.909047
+    """
+    if _one_orbit(theta0, velocity0, omega0):
+        factors = apply(_core.factors, omega0)
+        return apply(_core.orbit_motion, t, theta0, velocity0, *factors, out=out, where=where)
+    return apply(_core.state_motion, t, theta0, velocity0, omega0, out=out, where=where)
+
+
+def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """State of pendulums a time `dt` later: ``(theta, velocity)``.
+
+    The exact flow of theta'' + omega0**2 sin(theta) = 0, by the addition theorem, without inverse functions: no
+    step is too long, and many in a row keep the energy. The angle goes on continuously from `theta`.
+
+    Parameters
+    ----------
+    theta : scalar or array
+        Angle in rad, finite.
+    velocity : scalar or array
+        Angular velocity in rad/s, finite.
+    dt : scalar or array
+        Time to go in s, of any sign. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free
+        rotation have no such limit.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : pair of ndarray, optional
+        Where to put the results; ``out=(theta, velocity)`` advances the states in place.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    pair of float64 or of arrays of the broadcast shape
+        Angle in rad and angular velocity in rad/s. A bad element gives NaN there and nowhere else.
+
+    Notes
+    -----
+    Error promised: 8 ulp of the largest angle and velocity of the orbit; a million calls in a row keep the energy
+    ratio to 1e-12 if the caller wraps the angle of a rotation. Its Jacobian matrix is
+    ``sensitivities(dt, theta, velocity, omega0)[..., :2]``. Source: DLMF 22.8(i), 22.19(i).
+
+    Examples
+    --------
+    >>> import libration
+    >>> theta, velocity = libration.advance(1.0, 0.0, 2.0)
+    >>> print(f"{theta:.6f} {velocity:.6f}")
+    -0.306201 -0.909047
+    """
+    return apply(_core.advance, theta, velocity, dt, omega0, out=out, where=where)
+
+
+def _one_orbit(*arguments: Any) -> bool:
+    """Whether no orbit argument has dimensions."""
+    return all(type(argument) is float or np.ndim(argument) == 0 for argument in arguments)

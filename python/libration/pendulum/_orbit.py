@@ -1,0 +1,125 @@
+"""What an orbit is made of: its strict set-up from a state or from action and phase, kept in compiled form."""
+
+from typing import Any, Self
+
+import numpy as np
+
+from .. import _core
+from .._immutable import Immutable
+from .._scalars import real
+
+
+class Orbit(Immutable):
+    """One orbit as it was given; `Pendulum` is its public name."""
+
+    __slots__ = ("_frequency", "_operands", "_orbit")
+
+    _frequency: dict[str, float]
+    _operands: tuple[np.ndarray, ...]
+    _orbit: _core.Orbit
+
+    def __new__(
+        cls,
+        theta0: float,
+        velocity0: float = 0.0,
+        *,
+        omega0: float | None = None,
+        omega2: float | None = None,
+        length: float | None = None,
+        gravity: float | None = None,
+    ) -> Self:
+        given = {"omega0": omega0, "omega2": omega2, "length": length, "gravity": gravity}
+        frequency = {name: real(name, value) for name, value in given.items() if value is not None}
+        orbit = _core.Orbit(real("theta0", theta0), real("velocity0", velocity0), **frequency)
+        self = super().__new__(cls)
+        object.__setattr__(self, "_frequency", frequency or {"omega0": 1.0})
+        # As arrays without dimensions: NumPy takes them as they are, in half the time it needs for Python's numbers.
+        object.__setattr__(self, "_operands", tuple(map(np.asarray, orbit.operands)))
+        object.__setattr__(self, "_orbit", orbit)
+        return self
+
+    @classmethod
+    def from_action_phase(
+        cls,
+        action: float,
+        phase: float,
+        *,
+        direction: float = 0,
+        omega0: float | None = None,
+        omega2: float | None = None,
+        length: float | None = None,
+        gravity: float | None = None,
+    ) -> Self:
+        """Orbit with this action and, at t = 0, this phase.
+
+        The inverse of `action` and `phase`. An action does not tell the regime, so it is said: between 4 omega0/pi and
+        8 omega0/pi both a libration and a rotation have it.
+
+        Parameters
+        ----------
+        action : scalar
+            In rad**2/s: from 0 and below 8 omega0/pi in libration, above 4 omega0/pi in rotation.
+        phase : scalar
+            In rad, finite, as `phase` gives it.
+        direction : 0, 1 or -1, default 0
+            0 for a libration, 1 and -1 for a rotation upwards and downwards.
+        omega0, omega2, length, gravity : scalar, optional
+            As for `Pendulum`.
+
+        Returns
+        -------
+        Pendulum
+
+        Raises
+        ------
+        ValueError
+            In one line: the argument, its value and what is allowed.
+
+        Notes
+        -----
+        Error promised: 4 ulp of the largest angle and velocity, plus what an ulp of the action makes of them.
+        Source: Newton's method on the action's integrals, DLMF 19.4.1, 19.4.2.
+
+        Examples
+        --------
+        >>> import libration
+        >>> pendulum = libration.Pendulum.from_action_phase(1.0, 0.5)
+        >>> f"{pendulum.theta0:.6f} {pendulum.action:.6f} {pendulum.phase(0.0):.6f}"
+        '0.751444 1.000000 0.500000'
+        """
+        given = {"omega0": omega0, "omega2": omega2, "length": length, "gravity": gravity}
+        frequency = {name: real(name, value) for name, value in given.items() if value is not None}
+        place = real("action", action), real("phase", phase), real("direction", direction)
+        return cls(*_core.Orbit.state_of(*place, **frequency), **frequency)
+
+    @property
+    def theta0(self) -> float:
+        """Initial angle in rad, as given, without error."""
+        return self._orbit.theta0
+
+    @property
+    def velocity0(self) -> float:
+        """Initial angular velocity in rad/s, as given, without error."""
+        return self._orbit.velocity0
+
+    @property
+    def omega0(self) -> float:
+        """Angular frequency of small swings in rad/s, the square root of the absolute value of `omega2`.
+
+        Error promised: 1 ulp. Source: Salas (1).
+        """
+        return self._orbit.omega0
+
+    @property
+    def omega2(self) -> float:
+        """Square of the angular frequency of small swings in 1/s**2; below 0 when hanging from the other side.
+
+        Error promised: 1 ulp. Source: Salas (1).
+        """
+        return self._orbit.omega2
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (), {"theta0": self.theta0, "velocity0": self.velocity0, **self._frequency}
+
+    def _identity(self) -> tuple[Any, ...]:
+        return self._orbit.operands

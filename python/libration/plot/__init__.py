@@ -1,0 +1,24 @@
+"""Pictures of motions, springs, formulas of the period and approximations, saved as PNG or SVG.
+
+matplotlib is needed only here (`pip install 'libration[plot]'`), and only when a picture is drawn.
+
+Examples
+--------
+>>> from io import BytesIO
+>>> from libration import Pendulum, plot
+>>> picture = BytesIO()
+>>> plot.plot_motion(Pendulum(3.0), [0.0, 10.0], picture, form="png")
+>>> picture.getvalue()[1:4]
+b'PNG'
+"""
+
+from ._comparison import plot_comparison
+from ._motion import linear_theta, plot_motion
+from ._periods import plot_periods
+from ._springs import plot_oscillator
+
+__all__ = ["linear_theta", "plot_comparison", "plot_motion", "plot_oscillator", "plot_periods"]
+
+
+def __dir__() -> list[str]:
+    return __all__

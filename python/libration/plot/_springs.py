@@ -1,0 +1,199 @@
+"""The picture of a nonlinear spring's motion: u(t), and the phase portrait with its separatrices."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..oscillator._oscillator import Oscillator
+from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, legend, number, part_of, quiet, save
+
+# Displacements of an escape are drawn up to this multiple of where it starts or turns.
+FAR = 4.0
+
+
+def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | None = None) -> None:
+    """Draw u(t) beside the phase portrait and save the picture.
+
+    Left: the displacement over the range of `t`, a dashed line at each escape, and a dot at each instant if they are few.
+    Right: velocity against displacement, the orbit (strong), the separatrices (dashed) and other energies (faint).
+
+    Parameters
+    ----------
+    oscillator : Duffing or CubicQuintic
+        The motion.
+    t : array_like
+        Instants, s, in any order; at least one.
+    path : str, path or binary file
+        Where to save.
+    form : str, optional
+        `png` or `svg`; by default the ending of `path`.
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is missing.
+    ValueError
+        If there is no finite instant; it or an OverflowError if the motion is too large for an axis (about 1e150).
+
+    Examples
+    --------
+    >>> from io import BytesIO
+    >>> from libration import Duffing
+    >>> from libration.plot import plot_oscillator
+    >>> picture = BytesIO()
+    >>> plot_oscillator(Duffing(1.0, p=-1.0, q=1.0), [0.0, 10.0], picture, form="png")
+    >>> picture.getvalue()[1:4]
+    b'PNG'
+    """
+    t = finite(t)
+    panels = (lambda axes: draw_displacement(axes, oscillator, t)), (lambda axes: draw_portrait(axes, oscillator))
+    save(path, form, lambda: headline(oscillator), *panels)
+
+
+def headline(oscillator):
+    """Equation, regime and what goes with it in one line."""
+    coefficients = ", ".join(f"{name} = {number(getattr(oscillator, name))}" for name in oscillator._names)
+    start = f"{coefficients}, u(0) = {number(oscillator.u0)}, u'(0) = {number(oscillator.velocity0)}: "
+    regime = str(oscillator.regime)
+    if math.isfinite(oscillator.period):
+        return f"{start}{regime}, period {number(oscillator.period)} s"
+    ends = [end for end in (oscillator.escape_time_backward, oscillator.escape_time) if math.isfinite(end)]
+    if ends:
+        return f"{start}{regime} at t = {' and '.join(f'{number(end)} s' for end in ends)}"
+    return start + regime
+
+
+def reach(oscillator):
+    """Half the width of the picture: the orbit if it is bounded, else some way on its way out."""
+    marks = [abs(oscillator.u0), *(abs(end) for end in oscillator.range if math.isfinite(end))]
+    marks += [abs(each) for each in equilibria(oscillator)]
+    widest = max(marks, default=0.0) or 1.0
+    bounded = all(math.isfinite(end) for end in oscillator.range)
+    return (1.25 if bounded else FAR / 2) * widest
+
+
+def polynomial(oscillator):
+    """Coefficients of the force over u, rising powers of u**2."""
+    return [getattr(oscillator, name) for name in oscillator._names]
+
+
+def equilibria(oscillator):
+    """Displacements other than 0 at which the force is 0."""
+    squares = np.roots(polynomial(oscillator)[::-1]) if any(polynomial(oscillator)[1:]) else np.empty(0)
+    return [sign * math.sqrt(s.real) for s in squares if abs(s.imag) < 1e-9 * abs(s) and s.real > 0 for sign in (-1, 1)]
+
+
+def potential(stiffness, x):
+    """Energy at rest at x."""
+    return sum(c * x ** (2 * k + 2) / (2 * k + 2) for k, c in enumerate(stiffness))
+
+
+def barriers(stiffness, resting):
+    """Energies at rest on the unstable equilibria, rising: those of the separatrices."""
+    tops = [x for x in resting if sum((2 * k + 1) * c * x ** (2 * k) for k, c in enumerate(stiffness)) < 0]
+    return sorted({float(potential(stiffness, x)) for x in tops})
+
+
+def draw_displacement(axes, oscillator, t):
+    """The left panel: u over t, as far as it is in the picture."""
+    first, last = t.min(), t.max()
+    if first == last:
+        first, last = sorted((0.0, first))
+    fine, u = seen(oscillator, first, last)
+    axes.set_xlabel(part_of("t [s]", fine[0], fine[-1], first, last))
+    if last > first:
+        axes.plot(fine, u, color=EXACT, lw=2, label="exact")
+        axes.set_xlim(fine[0], fine[-1])
+    t = t[(fine[0] <= t) & (t <= fine[-1])]
+    if 0 < t.size <= FEW:
+        axes.plot(t, oscillator.u(t), "o", ms=4, color=EXACT, label="instants")
+    label = "escape"
+    for end in (oscillator.escape_time_backward, oscillator.escape_time):
+        if fine[0] <= end <= fine[-1]:
+            axes.axvline(end, color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label=label)
+            label = None
+    axes.set_ylabel("u")
+    quiet(axes)
+    legend(axes)
+
+
+def seen(oscillator, first, last):
+    """Instants and displacements to draw: of many swings the first, of a motion that runs away what is not too far."""
+    if math.isfinite(oscillator.period):
+        last = first_swings(first, last, oscillator.period)
+    far = FAR * reach(oscillator) / 2
+    while True:
+        fine = np.linspace(first, last, 4000)
+        if first < 0 < last:
+            fine = np.sort(np.append(fine, 0.0))
+        u = oscillator.u(fine)
+        u = np.where(np.abs(u) < far, u, np.nan)
+        inside = np.flatnonzero(np.isfinite(u))
+        if not inside.size or np.ptp(inside) > fine.size / 5:
+            return fine, u
+        # Some room on both sides of what is seen, for the escape that ends it.
+        room = 2 + np.ptp(inside) // 4
+        closer = fine[max(inside[0] - room, 0)], fine[min(inside[-1] + room, fine.size - 1)]
+        if closer == (first, last):
+            return fine, u
+        first, last = closer
+
+
+def draw_portrait(axes, oscillator):
+    """The right panel: velocity over displacement, by the levels of the energy.
+
+    Displacements count in units of the picture's half width and velocities in what the largest force makes of it, so
+    that no energy leaves the range of the doubles.
+    """
+    width = reach(oscillator)
+    stiffness, rate = scaled(oscillator, width)
+    grid = np.linspace(-1, 1, 801)
+    depth = potential(stiffness, grid)
+    resting = [0.0, *(u / width for u in equilibria(oscillator))]
+    energies = [float(potential(stiffness, x)) for x in resting]
+    own = (oscillator.velocity0 / width / rate) ** 2 / 2 + potential(stiffness, oscillator.u0 / width)
+    lowest = depth.min()
+    if not all(math.isfinite(end) for end in oscillator.range):
+        lowest = min(depth[np.abs(grid) < 0.5].min(), *energies)
+    height = 1.35 * math.sqrt(2 * max(own - lowest, max(energies) - lowest, 1e-12))
+    speed = np.linspace(-height, height, 601)
+    energy = depth[None, :] + speed[:, None] ** 2 / 2
+    low, high = energy.min(), energy.max()
+    faint = [low + (high - low) * part for part in (0.02, 0.06, 0.12, 0.22, 0.35, 0.5, 0.7)]
+    scale = grid * width, speed * (width * rate), energy
+    axes.contour(*scale, levels=faint, colors=FAINT, linewidths=0.9, linestyles="solid")
+    saddles = [level for level in barriers(stiffness, resting) if low < level < high]
+    if saddles:
+        axes.contour(*scale, levels=saddles, colors=SEPARATRIX, linewidths=1.1, linestyles="dashed")
+    axes.plot(*along(oscillator, width), color=EXACT, lw=2, label="this motion")
+    axes.plot([oscillator.u0], [oscillator.velocity0], "o", ms=6, color=EXACT, label="t = 0 s")
+    if saddles:
+        axes.plot([], [], color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label="separatrix")
+    axes.set(xlim=(-width, width), ylim=(scale[1][0], scale[1][-1]))
+    axes.set_xlabel("u")
+    axes.set_ylabel(r"$\dot u$")
+    quiet(axes)
+    legend(axes)
+
+
+def scaled(oscillator, width):
+    """Coefficients of the force where u counts in half widths and the largest of them is 1, and the rate that it stands for."""
+    stiffness = [c * width ** (2 * k) for k, c in enumerate(polynomial(oscillator))]
+    pull = max(map(abs, stiffness))
+    if not pull:
+        return stiffness, abs(oscillator.velocity0) / width or 1.0
+    return [c / pull for c in stiffness], math.sqrt(pull)
+
+
+def along(oscillator, width):
+    """The whole orbit, as far as the picture shows it."""
+    back, ahead = oscillator.escape_time_backward, oscillator.escape_time
+    scale = oscillator.period if math.isfinite(oscillator.period) else 40 / scaled(oscillator, width)[1]
+    start = max(back, -scale)
+    stop = min(ahead, scale)
+    # Denser towards the ends, where an escape runs away.
+    part = 0.5 - 0.5 * np.cos(np.linspace(0, np.pi, 6000))
+    u, velocity = oscillator.motion(start + (stop - start) * part)
+    inside = np.abs(u) <= 1.05 * width
+    return np.where(inside, u, np.nan), np.where(inside, velocity, np.nan)
