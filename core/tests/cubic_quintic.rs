@@ -300,3 +300,29 @@ fn escapes_past_unseen_singularities_keep_their_digits() {
         }
     }
 }
+
+/// Starts so near u = 0 that k' leaves the range of its square. There u'' = u to all digits as long as u stays small, so
+/// the truth is u0 cosh t + velocity0 sinh t.
+#[test]
+fn tiny_starts_beside_the_saddle_keep_their_digits() {
+    let far = |got: f64, truth: f64| (got - truth).abs() / (truth.abs() * f64::EPSILON);
+    for size in [1e-100, 1e-135, 1e-150, 1e-155, 1e-158, 1e-160, 1e-162, 1e-200, 1e-300] {
+        for gamma in [-1.0, -1e-280, 1.0] {
+            for beta in [0.0, -0.5] {
+                for t in [1.0, 30.0, -30.0] {
+                    let (cosine, sine) = (f64::cosh(t), f64::sinh(t));
+                    let (u, velocity) = orbit([size, 0.0, -1.0, beta, gamma]).motion(t);
+                    assert!(
+                        far(u, size * cosine) <= 4.0 && far(velocity, size * sine) <= 4.0,
+                        "{size} {gamma} {t}"
+                    );
+                    let (u, velocity) = orbit([0.0, size, -1.0, beta, gamma]).motion(t);
+                    assert!(
+                        far(u, size * sine) <= 4.0 && far(velocity, size * cosine) <= 4.0,
+                        "{size} {gamma} {t}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -159,3 +159,10 @@ fn pendulum_and_oscillator_are_one_motion() {
     let top = Duffing::of_pendulum(std::f64::consts::PI, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
     assert!(top.u0() > 1.6e16 && top.u0() < 1.7e16 && top.regime() == Regime::Libration);
 }
+
+/// omega0^2 = 1.4e310 has no double: there is no companion, as where there is none at all.
+#[test]
+fn a_companion_beyond_the_range_of_doubles_is_none() {
+    assert!(Duffing::new(1e155, 0.0, 1.0, 1.0).unwrap().companion().is_none());
+    assert!(Duffing::new(1e153, 0.0, 1.0, 1.0).unwrap().companion().is_some());
+}

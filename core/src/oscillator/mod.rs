@@ -21,6 +21,7 @@ mod pq_quotient;
 pub mod regime;
 mod root_quotient;
 mod roots;
+mod scaled_theta;
 mod set_up;
 mod singularities;
 mod theta_motion;

@@ -1,7 +1,6 @@
 //! u and u' of an orbit at any time: the formula is chosen here, outside of its kernel.
 
 use super::cubic_quintic::CubicQuintic;
-use super::elementary::Elementary;
 use super::pq_elementary::Line;
 use super::pq_quotient::{BoundedFormula, EscapeFormula};
 use super::root_quotient::RootFormula;
@@ -12,18 +11,16 @@ use crate::motion::bounded;
 use crate::motion::escape;
 use crate::motion::samples::{FromStart, InterpolantKind};
 
-/// A motion whose factors are out of the lanes' range: one sample after the other.
-struct OneByOne<'a>(&'a Elementary);
+/// A motion that lanes do not serve: one sample after the other.
+struct OneByOne<F>(F);
 
-impl Formula<1, 2> for OneByOne<'_> {
+impl<F: Fn(f64) -> (f64, f64)> Formula<1, 2> for OneByOne<F> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let (mut u, mut velocity) = ([0.0; WIDEST], [0.0; WIDEST]);
         t.store(&mut u);
-        let mut i = 0;
-        while i < L::WIDTH {
-            (u[i], velocity[i]) = self.0.at(u[i]);
-            i += 1;
+        for i in 0..L::WIDTH {
+            (u[i], velocity[i]) = (self.0)(u[i]);
         }
         [L::load(&u), L::load(&velocity)]
     }
@@ -35,8 +32,11 @@ impl CubicQuintic {
         match &self.solution {
             Solution::Equilibrium => self.line(evaluation, false),
             Solution::Line(_) => self.line(evaluation, true),
-            Solution::Theta(motion) => self.theta(motion, evaluation),
-            Solution::Elementary(given, None) => self.from_start(evaluation, OneByOne(given)),
+            Solution::Theta(motion) => match &motion.scaled {
+                Some(scaled) => self.from_start(evaluation, OneByOne(|t| scaled.at(t))),
+                None => self.theta(motion, evaluation),
+            },
+            Solution::Elementary(given, None) => self.from_start(evaluation, OneByOne(|t| given.at(t))),
             Solution::Elementary(_, Some(lanes)) => match &**lanes {
                 ElementaryLanes::Pq(formula) => self.from_start(evaluation, formula),
                 ElementaryLanes::Hyperbolic(formula) => self.from_start(evaluation, formula),

@@ -87,7 +87,7 @@ impl Pq {
 
     /// p, q, r and s, from the values that belong to the letters s, c, d and n.
     #[inline(always)]
-    fn letters<T: Copy>(self, [s, c, d, n]: [T; 4]) -> [T; 4] {
+    pub fn letters<T: Copy>(self, [s, c, d, n]: [T; 4]) -> [T; 4] {
         match self {
             Pq::Sn => [s, n, c, d],
             Pq::Sd => [s, d, c, n],

@@ -41,6 +41,7 @@ use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
 
 /// The parameter and its complement, the factors of p^2 and q^2, and that of u'.
+#[derive(Clone, Debug)]
 pub(super) struct Squares {
     pub case: RootCase,
     pub m: Scaled,

@@ -4,6 +4,7 @@ use super::energy::{Orientation, Outline};
 use super::nonzero_energy::Argument;
 use super::pq_quotient::{Pq, PqQuotient};
 use super::root_quotient::{RootQuotient, Squares};
+use super::scaled_theta::ScaledTheta;
 use super::singularities::{RootSingularities, bounded, escape, pq_bounded, pq_escape};
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
@@ -29,6 +30,7 @@ pub(super) enum Quotient {
 }
 
 /// What a quotient is made from.
+#[derive(Clone, Debug)]
 pub(super) enum QuotientFactors {
     Root(Squares),
     /// The quotient and its amplitude, the parameter and its complement.
@@ -47,6 +49,8 @@ pub(super) struct ThetaMotion {
     pub quotient: Quotient,
     /// The polynomials of the motion.
     pub interpolant: LazyInterpolant,
+    /// The motion one sample after the other, where lanes do not serve.
+    pub scaled: Option<Box<ScaledTheta>>,
     /// 2K.
     half: Scaled,
 }
@@ -60,6 +64,16 @@ pub(super) fn carried(rate: Scaled) -> (Dd, f64) {
     (rate.shift(-time).to_dd(), ldexp(1.0, time))
 }
 
+impl QuotientFactors {
+    /// The parameter and its complement.
+    pub fn parameter(&self) -> [Scaled; 2] {
+        match self {
+            QuotientFactors::Root(squares) => [squares.m, squares.mc],
+            QuotientFactors::Pq(_, parameter) => *parameter,
+        }
+    }
+}
+
 impl ThetaMotion {
     pub fn new(
         factors: &QuotientFactors,
@@ -67,10 +81,7 @@ impl ThetaMotion {
         start: Argument,
         orientation: Orientation,
     ) -> ThetaMotion {
-        let [m, mc] = match factors {
-            QuotientFactors::Root(squares) => [squares.m, squares.mc],
-            QuotientFactors::Pq(_, parameter) => *parameter,
-        };
+        let [m, mc] = factors.parameter();
         let neville = NevilleTheta::of_scaled(m, mc);
         let half = Scaled::from(neville.quarter).shift(1);
         let (rate, time) = carried(outline.omega / half);
@@ -119,7 +130,17 @@ impl ThetaMotion {
             rest: Phase { rate: -rate, start: (start.pole / half).to_dd() },
             at: (pole / half).to_dd(),
         });
-        ThetaMotion { neville, phase, poles, time, quotient, interpolant: LazyInterpolant::new(kind), half }
+        let scaled = ScaledTheta::new(factors, half, outline, start, orientation).map(Box::new);
+        ThetaMotion {
+            neville,
+            phase,
+            poles,
+            time,
+            quotient,
+            interpolant: LazyInterpolant::new(kind),
+            scaled,
+            half,
+        }
     }
 
     /// 2K.
