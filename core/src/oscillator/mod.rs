@@ -26,7 +26,6 @@ mod set_up;
 mod singularities;
 mod theta_motion;
 mod zero_energy;
-mod zero_energy_lanes;
 
 pub use batch::duffing_motion_into;
 pub use companion::Companion;

@@ -40,7 +40,6 @@ impl CubicQuintic {
             Solution::Elementary(_, Some(lanes)) => match &**lanes {
                 ElementaryLanes::Pq(formula) => self.from_start(evaluation, formula),
                 ElementaryLanes::Hyperbolic(formula) => self.from_start(evaluation, formula),
-                ElementaryLanes::ZeroEnergyEscape(formula) => self.from_start(evaluation, formula),
             },
         }
     }

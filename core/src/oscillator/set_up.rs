@@ -11,7 +11,6 @@ use super::regime::Regime;
 use super::root_quotient::Squares;
 use super::theta_motion::{QuotientFactors, ThetaMotion};
 use super::zero_energy::ZeroEnergy;
-use super::zero_energy_lanes::ZeroEnergyEscape;
 use crate::float::TWO_PI;
 use crate::float::dyadic::Dyadic;
 use crate::float::scaled::Scaled;
@@ -28,7 +27,6 @@ pub(super) enum EnergyCase {
 pub(super) enum ElementaryLanes {
     Pq(PqElementary),
     Hyperbolic(Hyperbolic),
-    ZeroEnergyEscape(ZeroEnergyEscape),
 }
 
 /// The functions that describe an orbit.
@@ -92,8 +90,7 @@ fn elementary(given: Elementary, cubic: bool) -> Solution {
         let Some(pq) = PqElementary::new(&given) else { return Solution::Line(Box::new(given)) };
         Some(ElementaryLanes::Pq(pq))
     } else {
-        let escape = || ZeroEnergyEscape::new(&given).map(ElementaryLanes::ZeroEnergyEscape);
-        Hyperbolic::new(&given).map(ElementaryLanes::Hyperbolic).or_else(escape)
+        Hyperbolic::new(&given).map(ElementaryLanes::Hyperbolic)
     };
     Solution::Elementary(Box::new(given), lanes.map(Box::new))
 }
