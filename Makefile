@@ -1,10 +1,12 @@
 # Everything one can do here. A target does its whole set-up: packages in .venv, the release build, rustup components.
+# Times are of two cores that do nothing else, from a fresh clone; the second time a target has less to do.
 
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
 PY := $(VENV)/bin/python
+PIP := $(PY) -m pip install --quiet
 LOGS := target/logs
-SOURCES := Cargo.toml Cargo.lock pyproject.toml $(shell find core python/src -name '*.rs' -o -name Cargo.toml)
+SOURCES := Cargo.toml Cargo.lock pyproject.toml $(shell find core/src python/src -name '*.rs') core/Cargo.toml python/Cargo.toml
 
 # One interpreter for every cargo command, so that nothing is built twice.
 export PYO3_PYTHON := $(abspath $(PY))
@@ -14,99 +16,103 @@ export MPLBACKEND := Agg
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 unexport PYTHONPATH CONDA_PREFIX
 
-.PHONY: help run papers test bench bench-full bench-elliptic accuracy docs wheel format lint clean setup
+# Two at a time: what waits for the network or for one long file leaves a core to the other.
+MAKEFLAGS += -j2
+unexport MAKEFLAGS
+ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
+endif
+
+.PHONY: help run quick quick-python papers accuracy test test-arm bench bench-full bench-elliptic docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
 
 # ---------------------------------------------------------------------------------------------- set-up
 
-$(VENV)/.packages: requirements-dev.txt reference/requirements.txt
-	@echo "packages of tests and benchmarks into $(VENV)"
-	@test -x $(PY) || $(PYTHON) -m venv $(VENV)
-	@$(PY) -m pip install --quiet -r requirements-dev.txt
+$(PY):
+	@$(PYTHON) -m venv $(VENV)
+
+$(VENV)/.needed: requirements.txt | $(PY)
+	@echo "packages to build, run and draw into $(VENV)"
+	@$(PIP) -r requirements.txt
 	@touch $@
 
-$(VENV)/.components:
-	@mkdir -p $(VENV)
+$(VENV)/.packages: requirements-dev.txt reference/requirements.txt $(VENV)/.needed
+	@echo "packages of tests and benchmarks into $(VENV)"
+	@$(PIP) -r requirements-dev.txt
+	@touch $@
+
+$(VENV)/.components: | $(PY)
 	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
 	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
 	@touch $@
 
-$(VENV)/.built: $(VENV)/.packages $(SOURCES)
-	@echo "release build of the extension"
+# Needs no Python, so it goes on while pip loads packages.
+kernels:
 	@mkdir -p $(LOGS)
+	@cargo build --release --locked >$(LOGS)/kernels.log 2>&1 || { tail -n 60 $(LOGS)/kernels.log; exit 1; }
+
+$(VENV)/.built: $(SOURCES) $(VENV)/.needed | kernels
+	@echo "release build of the extension"
 	@maturin develop --release --locked >$(LOGS)/build.log 2>&1 || { tail -n 60 $(LOGS)/build.log; exit 1; }
 	@touch $@
 
 # A rival that cannot be had is a row `not available`, not an error. GSL and Boost are Debian's libgsl-dev, libboost-math-dev.
 $(VENV)/.rivals: $(VENV)/.packages bench/requirements.txt
-	@for rival in $$(sed 's/#.*//' bench/requirements.txt); do \
-	  $(PY) -m pip install --quiet "$$rival" || echo "$$rival is not available"; done
+	@for rival in $$(sed 's/#.*//' bench/requirements.txt); do $(PIP) "$$rival" || echo "$$rival is not available"; done
 	@touch $@
-
-setup: $(VENV)/.packages $(VENV)/.components $(VENV)/.built
 
 # ---------------------------------------------------------------------------------------------- targets
 
 HORSLEY := --theta0 3 --length 1m --gravity 9.8 --until 10s --samples 500
 
-run: $(VENV)/.built ## solve Horsley's pendulum: out/motion.csv, out/motion.png
+run: $(VENV)/.built ## solve Horsley's pendulum: out/motion.csv, out/motion.png (100 s)
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot out/motion.png
 
-papers: $(VENV)/.built ## draw the figures of the three papers and measure their claims: out/
+# One instruction set and every check of the compiler, in a folder of its own.
+QUICK := CARGO_TARGET_DIR=target/quick RUSTFLAGS='--cfg one_instruction_set'
+
+quick: ## build for one instruction set and run the Rust tests named: make quick test=NAME (30 s, then 10 s)
+	@$(QUICK) cargo test --quiet --locked --test suite $(if $(test),-- $(test),--no-run)
+
+quick-python: $(VENV)/.packages ## the same for Python: make quick-python test=python/tests/FILE.py::NAME (60 s, then 10 s)
+	@rm -f $(VENV)/.built
+	@$(QUICK) maturin develop --quiet --locked
+	@$(if $(test),pytest $(QUIET) '$(test)')
+
+papers: $(VENV)/.packages $(VENV)/.built ## draw the figures of the three papers and measure their claims: out/ (a minute)
 	@libration papers
 
-accuracy: $(VENV)/.built ## errors of libration and of the SciPy recipe on every row of the truth
+accuracy: $(VENV)/.packages $(VENV)/.built ## errors of libration and of the SciPy recipe on every row of the truth (20 s)
 	@$(PY) bench/accuracy.py
 
-bench: $(VENV)/.built $(VENV)/.rivals ## time and error of libration and its rivals, in 15 minutes: docs/benchmarks.md
+bench: $(VENV)/.built $(VENV)/.rivals ## time and error of libration and its rivals, promised times: docs/benchmarks.md (15 minutes)
 	@$(PY) bench/run.py
+	@$(PY) bench/run_calls.py
 
-bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes and horizons, as long as it takes
+bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes and horizons (hours)
 	@$(PY) bench/run.py --full
 
-bench-elliptic: $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's, in five minutes: docs/elliptic.md
+bench-elliptic: $(VENV)/.packages $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's: docs/elliptic.md (5 minutes)
 	@$(PY) bench/run_elliptic.py
 
-docs: $(VENV)/.built ## write every generated page, table and picture
+docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and picture (a minute)
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot docs/motion.png
 	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
 
-wheel: $(VENV)/.built ## a wheel for this machine in dist/
+wheel: $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
 	@maturin build --release --locked --out dist
 
-format: $(VENV)/.packages $(VENV)/.components ## write every file the way the formatters do
+format: $(VENV)/.packages $(VENV)/.components ## write every file the way the formatters do (2 s)
 	@cargo fmt --all
 	@ruff check --quiet --fix-only --select I .
 	@ruff format --quiet .
 
-lint: $(VENV)/.packages $(VENV)/.components ## what formatters, linters and type checks say
-	$(call step,format,$(FORMAT))
-	$(call step,lint-rust,$(CLIPPY))
-	$(call step,lint-python,ruff check .)
-	$(call step,types,$(TYPES))
-
-test: setup ## everything a reviewer would run; what CI runs
-	@rm -rf $(LOGS)/test; mkdir -p $(LOGS)/test
-	$(call step,format,$(FORMAT))
-	$(call step,lint-rust,$(CLIPPY))
-	$(call step,lint-python,ruff check .)
-	$(call step,types,$(TYPES))
-	$(call step,laws,$(LAWS))
-	$(call step,checks-tested,pytest $(QUIET) checks)
-	$(call step,truth,$(PY) reference/check.py)
-	$(call step,rust,cargo test --locked --package libration)
-	$(call step,python,pytest $(QUIET) --doctest-modules python/tests python/libration)
-	$(call step,pages,$(PAGES))
-	$(call step,bench,$(BENCH))
-	$(call step,clean-install,$(CLEAN_INSTALL))
-	@cat $(LOGS)/test/*.log | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
-	@echo "All passed."
+lint: test/format test/lint-rust test/lint-python test/types ## what formatters, linters and type checks say (a minute)
 
 clean: ## remove what the targets above have made
 	rm -rf $(VENV) target out dist
@@ -115,23 +121,75 @@ clean: ## remove what the targets above have made
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-# One line a step; what it printed stands in target/logs/test and is shown when it fails.
-step = @mkdir -p $(LOGS)/test; printf '%-16s' '$(1)'; begun=$$(date +%s); \
-  if ( $(2) ) >$(LOGS)/test/$(1).log 2>&1 </dev/null; then echo "holds  $$(($$(date +%s) - begun)) s"; \
-  else echo FAILED; tail -n 150 $(LOGS)/test/$(1).log; exit 1; fi
+STEPS := python rust truth rust-checked lint-rust format lint-python types laws checks-tested pages bench clean-install
+
+test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
+	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
+	@echo "All passed."
+
+# One line a step; what it printed stands in target/logs and is shown when it fails.
+step = @mkdir -p $(LOGS); begun=$$(date +%s); \
+  if ( $(1) ) >$(LOGS)/$(@F).log 2>&1 </dev/null; then printf '%-16s holds  %s s\n' $(@F) $$(($$(date +%s) - begun)); \
+  else echo '$(@F) FAILED'; tail -n 150 $(LOGS)/$(@F).log; exit 1; fi
 
 QUIET := -q -p no:cacheprovider
-FORMAT := cargo fmt --all --check && ruff format --check .
-CLIPPY := cargo clippy --locked --workspace --all-targets -- -D warnings
-TYPES := mypy --no-error-summary python/libration
-LAWS := for law in rooms names functions pages links; do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed"
-PAGES := $(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py
+TOOLS := $(VENV)/.packages $(VENV)/.components
 
-BENCH := pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check
+.PHONY: $(STEPS:%=test/%)
 
-# `pip install .` as a user has it, in an environment that holds nothing else, and one call from each door.
+test/format: $(TOOLS)
+	$(call step,cargo fmt --all --check && ruff format --check .)
+
+test/lint-rust: $(TOOLS)
+	$(call step,cargo clippy --locked --workspace --all-targets -- -D warnings)
+
+test/lint-python: $(TOOLS)
+	$(call step,ruff check .)
+
+test/types: $(TOOLS)
+	$(call step,mypy --no-error-summary python/libration)
+
+test/laws: $(TOOLS) $(VENV)/.built
+	$(call step,for law in $(LAWS); do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed")
+LAWS := rooms names functions pages links
+
+test/checks-tested: $(TOOLS) $(VENV)/.built
+	$(call step,pytest $(QUIET) checks)
+
+test/truth: $(TOOLS)
+	$(call step,$(PY) reference/check.py)
+
+# The code that is shipped, on every instruction set of this processor.
+test/rust: kernels
+	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
+
+# The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
+test/rust-checked:
+	$(call step,$(QUICK) cargo test --locked --lib --test suite)
+
+test/python: $(TOOLS) $(VENV)/.built
+	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules python/tests python/libration)
+
+test/pages: $(TOOLS) $(VENV)/.built
+	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)
+
+test/bench: $(TOOLS) $(VENV)/.built
+	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check)
+
+# The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh
-CLEAN_INSTALL := unset PYO3_PYTHON VIRTUAL_ENV && rm -rf $(FRESH) && $(PYTHON) -m venv $(FRESH) \
-  && CARGO_TARGET_DIR=target/wheel $(FRESH)/bin/python -m pip install --quiet . && cd target \
+test/clean-install: $(TOOLS) $(VENV)/.built
+	$(call step,$(CLEAN_INSTALL))
+CLEAN_INSTALL = rm -rf $(FRESH) && $(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(FRESH)/wheel . \
+  && $(PYTHON) -m venv $(FRESH) && $(FRESH)/bin/python -m pip install --quiet $(FRESH)/wheel/*.whl && cd target \
   && fresh/bin/python -c 'import libration; print(libration.Pendulum(3.0).period)' \
   && fresh/bin/libration period --theta0 150deg
+
+# aarch64 by qemu: Debian's qemu-user and gcc-aarch64-linux-gnu.
+ARM := aarch64-unknown-linux-gnu
+export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER := aarch64-linux-gnu-gcc
+export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER := qemu-aarch64 -L /usr/aarch64-linux-gnu
+
+test-arm: ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
+	@rustup target list --installed | grep -q $(ARM) || rustup target add $(ARM)
+	cargo test --release --locked --target $(ARM) --test suite -- --nocapture

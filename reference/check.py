@@ -1,173 +1,54 @@
-"""Checks vectors/*.csv; exits with an error at the first difference. Run: python check.py [--all] [--seed N].
+"""Checks vectors/*.csv: every file by itself, a process for each processor; exits with an error at the first difference.
 
-Row counts must be those of README.md. A seeded sample of every file is derived again by its generator and
-must be the same text. Every row must agree with Arb balls by other formulas (balls.py), the derivative and
-condition columns of the sample with central differences (slopes.py), and spoiled rows must fail. The elliptic
-family, whose truth is balls, is compared with mpmath by other formulas (second_route.py), values and conditions of
-a sample; actions and amplitudes with samples of the motion (samples_route.py). --all takes every row as the sample and
-draws all inputs again.
+Run: python check.py [FILE ...] [--all] [--seed N]. Row counts must be those of README.md, a seeded sample of every
+file is derived again, every row must agree with a second route, and spoiled rows must fail: see rows_check.py,
+oscillator_check.py and approx_check.py. --all takes every row as the sample and draws all inputs again.
 """
 
 import argparse
-import math
 import random
-from collections import Counter
+import time
+from concurrent.futures import ProcessPoolExecutor, as_completed
 
-import action
-import approx_angle
-import approx_angle_route
 import approx_check
-import balls
-import corners
-import elliptic
-import elliptic_inputs
 import exact
-import family
-import family_inputs
-import pendulum
-import samples_route
-import second
-import second_route
-import slopes
+import oscillator_check
+import rows_check
 
-GENERATORS = {
-    "pendulum.csv": (pendulum.HEADER, pendulum.row),
-    "pendulum_corners.csv": (corners.HEADER, corners.row),
-    "action.csv": (action.HEADER, action.row),
-    "second.csv": (second.HEADER, second.row),
-    "approx_angle.csv": (approx_angle.HEADER, approx_angle.row),
-    **elliptic.FILES,
-    **family.FILES,
-}
-SAMPLES = {
-    "pendulum.csv": 120,
-    "pendulum_corners.csv": 60,
-    "action.csv": 16,
-    "second.csv": 8,
-    "approx_angle.csv": 10,
-    "jacobi.csv": 250,
-    "jacobi_special.csv": 500,
-    "complete.csv": 120,
-    "incomplete.csv": 150,
-    "glaisher.csv": 594,
-    "inverse_jacobi.csv": 1632,
-    "second_kind.csv": 150,
-    "theta_functions.csv": 449,
-    "heuman.csv": 150,
-    "carlson.csv": 12,
-    "third_kind.csv": 6,
-    "jacobi_complex.csv": 503,
+CHECKS = {
+    # The longest ones first, so that no processor waits for the other.
+    **dict.fromkeys(oscillator_check.SAMPLES, oscillator_check.check),
+    **dict.fromkeys(rows_check.GENERATORS, rows_check.check),
+    **dict.fromkeys(approx_check.FILES, approx_check.check),
 }
 
 
-def counted(name, rows):
-    """Row counts by stratum, as README.md prints them."""
-    counts = Counter(row["stratum"] for row in rows)
-    strata = ", ".join(f"{stratum} {count}" for stratum, count in counts.items())
-    return f"| `{name}` | {len(rows)} | {strata} |"
-
-
-def contradictions(name, row):
-    if name in family.FILES:
-        return second_route.wrong(name, row) + second_route.conditions_wrong(name, row)
-    return balls.wrong(name, row) + slopes.wrong(name, row)
-
-
-def spoiled(row):
-    """The row with each hi + lo moved by 2^-100 and each decimal by 1e-4, one column at a time."""
-    for column, text in row.items():
-        if column.endswith("_lo"):
-            hi = float.fromhex(row[column[:-2] + "hi"])
-            if 1e-250 < abs(hi) < math.inf:
-                moved = float.fromhex(text) + hi * 2.0**-100
-                yield column, {**row, column: moved.hex()}
-        elif column.startswith(("cond_", "dtheta_", "dvelocity_")) and text not in ("0", "0.0"):
-            digit = "8" if text.lstrip("-")[0] != "8" else "3"
-            sign = "-" if text.startswith("-") else ""
-            yield column, {**row, column: sign + digit + text.lstrip("-")[1:]}
-
-
-def inputs_of(name):
-    if name == "pendulum.csv":
-        return exact.read(exact.ROOM / "inputs" / name)
-    if name == "pendulum_corners.csv":
-        return list(corners.inputs())
-    own = {"action.csv": action, "second.csv": second, "approx_angle.csv": approx_angle}
-    if name in own:
-        return list(own[name].inputs())
-    return list((family_inputs if name in family.FILES else elliptic_inputs).rows(name))
-
-
-def fail(*words):
-    raise SystemExit(" ".join(["reference:", *map(str, words)]))
+def check(name, every, seed):
+    """Checks one file and says so; a seed for each, so that its sample is the same alone and among all."""
+    begun = time.process_time()
+    said = CHECKS[name](name, every, random.Random(f"{seed} {name}"))
+    return f"{name}: {said}, {time.process_time() - begun:.0f} s"
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("files", nargs="*", metavar="FILE", help="names in vectors/, all without")
     options.add_argument("--all", action="store_true")
     options.add_argument("--seed", type=int, default=1)
     chosen = options.parse_args()
-    rng = random.Random(chosen.seed)
-    readme = (exact.ROOM / "README.md").read_text()
-    for name, (header, generator) in GENERATORS.items():
-        rows = exact.read(exact.VECTORS / name)
-        if list(rows[0]) != header:
-            fail(name, "columns differ from the generator's")
-        if counted(name, rows) not in readme:
-            fail("README.md lacks the line", counted(name, rows))
-        sample = rows if chosen.all else rng.sample(rows, min(SAMPLES[name], len(rows)))
-        for row in sample:
-            if [str(text) for text in generator(row)] != list(row.values()):
-                fail(name, "is not what its generator writes:", row)
-        if chosen.all:
-            given = inputs_of(name)
-            if [{key: row[key] for key in given[0]} for row in rows] != given:
-                fail(name, "inputs are not what the generator draws")
-        if name in balls.VALUES:
-            for row in rows:
-                if found := balls.wrong(name, row):
-                    fail(name, "balls contradict", found, row)
-            slope_rows = sample if chosen.all else sample[:60]
-            for row in slope_rows:
-                if found := slopes.wrong(name, row):
-                    fail(name, "differences contradict", found, row)
-        elif name == "action.csv":
-            steady = [row for row in sample if samples_route.measured(row)][:6]
-            if not steady:
-                fail(name, "the sample holds no row for the second route")
-            for row in steady:
-                if found := samples_route.wrong(row):
-                    fail(name, "samples of the motion contradict", found, row)
-            if not samples_route.wrong({**steady[0], "action_lo": steady[0]["action_hi"]}):
-                fail(name, "a spoiled action passes")
-        elif name == "approx_angle.csv":
-            approx_angle_route.main(fail, rng.sample(rows, len(rows)), chosen.all)
-        elif name in family.FILES:
-            for i, row in enumerate(sample):
-                if found := second_route.wrong(name, row):
-                    fail(name, "the second route contradicts", found, row)
-                if (chosen.all or i % 4 == 0) and (found := second_route.conditions_wrong(name, row)):
-                    fail(name, "differences contradict", found, row)
-        if name in balls.VALUES or name in family.FILES:
-            moving = [row for row in sample if not is_exact(name, row)]
-            for column, row in spoiled(moving[0]):
-                if not contradictions(name, row):
-                    fail(name, "a spoiled", column, "passes")
-        print(f"{name}: {len(rows)} rows, {len(sample)} derived again", flush=True)
-    import oscillator_check  # which imports this file
-
-    oscillator_check.main(chosen.all, chosen.seed)
-    approx_check.main(chosen.all, chosen.seed)
-
-
-def is_exact(name, row):
-    """Rows whose outputs are inputs, infinities or NaN: too simple to show that the check can fail."""
-    if name in family.FILES:
-        outputs = family.TABLE[name][1]
-        flat = any(second_route.final(row, x) or not 1e-50 < float(row[f"cond_{x}"]) < 1e50 for x in outputs)
-        return flat or not second_route.differentiable(name, row)
-    texts = list(row.values())
-    return "0x0.0p+0" in texts[:8] or any(text in ("nan", "inf", "-inf") for text in texts)
+    if unknown := sorted({path.name for path in exact.VECTORS.glob("*.csv")} ^ set(CHECKS)):
+        raise SystemExit(f"reference: no check, or no file: {', '.join(unknown)}")
+    if unknown := sorted(set(chosen.files) - set(CHECKS)):
+        raise SystemExit(f"reference: {unknown[0]}: must be one of {', '.join(CHECKS)}")
+    with ProcessPoolExecutor() as pool:
+        names = chosen.files or list(CHECKS)
+        waiting = [pool.submit(check, name, chosen.all, chosen.seed) for name in names]
+        try:
+            for done in as_completed(waiting):
+                print(done.result(), flush=True)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 
 import json
 import math
-import resource
 import subprocess
 import sys
 
@@ -29,7 +28,7 @@ def answer(capsys):
 
 def command(*words, **options):
     """Run `python -m libration` in a process of its own."""
-    made = {"capture_output": True, "text": True, "timeout": 60} | options
+    made = {"capture_output": True, "text": True, "timeout": 600} | options
     return subprocess.run([sys.executable, "-m", "libration", *words], **made)
 
 
@@ -157,20 +156,16 @@ def test_version(capsys):
     assert capsys.readouterr().out == f"libration {libration.__version__}\n"
 
 
-def test_help_is_quick_and_loads_no_matplotlib():
-    def seconds(words):
-        # Processor time of the child: what the clock shows when nothing else runs, whatever else runs now.
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        assert command(*words).returncode == 0
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
-
-    for words in (["--help"], ["solve", "--help"], ["period", "--help"], ["compare", "--help"]):
-        assert min(seconds(words) for _ in range(3)) <= 0.3
-    code = (
-        "import sys; from libration.cli import main; main(['solve', '--help']); sys.exit('matplotlib' in sys.modules)"
-    )
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0
+@pytest.mark.parametrize("words", [["--help"], ["solve", "--help"], ["period", "--help"], ["compare", "--help"]])
+def test_help_loads_nothing_that_takes_long(words):
+    code = f"""if True:
+        import sys
+        from libration.cli import main
+        main({words})
+        sys.exit(", ".join({{"matplotlib", "scipy", "pandas", "xarray", "dask"}} & set(sys.modules)) or 0)
+    """
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_process_prints_and_exits_zero():

@@ -222,7 +222,7 @@ def test_without_matplotlib(said, monkeypatch):
 def run_with(environment, folder):
     """Draw in a process of its own."""
     run = [sys.executable, "-m", "libration", *SOLVE, "--plot", "z.png"]
-    return subprocess.run(run, env=os.environ | environment, cwd=folder, capture_output=True, text=True, timeout=60)
+    return subprocess.run(run, env=os.environ | environment, cwd=folder, capture_output=True, text=True, timeout=600)
 
 
 def test_a_backend_that_is_none(tmp_path):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from processes import run, start
 
 LIBRATION = [sys.executable, "-m", "libration"]
 SOLVE = ["solve", "--theta0", "1", "--length", "1"]
@@ -14,14 +15,13 @@ SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 
 def command(*words, **options):
     """Run `python -m libration` in a process of its own."""
-    made = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": 60} | options
-    return subprocess.run([*LIBRATION, *words], **made)
+    made = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True} | options
+    return run([*LIBRATION, *words], **made)
 
 
 def redirected(redirection, *words):
     """Run it from a shell that redirects a stream."""
-    run = ["sh", "-c", f'exec "$@" {redirection}', "sh", *LIBRATION, *words]
-    return subprocess.run(run, capture_output=True, text=True, timeout=60)
+    return run(["sh", "-c", f'exec "$@" {redirection}', "sh", *LIBRATION, *words], capture_output=True, text=True)
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
@@ -42,7 +42,7 @@ def test_names_beyond_the_encoding(tmp_path, encoding):
 def test_the_streams_of_a_caller_are_given_back():
     code = "import sys; from libration.cli import main; main(['--version']); print(sys.stdout.errors)"
     environment = os.environ | {"PYTHONIOENCODING": "ascii:ignore"}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, env=environment)
+    done = run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.stdout.splitlines()[1:] == ["ignore"]
 
 
@@ -75,8 +75,8 @@ def test_no_file_takes_the_place_of_a_closed_stream(tmp_path):
         Pendulum.motion = noisy
         sys.exit(main(sys.argv[1:]))
     """
-    run = ["sh", "-c", 'exec "$@" 2>&-', "sh", sys.executable, "-c", code, *SOLVE, "--out", "a.csv"]
-    assert subprocess.run(run, cwd=tmp_path, stdout=subprocess.DEVNULL, timeout=60).returncode == 0
+    words = ["sh", "-c", 'exec "$@" 2>&-', "sh", sys.executable, "-c", code, *SOLVE, "--out", "a.csv"]
+    assert run(words, cwd=tmp_path, stdout=subprocess.DEVNULL).returncode == 0
     assert b"noise" not in (tmp_path / "a.csv").read_bytes()
 
 
@@ -84,10 +84,9 @@ def test_no_file_takes_the_place_of_a_closed_stream(tmp_path):
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 def test_broken_pipe_ends_quietly(words, unbuffered):
     environment = os.environ | {"PYTHONUNBUFFERED": unbuffered}
-    run = [sys.executable, "-m", "libration", *words]
     reader, writer = os.pipe()
     os.close(reader)
-    done = subprocess.run(run, stdout=writer, stderr=subprocess.PIPE, env=environment, timeout=60)
+    done = run([*LIBRATION, *words], stdout=writer, stderr=subprocess.PIPE, env=environment)
     os.close(writer)
     assert done.returncode == 141
     assert done.stderr == b""
@@ -105,12 +104,12 @@ def test_a_signal_ends_quietly_and_leaves_nothing(tmp_path, number):
     fifo = tmp_path / "instants"
     os.mkfifo(fifo)
     words = [*SOLVE, "--times", str(fifo), "--out", str(tmp_path / "a.csv"), "--plot", str(tmp_path / "new/a.png")]
-    running = subprocess.Popen([*LIBRATION, *words], stderr=subprocess.PIPE)
+    running = start([*LIBRATION, *words], stderr=subprocess.PIPE)
     # Opening waits for the reader; then the process waits for the instants.
     with open(fifo, "wb"):
         staged = [each for each in tmp_path.rglob("*") if each.suffix == ".part"]
         running.send_signal(number)
-        said = running.communicate(timeout=60)[1]
+        said = running.communicate(timeout=600)[1]
     assert len(staged) == 2
     assert running.returncode == SIGNALS[number]
     assert said == b""
@@ -120,10 +119,10 @@ def test_a_signal_ends_quietly_and_leaves_nothing(tmp_path, number):
 def test_an_ignored_signal_stays_ignored(tmp_path):
     fifo = tmp_path / "instants"
     os.mkfifo(fifo)
-    run = ["sh", "-c", 'trap "" HUP; exec "$@"', "sh", *LIBRATION, *SOLVE, "--times", str(fifo)]
-    running = subprocess.Popen(run, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    words = ["sh", "-c", 'trap "" HUP; exec "$@"', "sh", *LIBRATION, *SOLVE, "--times", str(fifo)]
+    running = start(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     with open(fifo, "wb") as file:
         running.send_signal(signal.SIGHUP)
         file.write(b"1\n")
-    assert running.communicate(timeout=60)[1] == b""
+    assert running.communicate(timeout=600)[1] == b""
     assert running.returncode == 0
