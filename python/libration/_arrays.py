@@ -42,3 +42,5 @@ class Chunked(Protocol):
 
 
 Labelled = TypeVar("Labelled", bound=Named | Indexed | Chunked)
+# What can hold a matrix an element: a series of pandas cannot.
+Stacked = TypeVar("Stacked", bound=Named | Chunked)

@@ -1,19 +1,61 @@
-"""One call of a ufunc on NumPy, Dask or xarray arguments, or on xarray over Dask.
+"""One call of a ufunc on NumPy, pandas, Dask or xarray arguments, or on xarray over Dask.
 
 NumPy, and every array type that implements ``__array_ufunc__`` for several outputs (pandas among them), is called
 directly. Dask refuses ufuncs of several outputs, so its arrays go through ``apply_gufunc``; xarray's go through
-``apply_ufunc``. Neither library is imported unless one of its arrays is an argument. Nothing is computed early.
+``apply_ufunc``. No library is imported unless one of its arrays is an argument. Nothing is computed early.
 """
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from ._labels import Result, like, named
+
 PLAIN = {float, int, bool, np.float64, np.ndarray, type(None)}
+LIBRARIES = ("xarray", "dask.array", "pandas")
 
 
-def apply(ufunc: np.ufunc, *arguments: Any, out: Any = None, where: Any = True) -> Any:
+class Elementwise:
+    """A function of arrays of doubles, of any one shape, with what `apply` asks of a ufunc.
+
+    It answers one array of as many doubles, or a tuple of ``nout``; what is masked stays masked.
+    """
+
+    def __init__(self, function: Callable[[np.ndarray], Any], nout: int = 1) -> None:
+        self.function = function
+        self.nout = nout
+        self.types = ("d->" + nout * "d",)
+
+    def __call__(self, argument: Any) -> Any:
+        values = numbers(argument)
+        answers = self.function(np.ascontiguousarray(np.ma.filled(values, np.nan)).ravel())
+        shaped = tuple(
+            self._like(argument, values, each.reshape(values.shape))
+            for each in (answers if self.nout > 1 else (answers,))
+        )
+        return shaped if self.nout > 1 else shaped[0]
+
+    @staticmethod
+    def _like(argument: Any, values: Any, answers: np.ndarray) -> Any:
+        if isinstance(values, np.ma.MaskedArray):
+            return np.ma.array(answers, mask=values.mask)
+        return like(argument, answers) if values.ndim else answers[()]
+
+
+def numbers(argument: Any) -> Any:
+    """An argument as an array of doubles; text, None and complex numbers are refused, not converted."""
+    if hasattr(argument, "iloc"):
+        # The missing values of pandas.
+        argument = argument.to_numpy(dtype=float, na_value=np.nan)
+    values = np.asanyarray(argument)
+    if values.dtype.kind not in "biuf":
+        raise TypeError(f"{argument!r}: must be real numbers")
+    return values.astype(float)
+
+
+def apply(ufunc: Any, *arguments: Any, results: tuple[Result, ...] = (), out: Any = None, where: Any = True) -> Any:
     """Call ``ufunc`` on ``arguments``; what ``where`` masks is NaN unless ``out`` is given."""
     if where is None:
         raise ValueError("where = None: must be True, False or an array of them")
@@ -21,30 +63,52 @@ def apply(ufunc: np.ufunc, *arguments: Any, out: Any = None, where: Any = True) 
         return ufunc(*arguments, out=out, where=where)
     given = arguments if where is True else (*arguments, where)
     library = array_library(given)
-    if library == "xarray":
-        return _xarray(ufunc, given, where is not True)
-    if library == "dask":
+    if library is None:
+        return ufunc(*arguments) if where is True else _masked(ufunc, *given)
+    if library == "dask.array":
         return _dask(ufunc, given, where is not True)
-    if where is True:
-        return ufunc(*arguments)
-    return _masked(ufunc, *given)
+    if library == "xarray":
+        found = _xarray(ufunc, given, where is not True)
+    else:
+        found = ufunc(*arguments) if where is True else _masked(ufunc, *given)
+    if not results:
+        return found
+    return named(found, *results) if ufunc.nout == 1 else tuple(map(named, found, results))
 
 
 def array_library(arguments: tuple[Any, ...]) -> str | None:
-    """``"xarray"`` if any argument is xarray's, else ``"dask"`` if any is Dask's, else ``None``."""
-    found = None
+    """The library whose arrays are among the arguments, ``None`` for NumPy alone; xarray takes those of Dask in."""
+    found: dict[str, Any] = {}
     for argument in arguments:
         if type(argument) in PLAIN:
             continue
-        for base in type(argument).__mro__:
-            if base.__module__.startswith("xarray.core."):
-                return "xarray"
-            if base.__module__.startswith("dask.array."):
-                found = "dask"
-    return found
+        library = _library(type(argument))
+        if library is None:
+            continue
+        first = found.setdefault(library, argument)
+        # A series and a table of pandas have no common index.
+        if library == "pandas" and np.ndim(first) != np.ndim(argument):
+            raise TypeError(_apart(first, argument))
+    if "pandas" in found and len(found) > 1:
+        raise TypeError(_apart(*found.values()))
+    return next((library for library in LIBRARIES if library in found), None)
 
 
-def _masked(ufunc: np.ufunc, *given: Any) -> Any:
+def _library(kind: type[Any]) -> str | None:
+    """The library that a class comes from, or that a class of the user's is made from."""
+    for base in kind.__mro__:
+        for library in LIBRARIES:
+            if base.__module__ == library or base.__module__.startswith(f"{library}."):
+                return library
+    return None
+
+
+def _apart(first: Any, second: Any, *_: Any) -> str:
+    words = [f"{type(each).__module__.partition('.')[0]} {type(each).__name__}" for each in (first, second)]
+    return f"{words[0]} and {words[1]} do not go together: give both as one of the two, or as NumPy arrays"
+
+
+def _masked(ufunc: Any, *given: Any) -> Any:
     first, *others, where = given
     chosen = np.asarray(where)
     if chosen.size and chosen.dtype != bool:
@@ -54,16 +118,18 @@ def _masked(ufunc: np.ufunc, *given: Any) -> Any:
     return ufunc(np.add(first, np.where(chosen, -0.0, np.nan)), *others)
 
 
-def _dask(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
-    from dask.array import apply_gufunc, asarray, unify_chunks
+def _dask(ufunc: Any, given: tuple[Any, ...], masked: bool) -> Any:
+    # Neither library has types of its own for these.
+    import dask.array as dask_array
 
-    arrays = [asarray(argument) for argument in given]
+    library: Any = dask_array
+    arrays = [library.asarray(argument) for argument in given]
     most = max(array.ndim for array in arrays)
     labelled = [(array, tuple(range(most - array.ndim, most))) for array in arrays]
-    _, arrays = unify_chunks(*(item for pair in labelled for item in pair))
+    _, arrays = library.unify_chunks(*(item for pair in labelled for item in pair))
     kinds = ufunc.types[0].partition("->")[2]
     dtypes = [np.dtype(kind) for kind in kinds]
-    return apply_gufunc(
+    return library.apply_gufunc(
         partial(_masked, ufunc) if masked else ufunc,
         ",".join(["()"] * len(arrays)) + "->" + ",".join(["()"] * ufunc.nout),
         *arrays,
@@ -71,14 +137,15 @@ def _dask(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
     )
 
 
-def _xarray(ufunc: np.ufunc, given: tuple[Any, ...], masked: bool) -> Any:
+def _xarray(ufunc: Any, given: tuple[Any, ...], masked: bool) -> Any:
     import xarray
 
     def rows(*arrays: Any) -> Any:
         return apply(ufunc, *arrays[:-1], where=arrays[-1]) if masked else apply(ufunc, *arrays)
 
     # As for NumPy's own functions on xarray objects: attributes stay unless the user's option says otherwise.
-    keep = xarray.get_options()["keep_attrs"]
+    options: Any = xarray
+    keep = options.get_options()["keep_attrs"]
     return xarray.apply_ufunc(
         rows,
         *given,
@@ -109,12 +176,14 @@ def _stack(library: str | None, part: list[Any], axis: int, name: str, labels: t
     if library == "xarray":
         import xarray
 
+        variable: Any = xarray.Variable
         if isinstance(part[0], xarray.Variable):
-            return xarray.Variable.concat(part, name)
-        return xarray.concat(part, xarray.Variable(name, list(labels)))
-    if library == "dask":
-        from dask.array import stack
+            return variable.concat(part, name)
+        return xarray.concat(part, variable(name, list(labels)))
+    if library == "dask.array":
+        import dask.array as dask_array
 
+        stack: Any = dask_array.stack
         return stack(part, axis=axis, allow_unknown_chunksizes=True)
     masked = any(isinstance(each, np.ma.MaskedArray) for each in part)
     return (np.ma.stack if masked else np.stack)(part, axis=axis)

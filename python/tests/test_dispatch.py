@@ -151,10 +151,12 @@ def test_chunks_change_no_bit():
 @pytest.mark.parametrize("method", ["theta", "motion"])
 @pytest.mark.parametrize("kept", [True, False])
 def test_attributes_follow_the_option_of_xarray(method, kept):
-    t = xarray.DataArray(T, dims=("time", "place"), attrs={"source": "clock"})
+    t = xarray.DataArray(T, dims=("time", "place"), attrs={"source": "clock", "units": "s", "long_name": "time"})
     with xarray.set_options(keep_attrs=kept):
         for result in parts(getattr(PENDULUM, method)(t)):
-            assert result.attrs == ({"source": "clock"} if kept else {})
+            own = {"units": "rad" if result.name == "theta" else "rad/s", "long_name": result.long_name}
+            assert result.attrs == (own | {"source": "clock"} if kept else own)
+            assert result.long_name != "time"
 
 
 def test_out_with_dask_is_left_to_dask():

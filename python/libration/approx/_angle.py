@@ -4,16 +4,24 @@ Each is set up for one pendulum, answers at any time, and knows how far it is fr
 """
 
 import math
-from typing import Any, NamedTuple, Self
+from functools import partial
+from typing import Any, NamedTuple, Self, overload
 
 import numpy as np
 
 from .. import _core
+from .._arrays import Array, Floats, Intervals, Labelled, Scalar
+from .._dispatch import Elementwise, apply
 from .._immutable import Immutable
+from .._labels import Result
 from .._scalars import real
 from ..pendulum import Pendulum
-from ._named import Named, each, moving
+from ._named import Named, moving
 from ._registry import Registry
+
+THETA = Result("theta", "rad", "approximate angle")
+DIFFERENCE = Result("difference", "rad", "approximate minus exact angle")
+ERROR = Result("error", "1", "largest error over the turning angle")
 
 
 class AngleError(NamedTuple):
@@ -43,8 +51,7 @@ class AngleFormula(Named):
     Parameters
     ----------
     name : str
-        `linear`, `harmonic`, `fourier:N`, `fourier-theta:N`, `trigonometric`, `small-m`, `small-m-bounded`, `cubic`,
-        `cubic-quintic` or `taylor:N`.
+        One of `libration.approx.angle.names`, with a whole number for N: from 1 to 500 for a series, to 200 for `taylor`.
 
     Raises
     ------
@@ -71,7 +78,9 @@ class AngleFormula(Named):
     def of(self, pendulum: Pendulum) -> "AngleApproximation":
         """The formula for one pendulum.
 
-        What is written for a release from rest runs on the exact phase, from the last turning point on.
+        A formula for a release from rest runs on the exact phase, from the last turning point on. `harmonic`, `fourier:N`,
+        `trigonometric` and `small-m-bounded` are for librations, `fourier-theta:N` for librations and rotations, the others
+        for every motion. All but `harmonic`, both series and `taylor:N` swing about theta = 0 and need omega2 >= 0.
 
         Parameters
         ----------
@@ -87,6 +96,10 @@ class AngleFormula(Named):
         ValueError
             If the formula is not written for the regime of the pendulum, or only for omega2 >= 0.
 
+        Notes
+        -----
+        Error promised: that of what is asked of it. Source: `AngleFormula.source`.
+
         Examples
         --------
         >>> from libration import Pendulum, approx
@@ -95,6 +108,12 @@ class AngleFormula(Named):
         """
         return AngleApproximation(self, pendulum)
 
+    @overload
+    def error(self, theta_max: Scalar, periods: float = 1) -> np.float64: ...
+    @overload
+    def error(self, theta_max: Array, periods: float = 1) -> Floats: ...
+    @overload
+    def error(self, theta_max: Labelled, periods: float = 1) -> Labelled: ...
     def error(self, theta_max: Any, periods: float = 1) -> Any:
         """Largest error of releases from rest, as a share of their turning angles.
 
@@ -121,17 +140,10 @@ class AngleFormula(Named):
         >>> (100 * approx.angle("fourier:2").error(np.radians([60, 90, 170]))).round(4)
         array([0.035 , 0.2269,    nan])
         """
-        periods = real("periods", periods)
+        errors = partial(self._errors, periods=real("periods", periods))
+        return apply(Elementwise(errors), theta_max, results=(ERROR,))
 
-        def released(angle: float) -> float:
-            if not 0 < angle < math.pi:
-                return math.nan
-            found = self.of(Pendulum(angle)).error(periods)
-            return found.relative if math.isnan(found.undefined_from) else math.nan
-
-        return each(lambda angles: np.array([released(angle) for angle in angles.tolist()]), theta_max)
-
-    def ranges(self, bound: float, periods: float = 1) -> tuple[tuple[float, float], ...]:
+    def ranges(self, bound: float, periods: float = 1) -> Intervals:
         """The turning angles for which the largest error stays within a share of them.
 
         Of releases from rest. Undefined counts as beyond.
@@ -148,6 +160,11 @@ class AngleFormula(Named):
         tuple of pairs of float
             Intervals in rad, within (0, pi).
 
+        Notes
+        -----
+        Error promised: none of its own; the ends are found by bisection of `error`, from a grid of degrees that is finer at
+        both ends. Source: Lima 2019, section 4.
+
         Examples
         --------
         >>> import numpy as np
@@ -156,6 +173,16 @@ class AngleFormula(Named):
         array([[ 0.  , 61.71]])
         """
         return tuple(self._formula.ranges(real("bound", bound), real("periods", periods)))
+
+    def _errors(self, theta_max: np.ndarray, periods: float) -> np.ndarray:
+        """Those of `error`, one by one."""
+        return np.array([self._released(angle, periods) for angle in theta_max.tolist()])
+
+    def _released(self, theta_max: float, periods: float) -> float:
+        if not 0 < theta_max < math.pi:
+            return math.nan
+        found = self.of(Pendulum(theta_max)).error(periods)
+        return found.relative if math.isnan(found.undefined_from) else math.nan
 
 
 class AngleApproximation(Immutable):
@@ -194,25 +221,82 @@ class AngleApproximation(Immutable):
         object.__setattr__(self, "pendulum", pendulum)
         return self
 
+    @overload
+    def theta(self, t: Scalar) -> np.float64: ...
+    @overload
+    def theta(self, t: Array) -> Floats: ...
+    @overload
+    def theta(self, t: Labelled) -> Labelled: ...
     def theta(self, t: Any) -> Any:
-        """The approximate angle in rad at the times `t`, an array of their shape or a float64.
+        """Approximate angle at the times `t`.
 
-        NaN where the formula has no value, for times that are not finite and more than 2**53 half periods away.
-        Error promised: 8 ulp of its scale, plus the condition of its phase. Source: that of the formula.
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign. NaN, infinite times and more than 2**53 half periods give NaN.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            Angle in rad. NaN where the formula has no value: where `fourier:N` leaves the range of its
+            arcsine, and after an escape of `cubic`. Dask, xarray and pandas arrays give their like.
+
+        Notes
+        -----
+        Error promised: 8 ulp of its scale (its size, the turning angle, the largest term of a polynomial), plus 2**-100 of
+        the condition; for `cubic` and `cubic-quintic`, whose coefficients are rounded, 2**-53 of it. Source: that of the
+        formula.
+
+        Examples
+        --------
+        >>> from libration import Pendulum, approx
+        >>> series = approx.angle("fourier:2").of(Pendulum(1.0))
+        >>> f"{series.theta(2.0):.6f}"
+        '-0.305939'
         """
-        return each(self._approximation.theta, t)
+        return apply(Elementwise(self._theta), t, results=(THETA,))
 
+    @overload
+    def difference(self, t: Scalar) -> np.float64: ...
+    @overload
+    def difference(self, t: Array) -> Floats: ...
+    @overload
+    def difference(self, t: Labelled) -> Labelled: ...
     def difference(self, t: Any) -> Any:
-        """The approximate minus the exact angle in rad at the times `t`, an array of their shape or a float64.
+        """Approximate minus exact angle at the times `t`.
 
-        Error promised: of `harmonic` and of both Fourier series 1e-10 of the difference itself, however small; of the
-        others that of the two angles. Source: the terms that the series leave out.
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign. NaN, infinite times and more than 2**53 half periods give NaN.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            Difference in rad, NaN where `theta` is. Dask, xarray and pandas arrays give their like.
+
+        Notes
+        -----
+        Error promised: for `harmonic` and both Fourier series 1e-10 of the difference itself, however small, plus 2**-100 of
+        the condition; for the others that of the two angles. Source: the terms that the series leave out.
+
+        Examples
+        --------
+        >>> from libration import Pendulum, approx
+        >>> series = approx.angle("fourier:2").of(Pendulum(1.0))
+        >>> f"{series.difference(2.0):.2e}"
+        '2.61e-04'
         """
-        return each(self._approximation.difference, t)
+        return apply(Elementwise(self._difference), t, results=(DIFFERENCE,))
 
     @property
     def period(self) -> float:
-        """Period in s of the approximation itself; NaN where it does not repeat."""
+        """Period in s of the approximation itself; NaN where it does not repeat.
+
+        `linear`: 2 pi/omega0; `trigonometric`: that of its rate; `cubic` and `cubic-quintic`: that of their libration; both
+        Fourier series, `harmonic` and `small-m-bounded`: the exact one. Error promised: 4 ulp, plus 2**-100 of the condition
+        (2**-53 of it for `cubic` and `cubic-quintic`). Source: Salas 2019 (34).
+        """
         return self._approximation.period
 
     def error(self, periods: float = 1) -> AngleError:
@@ -248,6 +332,12 @@ class AngleApproximation(Immutable):
         theta_max = self.pendulum.theta_max
         relative = difference / theta_max if theta_max else 0.0
         return AngleError(difference, relative, t, undefined_from)
+
+    def _theta(self, t: np.ndarray) -> np.ndarray:
+        return self._approximation.theta(t)
+
+    def _difference(self, t: np.ndarray) -> np.ndarray:
+        return self._approximation.difference(t)
 
     def __repr__(self) -> str:
         return f"{self.formula!r}.of({self.pendulum!r})"

@@ -1,9 +1,6 @@
 """What every named formula knows of itself before it is asked anything."""
 
-from collections.abc import Callable
 from typing import Any, Protocol
-
-import numpy as np
 
 from .._immutable import Immutable
 from ..pendulum import Pendulum
@@ -62,23 +59,6 @@ class Named(Immutable):
 
     def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         return (self.name,), {}
-
-
-def each(answer: Callable[[np.ndarray], np.ndarray], argument: Any) -> Any:
-    """The answers to an argument, a float64 or an array of its shape; what is masked stays masked."""
-    values = numbers(argument)
-    answers = answer(np.ascontiguousarray(np.ma.filled(values, np.nan)).ravel()).reshape(values.shape)
-    if isinstance(values, np.ma.MaskedArray):
-        return np.ma.array(answers, mask=values.mask)
-    return answers[()]
-
-
-def numbers(argument: Any) -> Any:
-    """An argument as an array of doubles; text, None and complex numbers are refused, not converted."""
-    values = np.asanyarray(argument)
-    if values.dtype.kind not in "biuf":
-        raise TypeError(f"{argument!r}: must be real numbers")
-    return values.astype(float)
 
 
 def moving(pendulum: Any) -> Pendulum:

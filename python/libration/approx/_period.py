@@ -3,13 +3,22 @@
 Each gives the ratio to the period of small swings, and its error, right to the error's own last digits.
 """
 
-from typing import Any, Self
+from functools import partial
+from typing import Any, Self, overload
+
+import numpy as np
 
 from .. import _core
+from .._arrays import Array, Floats, Intervals, Labelled, Scalar
+from .._dispatch import Elementwise, apply
+from .._labels import Result
 from .._scalars import real
 from ..pendulum import Pendulum
-from ._named import Named, each, moving
+from ._named import Named, moving
 from ._registry import Registry
+
+RATIO = Result("ratio", "1", "period over the period of small swings")
+ERROR = Result("error", "1", "relative error of the period")
 
 
 class PeriodFormula(Named):
@@ -18,8 +27,8 @@ class PeriodFormula(Named):
     Parameters
     ----------
     name : str
-        `linear`, `bernoulli`, `series:N` (N even), `denman`, `kidd-fogg`, `molina`, `ganley-parwani`, `lima-arun`,
-        `agm:N`, `belendez`, `cromer`, `chachiyo`, `salas-26`, `salas-27`, `salas-28` or `exact`.
+        One of `libration.approx.period.names`, with a whole number for N: an even one from 2 to 200 for `series`, one from 1
+        to 8 for `agm`.
 
     Raises
     ------
@@ -35,24 +44,11 @@ class PeriodFormula(Named):
     --------
     >>> from math import radians
     >>> from libration import approx
-    >>> for formula in approx.period:
-    ...     print(f"{formula.name:15} {formula.error(radians(150.0)):+.1e}")
-    linear          -4.3e-01
-    bernoulli       -1.9e-01
-    series:4        -9.4e-02
-    denman          -7.3e-03
-    kidd-fogg       +1.2e-01
-    molina          +5.6e-02
-    ganley-parwani  -2.4e-02
-    lima-arun       +3.5e-02
-    agm:3           -2.0e-06
-    belendez        -2.8e-03
-    cromer          -1.1e-02
-    chachiyo        +1.7e-03
-    salas-26        -1.5e-01
-    salas-27        -5.7e-02
-    salas-28        -2.1e-02
-    exact           +0.0e+00
+    >>> for name in ("bernoulli", "lima-arun", "agm:3"):
+    ...     print(f"{name:10} {approx.period(name).error(radians(150.0)):+.1e}")
+    bernoulli  -1.9e-01
+    lima-arun  +3.5e-02
+    agm:3      -2.0e-06
     """
 
     __slots__ = ()
@@ -64,6 +60,16 @@ class PeriodFormula(Named):
         object.__setattr__(self, "_formula", _core.PeriodFormula(str(name)))
         return self
 
+    @overload
+    def ratio(
+        self, theta_max: Scalar | None = None, *, m: Scalar | None = None, mc: Scalar | None = None
+    ) -> np.float64: ...
+    @overload
+    def ratio(self, theta_max: Array | None = None, *, m: Array | None = None, mc: Array | None = None) -> Floats: ...
+    @overload
+    def ratio(
+        self, theta_max: Labelled | None = None, *, m: Labelled | None = None, mc: Labelled | None = None
+    ) -> Labelled: ...
     def ratio(self, theta_max: Any = None, *, m: Any = None, mc: Any = None) -> Any:
         """Period over the period of small swings, for a release from rest.
 
@@ -88,7 +94,7 @@ class PeriodFormula(Named):
         Notes
         -----
         Error promised: 1 ulp. `math.pi` is a little less than pi: there the exact ratio is 24.6, not infinite; m = 1
-        is the top.
+        is the top. Source: `PeriodFormula.source`; the series by the recurrence of Legendre's equation.
 
         Examples
         --------
@@ -98,9 +104,18 @@ class PeriodFormula(Named):
         >>> f"{approx.period('exact').ratio(m=-1.0):.6f}"
         '0.834627'
         """
-        made = self._formula
-        return answered(theta_max=(made.ratio, theta_max), m=(made.ratio_of_m, m), mc=(made.ratio_of_mc, mc))
+        return self._answered("ratio", RATIO, theta_max=theta_max, m=m, mc=mc)
 
+    @overload
+    def error(
+        self, theta_max: Scalar | None = None, *, m: Scalar | None = None, mc: Scalar | None = None
+    ) -> np.float64: ...
+    @overload
+    def error(self, theta_max: Array | None = None, *, m: Array | None = None, mc: Array | None = None) -> Floats: ...
+    @overload
+    def error(
+        self, theta_max: Labelled | None = None, *, m: Labelled | None = None, mc: Labelled | None = None
+    ) -> Labelled: ...
     def error(self, theta_max: Any = None, *, m: Any = None, mc: Any = None) -> Any:
         """Relative error of the formula: its ratio over the exact one, minus 1.
 
@@ -136,13 +151,12 @@ class PeriodFormula(Named):
         >>> f"{approx.period('agm:3').error(radians(30.0)):.4e}"
         '-4.9740e-19'
         """
-        made = self._formula
-        return answered(theta_max=(made.error, theta_max), m=(made.error_of_m, m), mc=(made.error_of_mc, mc))
+        return self._answered("error", ERROR, theta_max=theta_max, m=m, mc=mc)
 
     def period(self, pendulum: Pendulum) -> float:
         """The period in s that the formula gives a pendulum; NaN in rotation.
 
-        Its swing counts, however it was started. Error promised: 4 ulp.
+        Its swing counts, however it was started.
 
         Parameters
         ----------
@@ -152,6 +166,10 @@ class PeriodFormula(Named):
         Returns
         -------
         float
+
+        Notes
+        -----
+        Error promised: 4 ulp. Source: that of `ratio`, times 2 pi/omega0.
 
         Examples
         --------
@@ -173,6 +191,11 @@ class PeriodFormula(Named):
         Returns
         -------
         float
+            In s; NaN in rotation.
+
+        Notes
+        -----
+        Error promised: 4 ulp. Source: Salas 2019 (25) to (28).
 
         Examples
         --------
@@ -182,7 +205,7 @@ class PeriodFormula(Named):
         """
         return self._formula.quarter_period(moving(pendulum)._orbit)
 
-    def ranges(self, bound: float) -> tuple[tuple[float, float], ...]:
+    def ranges(self, bound: float) -> Intervals:
         """The turning angles for which the size of the error stays within a bound.
 
         Parameters
@@ -200,6 +223,11 @@ class PeriodFormula(Named):
         ValueError
             If the bound is out of range.
 
+        Notes
+        -----
+        Error promised: none; the ends are the last doubles that keep the bound. Source: bisection between the zeros and
+        extremes of the error.
+
         Examples
         --------
         >>> import numpy as np
@@ -210,14 +238,17 @@ class PeriodFormula(Named):
         """
         return tuple(self._formula.ranges(real("bound", bound)))
 
+    def _answered(self, quantity: str, result: Result, **given: Any) -> Any:
+        """A quantity by the one argument that is given."""
+        found = [name for name, value in given.items() if value is not None]
+        if len(found) != 1:
+            raise ValueError(f"exactly one of {', '.join(given)} must be given, not {' and '.join(found) or 'none'}")
+        [name] = found
+        method = quantity if name == "theta_max" else f"{quantity}_of_{name}"
+        return apply(Elementwise(partial(self._values, method)), given[name], results=(result,))
 
-def answered(**ways: Any) -> Any:
-    """The answers of the one way whose argument is given."""
-    given = {name: way for name, way in ways.items() if way[1] is not None}
-    if len(given) != 1:
-        named = " and ".join(given) or "none"
-        raise ValueError(f"exactly one of {', '.join(ways)} must be given, not {named}")
-    return each(*next(iter(given.values())))
+    def _values(self, method: str, argument: np.ndarray) -> Any:
+        return getattr(self._formula, method)(argument)
 
 
 period: Registry[PeriodFormula] = Registry(PeriodFormula, _core.PeriodFormula.patterns(), {"series": 4, "agm": 3})

@@ -4,12 +4,32 @@ Every integral of a square root of a polynomial of degree three or four is made 
 19.16(i).
 """
 
-from typing import Any
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, overload
+
+import numpy as np
 
 from .. import _core
+from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from .._labels import Result
+
+RF = Result("carlson_rf", "1", "Carlson's integral R_F")
+RC = Result("carlson_rc", "1", "Carlson's integral R_C")
+RD = Result("carlson_rd", "1", "Carlson's integral R_D")
+RJ = Result("carlson_rj", "1", "Carlson's integral R_J")
 
 
+@overload
+def carlson_rf(x: Scalar, y: Scalar, z: Scalar, *, out: None = None, where: bool = True) -> np.float64: ...
+@overload
+def carlson_rf(x: Real, y: Real, z: Real, *, out: Floats | None = None, where: Mask = True) -> Floats: ...
+@overload
+def carlson_rf(
+    x: Real | Labelled, y: Real | Labelled, z: Real | Labelled, *, out: Labelled | None = None, where: Mask = True
+) -> Labelled: ...
 def carlson_rf(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_F.
 
@@ -38,9 +58,17 @@ def carlson_rf(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) ->
     >>> f"{libration.carlson_rf(1.0, 2.0, 3.0):.8f}"
     '0.72694594'
     """
-    return apply(_core.carlson_rf, x, y, z, out=out, where=where)
+    return apply(_core.carlson_rf, x, y, z, results=(RF,), out=out, where=where)
 
 
+@overload
+def carlson_rc(x: Scalar, y: Scalar, *, out: None = None, where: bool = True) -> np.float64: ...
+@overload
+def carlson_rc(x: Real, y: Real, *, out: Floats | None = None, where: Mask = True) -> Floats: ...
+@overload
+def carlson_rc(
+    x: Real | Labelled, y: Real | Labelled, *, out: Labelled | None = None, where: Mask = True
+) -> Labelled: ...
 def carlson_rc(x: Any, y: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_C.
 
@@ -72,9 +100,17 @@ def carlson_rc(x: Any, y: Any, *, out: Any = None, where: Any = True) -> Any:
     >>> f"{libration.carlson_rc(1.0, -2.0):.8f}"
     '0.38017300'
     """
-    return apply(_core.carlson_rc, x, y, out=out, where=where)
+    return apply(_core.carlson_rc, x, y, results=(RC,), out=out, where=where)
 
 
+@overload
+def carlson_rd(x: Scalar, y: Scalar, z: Scalar, *, out: None = None, where: bool = True) -> np.float64: ...
+@overload
+def carlson_rd(x: Real, y: Real, z: Real, *, out: Floats | None = None, where: Mask = True) -> Floats: ...
+@overload
+def carlson_rd(
+    x: Real | Labelled, y: Real | Labelled, z: Real | Labelled, *, out: Labelled | None = None, where: Mask = True
+) -> Labelled: ...
 def carlson_rd(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_D.
 
@@ -104,9 +140,23 @@ def carlson_rd(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) ->
     >>> f"{libration.carlson_rd(1.0, 2.0, 3.0):.8f}"
     '0.29046028'
     """
-    return apply(_core.carlson_rd, x, y, z, out=out, where=where)
+    return apply(_core.carlson_rd, x, y, z, results=(RD,), out=out, where=where)
 
 
+@overload
+def carlson_rj(x: Scalar, y: Scalar, z: Scalar, p: Scalar, *, out: None = None, where: bool = True) -> np.float64: ...
+@overload
+def carlson_rj(x: Real, y: Real, z: Real, p: Real, *, out: Floats | None = None, where: Mask = True) -> Floats: ...
+@overload
+def carlson_rj(
+    x: Real | Labelled,
+    y: Real | Labelled,
+    z: Real | Labelled,
+    p: Real | Labelled,
+    *,
+    out: Labelled | None = None,
+    where: Mask = True,
+) -> Labelled: ...
 def carlson_rj(x: Any, y: Any, z: Any, p: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_J.
 
@@ -138,4 +188,4 @@ def carlson_rj(x: Any, y: Any, z: Any, p: Any, *, out: Any = None, where: Any = 
     >>> f"{libration.carlson_rj(1.0, 2.0, 3.0, -4.0):.8f}"
     '-0.23786769'
     """
-    return apply(_core.carlson_rj, x, y, z, p, out=out, where=where)
+    return apply(_core.carlson_rj, x, y, z, p, results=(RJ,), out=out, where=where)

@@ -4,11 +4,10 @@ p and q are letters of s, c, d, n, and sn, cn, dn, nn = 1 the functions above an
 22.15.
 """
 
-from collections.abc import Callable
 from typing import Any
 
-from .._dispatch import apply
-from ._parameter import chosen, ufuncs
+from ._parameter import function
+from ._signatures import OfU, OfX, of_u, of_x
 
 _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
 
@@ -169,34 +168,32 @@ _TABLE = {
 }
 
 
-def _function(name: str) -> Callable[..., Any]:
+def _function(name: str) -> OfU:
     """pq of the table."""
-    table = ufuncs(name)
+    pq_of = function(name, f"Jacobi's elliptic function {name}")
     quotient, example, *_, source, _ = _TABLE[name]
 
     def pq(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
-        ufunc, parameter = chosen(table, m=m, mc=mc, k=k)
-        return apply(ufunc, u, parameter, out=out, where=where)
+        return pq_of(u, m=m, mc=mc, k=k, out=out, where=where)
 
     nature = _ODD if name[0] == "s" else _POLE.format(name=name) if name[1] == "s" else _EVEN
     pq.__name__ = pq.__qualname__ = name
     pq.__doc__ = _FUNCTION.format(name=name, quotient=quotient, nature=nature, source=source, example=example)
-    return pq
+    return of_u(pq)
 
 
-def _inverse(name: str) -> Callable[..., Any]:
+def _inverse(name: str) -> OfX:
     """arcpq of the table."""
-    table = ufuncs(f"arc{name}")
+    arcpq_of = function(f"arc{name}", f"inverse of Jacobi's elliptic function {name}")
     _, _, domain, x, example, _, source = _TABLE[name]
 
     def arcpq(x: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
-        ufunc, parameter = chosen(table, m=m, mc=mc, k=k)
-        return apply(ufunc, x, parameter, out=out, where=where)
+        return arcpq_of(x, m=m, mc=mc, k=k, out=out, where=where)
 
     branch = _AROUND if "s" in name else _LEAST.format(range=": in [0, K] for m < 1" if name in ("dn", "nd") else "")
     arcpq.__name__ = arcpq.__qualname__ = f"arc{name}"
     arcpq.__doc__ = _INVERSE.format(name=name, branch=branch, domain=domain, x=x, source=source, example=example)
-    return arcpq
+    return of_x(arcpq)
 
 
 sn = _function("sn")

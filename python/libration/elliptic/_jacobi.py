@@ -3,35 +3,92 @@
 Source: DLMF 22.2, 22.8.1 to 22.8.3, 22.16(i), 22.17.
 """
 
-from typing import Any, NamedTuple
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, Generic, NamedTuple, TypeVar, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .._dispatch import apply
-from ._parameter import chosen, ufuncs
+from .._arrays import Complex, Floats, Labelled, Mask, Real, Scalar
+from .._labels import Result, like
+from ._parameter import Function
 
-
-class JacobiValues(NamedTuple):
-    """The four values of `jacobi`, in this order."""
-
-    sn: Any
-    cn: Any
-    dn: Any
-    am: Any
+Value = TypeVar("Value")
 
 
-class JacobiComplexValues(NamedTuple):
-    """The three values of `jacobi_complex`, in this order."""
+class JacobiValues(NamedTuple, Generic[Value]):
+    """The values sn, cn, dn and am of `jacobi`, in this order.
 
-    sn: Any
-    cn: Any
-    dn: Any
+    Examples
+    --------
+    >>> from libration import elliptic
+    >>> sn, cn, dn, am = elliptic.jacobi(1.0, m=0.5)
+    >>> f"{am:.6f}"
+    '0.932315'
+    """
+
+    sn: Value
+    cn: Value
+    dn: Value
+    am: Value
 
 
-_JACOBI = ufuncs("jacobi")
+class JacobiComplexValues(NamedTuple, Generic[Value]):
+    """The values sn, cn and dn of `jacobi_complex`, in this order.
+
+    Examples
+    --------
+    >>> from libration import elliptic
+    >>> elliptic.jacobi_complex(1j, m=0.5)._fields
+    ('sn', 'cn', 'dn')
+    """
+
+    sn: Value
+    cn: Value
+    dn: Value
 
 
-def jacobi(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> JacobiValues:
+_SN = Result("sn", "1", "Jacobi's elliptic function sn")
+_CN = Result("cn", "1", "Jacobi's elliptic function cn")
+_DN = Result("dn", "1", "Jacobi's elliptic function dn")
+_JACOBI = Function("jacobi", _SN, _CN, _DN, Result("am", "rad", "Jacobi's amplitude"))
+
+
+@overload
+def jacobi(
+    u: Scalar,
+    *,
+    m: Scalar | None = None,
+    mc: Scalar | None = None,
+    k: Scalar | None = None,
+    out: None = None,
+    where: bool = True,
+) -> JacobiValues[np.float64]: ...
+@overload
+def jacobi(
+    u: Real,
+    *,
+    m: Real | None = None,
+    mc: Real | None = None,
+    k: Real | None = None,
+    out: tuple[Floats, Floats, Floats, Floats] | None = None,
+    where: Mask = True,
+) -> JacobiValues[Floats]: ...
+@overload
+def jacobi(
+    u: Real | Labelled,
+    *,
+    m: Real | Labelled | None = None,
+    mc: Real | Labelled | None = None,
+    k: Real | Labelled | None = None,
+    out: tuple[Labelled, Labelled, Labelled, Labelled] | None = None,
+    where: Mask = True,
+) -> JacobiValues[Labelled]: ...
+def jacobi(
+    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
+) -> JacobiValues[Any]:
     """Jacobi's elliptic functions and amplitude, together: ``(sn, cn, dn, am)`` of u.
 
     am(u | m) is the integral of dn from 0 to u; sn = sin(am), cn = cos(am), dn**2 = 1 - m sn**2. For m < 1 the
@@ -70,8 +127,7 @@ def jacobi(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = N
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f} {values.am:.6f}")
     0.803002 0.595977 0.823161 0.932315
     """
-    ufunc, parameter = chosen(_JACOBI, m=m, mc=mc, k=k)
-    return JacobiValues(*apply(ufunc, u, parameter, out=out, where=where))
+    return JacobiValues(*_JACOBI(u, m=m, mc=mc, k=k, out=out, where=where))
 
 
 class _Joined:
@@ -95,15 +151,54 @@ def _join(re: Any, im: Any) -> Any:
     """re + 1j im without arithmetic, which would make an infinity NaN."""
     whole = np.empty(np.shape(re), np.complex128)
     whole.real, whole.imag = re, im
-    return whole[()]
+    return like(re, whole) if whole.ndim else whole[()]
 
 
-_JACOBI_COMPLEX: Any = {keyword: _Joined(ufunc) for keyword, ufunc in ufuncs("jacobi_complex").items()}
+def _parts(u: Any) -> tuple[Any, Any]:
+    """Real and imaginary part, with the labels of the whole."""
+    if hasattr(u, "real"):
+        return u.real, u.imag
+    values = np.asarray(u)
+    return like(u, values.real), like(u, values.imag)
 
 
+_JACOBI_COMPLEX = Function("jacobi_complex", _SN, _CN, _DN)
+_JACOBI_COMPLEX.ufuncs = {keyword: _Joined(ufunc) for keyword, ufunc in _JACOBI_COMPLEX.ufuncs.items()}
+
+
+@overload
+def jacobi_complex(
+    u: complex | np.complexfloating[Any, Any],
+    *,
+    m: Scalar | None = None,
+    mc: Scalar | None = None,
+    k: Scalar | None = None,
+    out: None = None,
+    where: bool = True,
+) -> JacobiComplexValues[np.complex128]: ...
+@overload
+def jacobi_complex(
+    u: Complex,
+    *,
+    m: Real | None = None,
+    mc: Real | None = None,
+    k: Real | None = None,
+    out: tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.complex128]] | None = None,
+    where: Mask = True,
+) -> JacobiComplexValues[NDArray[np.complex128]]: ...
+@overload
+def jacobi_complex(
+    u: Complex | Labelled,
+    *,
+    m: Real | Labelled | None = None,
+    mc: Real | Labelled | None = None,
+    k: Real | Labelled | None = None,
+    out: tuple[Labelled, Labelled, Labelled] | None = None,
+    where: Mask = True,
+) -> JacobiComplexValues[Labelled]: ...
 def jacobi_complex(
     u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
-) -> JacobiComplexValues:
+) -> JacobiComplexValues[Any]:
     """Jacobi's elliptic functions of a complex argument, together: ``(sn, cn, dn)`` of u.
 
     Doubly periodic for real m other than 0 and 1: sn, for 0 < m < 1, by 4 K and 2i K(1 - m).
@@ -141,6 +236,4 @@ def jacobi_complex(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f}")
     0.891000+0.239754j 0.618716-0.345266j 0.805834-0.132547j
     """
-    ufunc, parameter = chosen(_JACOBI_COMPLEX, m=m, mc=mc, k=k)
-    number = u if hasattr(u, "real") else np.asarray(u)
-    return JacobiComplexValues(*apply(ufunc, number.real, number.imag, parameter, out=out, where=where))
+    return JacobiComplexValues(*_JACOBI_COMPLEX(*_parts(u), m=m, mc=mc, k=k, out=out, where=where))

@@ -5,18 +5,19 @@ Source: DLMF 19.2(ii); Byrd & Friedman 150.03 for Heuman's lambda.
 
 from typing import Any
 
-from .._dispatch import apply
-from ._parameter import chosen, ufuncs
+from ._parameter import function
+from ._signatures import of_n, of_n_and_phi, of_parameter, of_phi
 
-_COMPLETE_K = ufuncs("complete_k")
-_COMPLETE_E = ufuncs("complete_e")
-_COMPLETE_PI = ufuncs("complete_pi")
-_INCOMPLETE_F = ufuncs("incomplete_f")
-_INCOMPLETE_E = ufuncs("incomplete_e")
-_INCOMPLETE_PI = ufuncs("incomplete_pi")
-_HEUMAN_LAMBDA = ufuncs("heuman_lambda")
+_COMPLETE_K = function("complete_k", "complete elliptic integral of the first kind")
+_COMPLETE_E = function("complete_e", "complete elliptic integral of the second kind")
+_COMPLETE_PI = function("complete_pi", "complete elliptic integral of the third kind")
+_INCOMPLETE_F = function("incomplete_f", "incomplete elliptic integral of the first kind")
+_INCOMPLETE_E = function("incomplete_e", "incomplete elliptic integral of the second kind")
+_INCOMPLETE_PI = function("incomplete_pi", "incomplete elliptic integral of the third kind")
+_HEUMAN_LAMBDA = function("heuman_lambda", "Heuman's lambda function")
 
 
+@of_parameter
 def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Legendre's complete elliptic integral of the first kind, K.
 
@@ -50,10 +51,10 @@ def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     >>> f"{libration.complete_k(m=0.5):.8f} {libration.complete_k(mc=1e-300):.8f}"
     '1.85407468 346.77405831'
     """
-    ufunc, parameter = chosen(_COMPLETE_K, m=m, mc=mc, k=k)
-    return apply(ufunc, parameter, out=out, where=where)
+    return _COMPLETE_K(m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_parameter
 def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Legendre's complete elliptic integral of the second kind, E.
 
@@ -87,10 +88,10 @@ def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     >>> f"{libration.complete_e(m=0.5):.8f}"
     '1.35064388'
     """
-    ufunc, parameter = chosen(_COMPLETE_E, m=m, mc=mc, k=k)
-    return apply(ufunc, parameter, out=out, where=where)
+    return _COMPLETE_E(m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_n
 def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Legendre's complete elliptic integral of the third kind, Pi(n).
 
@@ -127,10 +128,10 @@ def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     >>> f"{libration.complete_pi(0.3, m=0.5):.8f} {libration.complete_pi(3.0, m=0.5):.8f}"
     '2.25037682 -0.19298821'
     """
-    ufunc, parameter = chosen(_COMPLETE_PI, m=m, mc=mc, k=k)
-    return apply(ufunc, n, parameter, out=out, where=where)
+    return _COMPLETE_PI(n, m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_phi
 def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Legendre's incomplete elliptic integral of the first kind, F.
 
@@ -167,10 +168,10 @@ def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.incomplete_f(1.0, m=0.5):.8f}"
     '1.08321677'
     """
-    ufunc, parameter = chosen(_INCOMPLETE_F, m=m, mc=mc, k=k)
-    return apply(ufunc, phi, parameter, out=out, where=where)
+    return _INCOMPLETE_F(phi, m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_phi
 def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Legendre's incomplete elliptic integral of the second kind, E(phi).
 
@@ -207,10 +208,10 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.incomplete_e(1.0, m=0.5):.8f}"
     '0.92732988'
     """
-    ufunc, parameter = chosen(_INCOMPLETE_E, m=m, mc=mc, k=k)
-    return apply(ufunc, phi, parameter, out=out, where=where)
+    return _INCOMPLETE_E(phi, m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_n_and_phi
 def incomplete_pi(
     n: Any, phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
 ) -> Any:
@@ -252,10 +253,10 @@ def incomplete_pi(
     >>> f"{libration.incomplete_pi(0.3, 1.0, m=0.5):.8f}"
     '1.19232544'
     """
-    ufunc, parameter = chosen(_INCOMPLETE_PI, m=m, mc=mc, k=k)
-    return apply(ufunc, n, phi, parameter, out=out, where=where)
+    return _INCOMPLETE_PI(n, phi, m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_phi
 def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Heuman's lambda function, Lambda_0(phi).
 
@@ -294,5 +295,4 @@ def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out
     >>> f"{libration.heuman_lambda(1.0, m=0.5):.8f}"
     '0.74740064'
     """
-    ufunc, parameter = chosen(_HEUMAN_LAMBDA, m=m, mc=mc, k=k)
-    return apply(ufunc, phi, parameter, out=out, where=where)
+    return _HEUMAN_LAMBDA(phi, m=m, mc=mc, k=k, out=out, where=where)

@@ -2,22 +2,28 @@
 
 from typing import Any
 
-import numpy as np
-
 from .. import _core
+from .._dispatch import apply
+from .._labels import Result
 
 
-def ufuncs(name: str, keywords: tuple[str, ...] = ("m", "mc", "k")) -> dict[str, np.ufunc]:
-    """The ufuncs of a function, one for every keyword."""
-    return {keyword: getattr(_core, f"{name}_{keyword}") for keyword in keywords}
+class Function:
+    """A function with a ufunc for each keyword, which calls the one that was given."""
+
+    def __init__(self, name: str, *results: Result, keywords: tuple[str, ...] = ("m", "mc", "k")) -> None:
+        self.ufuncs: dict[str, Any] = {keyword: getattr(_core, f"{name}_{keyword}") for keyword in keywords}
+        self.results = results
+
+    def __call__(self, *arguments: Any, out: Any, where: Any, **given: Any) -> Any:
+        found = [(name, value) for name, value in given.items() if value is not None]
+        if len(found) != 1:
+            *others, last = given
+            named = " and ".join(name for name, _ in found) or "none"
+            raise ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
+        [(name, value)] = found
+        return apply(self.ufuncs[name], *arguments, value, results=self.results, out=out, where=where)
 
 
-def chosen(table: dict[str, np.ufunc], **given: Any) -> tuple[np.ufunc, Any]:
-    """The ufunc of the keyword that was given, and its value."""
-    found = [(name, value) for name, value in given.items() if value is not None]
-    if len(found) != 1:
-        *others, last = given
-        named = " and ".join(name for name, _ in found) or "none"
-        raise ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
-    [(name, value)] = found
-    return table[name], value
+def function(name: str, meaning: str, keywords: tuple[str, ...] = ("m", "mc", "k")) -> Function:
+    """A function of one result, a number without units."""
+    return Function(name, Result(name, "1", meaning), keywords=keywords)

@@ -5,13 +5,14 @@ Source: DLMF 22.16(ii), 22.16(iii).
 
 from typing import Any
 
-from .._dispatch import apply
-from ._parameter import chosen, ufuncs
+from ._parameter import function
+from ._signatures import of_u
 
-_JACOBI_EPSILON = ufuncs("jacobi_epsilon")
-_JACOBI_ZETA = ufuncs("jacobi_zeta")
+_JACOBI_EPSILON = function("jacobi_epsilon", "Jacobi's epsilon function")
+_JACOBI_ZETA = function("jacobi_zeta", "Jacobi's zeta function")
 
 
+@of_u
 def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Jacobi's epsilon function, E(am u).
 
@@ -47,10 +48,10 @@ def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.jacobi_epsilon(1.0, m=0.5):.8f} {libration.jacobi_epsilon(1.0, m=2.0):.8f}"
     '0.87227528 0.58904863'
     """
-    ufunc, parameter = chosen(_JACOBI_EPSILON, m=m, mc=mc, k=k)
-    return apply(ufunc, u, parameter, out=out, where=where)
+    return _JACOBI_EPSILON(u, m=m, mc=mc, k=k, out=out, where=where)
 
 
+@of_u
 def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Jacobi's zeta function, the periodic part of epsilon.
 
@@ -86,5 +87,4 @@ def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     >>> f"{libration.jacobi_zeta(1.0, m=0.5):.8f}"
     '0.14380199'
     """
-    ufunc, parameter = chosen(_JACOBI_ZETA, m=m, mc=mc, k=k)
-    return apply(ufunc, u, parameter, out=out, where=where)
+    return _JACOBI_ZETA(u, m=m, mc=mc, k=k, out=out, where=where)

@@ -3,17 +3,15 @@
 The four differ in their series alone, so one template serves them. Source: DLMF 20.2(i), 22.2.1.
 """
 
-from collections.abc import Callable
 from typing import Any
 
-import numpy as np
+from ._parameter import function
+from ._signatures import OfZ, of_parameter, of_z
 
-from .._dispatch import apply
-from ._parameter import chosen, ufuncs
-
-_NOME = ufuncs("nome")
+_NOME = function("nome", "nome")
 
 
+@of_parameter
 def nome(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
     """Nome q = exp(-pi K(1 - m)/K(m)) of the theta functions.
 
@@ -46,8 +44,7 @@ def nome(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where
     >>> f"{libration.nome(m=0.5):.8f}"
     '0.04321392'
     """
-    ufunc, parameter = chosen(_NOME, m=m, mc=mc, k=k)
-    return apply(ufunc, parameter, out=out, where=where)
+    return _NOME(m=m, mc=mc, k=k, out=out, where=where)
 
 
 _DOCUMENT = """Jacobi's theta function theta_{index}(z, q).
@@ -95,9 +92,9 @@ _THETAS = {
 }
 
 
-def _theta(index: int) -> Callable[..., Any]:
+def _theta(index: int) -> OfZ:
     """The function of one index."""
-    table: dict[str, np.ufunc] = ufuncs(f"theta{index}", ("q", "m", "mc", "k"))
+    theta_of = function(f"theta{index}", f"Jacobi's theta function {index}", ("q", "m", "mc", "k"))
     series, source, example = _THETAS[index]
 
     def theta(
@@ -110,8 +107,7 @@ def _theta(index: int) -> Callable[..., Any]:
         out: Any = None,
         where: Any = True,
     ) -> Any:
-        ufunc, parameter = chosen(table, q=q, m=m, mc=mc, k=k)
-        return apply(ufunc, z, parameter, out=out, where=where)
+        return theta_of(z, q=q, m=m, mc=mc, k=k, out=out, where=where)
 
     theta.__name__ = theta.__qualname__ = f"theta{index}"
     theta.__doc__ = _DOCUMENT.format(
@@ -122,7 +118,7 @@ def _theta(index: int) -> Callable[..., Any]:
         nome="in [0, 1)" if index < 3 else "in (-1, 1)",
         parameter="in [0, 1)" if index < 3 else "below 1",
     )
-    return theta
+    return of_z(theta)
 
 
 theta1 = _theta(1)

@@ -44,6 +44,8 @@ class CubicQuintic(Oscillator):
 
     __slots__ = ()
 
+    _oscillator: _core.CubicQuintic
+
     _names = ("alpha", "beta", "gamma")
     _kernels = (_core.cubic_quintic_u, _core.cubic_quintic_velocity, _core.cubic_quintic_motion)
 

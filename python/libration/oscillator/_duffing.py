@@ -4,13 +4,19 @@ It is set up once from its state at t = 0 and answers at any time up to an escap
 Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
 """
 
-from typing import Any, Self
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, Self, overload
+
+import numpy as np
 
 from .. import _core
+from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
 from .._scalars import real
 from ..pendulum import Pendulum
-from ._oscillator import Oscillator
+from ._oscillator import MOTION, Oscillator
 
 
 class Duffing(Oscillator):
@@ -49,6 +55,8 @@ class Duffing(Oscillator):
     """
 
     __slots__ = ()
+
+    _oscillator: _core.Duffing
 
     _names = ("p", "q")
     _kernels = (_core.duffing_u, _core.duffing_velocity, _core.duffing_motion)
@@ -118,6 +126,39 @@ class Duffing(Oscillator):
         return self._given[3]
 
 
+@overload
+def duffing_motion(
+    t: Scalar,
+    u0: Scalar,
+    velocity0: Scalar = 0.0,
+    p: Scalar = 1.0,
+    q: Scalar = 1.0,
+    *,
+    out: None = None,
+    where: bool = True,
+) -> tuple[np.float64, np.float64]: ...
+@overload
+def duffing_motion(
+    t: Real,
+    u0: Real,
+    velocity0: Real = 0.0,
+    p: Real = 1.0,
+    q: Real = 1.0,
+    *,
+    out: tuple[Floats, Floats] | None = None,
+    where: Mask = True,
+) -> tuple[Floats, Floats]: ...
+@overload
+def duffing_motion(
+    t: Real | Labelled,
+    u0: Real | Labelled,
+    velocity0: Real | Labelled = 0.0,
+    p: Real | Labelled = 1.0,
+    q: Real | Labelled = 1.0,
+    *,
+    out: tuple[Labelled, Labelled] | None = None,
+    where: Mask = True,
+) -> tuple[Labelled, Labelled]: ...
 def duffing_motion(
     t: Any, u0: Any, velocity0: Any = 0.0, p: Any = 1.0, q: Any = 1.0, *, out: Any = None, where: Any = True
 ) -> Any:
@@ -156,4 +197,4 @@ def duffing_motion(
     >>> print(u.round(6))
     [3.17963000e-01 1.00000000e+00 1.31264107e+03]
     """
-    return apply(_core.duffing_motion, t, u0, velocity0, p, q, out=out, where=where)
+    return apply(_core.duffing_motion, t, u0, velocity0, p, q, results=MOTION, out=out, where=where)

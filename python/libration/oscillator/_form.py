@@ -1,13 +1,15 @@
 """The twelve forms c1 pq(Omega t + c2 | m) of solutions of u'' + p u + q u**3 = 0."""
 
-from typing import Any, Self
+from typing import Any, Self, overload
 
 import numpy as np
 
 from .. import _core
+from .._arrays import Array, Floats, Labelled, Scalar
+from .._dispatch import Elementwise, apply
 from .._immutable import Immutable
 from .._scalars import real
-from ._oscillator import OscillatorRegime
+from ._oscillator import MOTION, VELOCITY, OscillatorRegime, U
 
 
 class DuffingForm(Immutable):
@@ -56,47 +58,126 @@ class DuffingForm(Immutable):
         object.__setattr__(self, "_given", (str(form), *numbers))
         return self
 
+    @overload
+    def u(self, t: Scalar) -> np.float64: ...
+    @overload
+    def u(self, t: Array) -> Floats: ...
+    @overload
+    def u(self, t: Labelled) -> Labelled: ...
     def u(self, t: Any) -> Any:
-        """Displacement at the times `t`, an array of their shape or a float64.
+        """Displacement at the times `t`.
 
-        NaN for times that are not finite. Error promised: 4 ulp, plus 2**-100 of the condition. Source: DLMF 22.2.10.
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign. NaN and infinite times give NaN.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            Displacement; beyond a pole the form goes on. Dask, xarray and pandas arrays give their like.
+
+        Notes
+        -----
+        Error promised: 4 ulp, plus 2**-100 of the condition. Source: DLMF 22.2.10.
+
+        Examples
+        --------
+        >>> import libration
+        >>> form = libration.DuffingForm("cn", 1.0, p=1.0, q=1.0)
+        >>> form.u([0.0, 1.0]).round(6)
+        array([1.      , 0.233692])
         """
-        return self.motion(t)[0]
+        return apply(Elementwise(self._u), t, results=(U,))
 
+    @overload
+    def velocity(self, t: Scalar) -> np.float64: ...
+    @overload
+    def velocity(self, t: Array) -> Floats: ...
+    @overload
+    def velocity(self, t: Labelled) -> Labelled: ...
     def velocity(self, t: Any) -> Any:
-        """Velocity at the times `t`, an array of their shape or a float64.
+        """Velocity at the times `t`, the derivative of `u`.
 
-        NaN for times that are not finite. Error promised: 4 ulp, plus 2**-100 of the condition. Source: DLMF 22.13(i).
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign. NaN and infinite times give NaN.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            Velocity, in units of u per s. Dask, xarray and pandas arrays give their like.
+
+        Notes
+        -----
+        Error promised: 4 ulp, plus 2**-100 of the condition. Source: DLMF 22.13(i).
+
+        Examples
+        --------
+        >>> import libration
+        >>> form = libration.DuffingForm("cn", 1.0, p=1.0, q=1.0)
+        >>> f"{form.velocity(1.0):.6f}"
+        '-1.201623'
         """
-        return self.motion(t)[1]
+        return apply(Elementwise(self._velocity), t, results=(VELOCITY,))
 
+    @overload
+    def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
+    @overload
+    def motion(self, t: Array) -> tuple[Floats, Floats]: ...
+    @overload
+    def motion(self, t: Labelled) -> tuple[Labelled, Labelled]: ...
     def motion(self, t: Any) -> Any:
-        """Displacement and velocity at the times `t`, together: two arrays of their shape, or two float64.
+        """Displacement and velocity at the times `t`, together: ``(u, velocity)``.
 
-        NaN for times that are not finite. Error promised: that of `u` and of `velocity`. Source: DLMF 22.13(i).
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign. NaN and infinite times give NaN.
+
+        Returns
+        -------
+        pair of float64 or of arrays of the shape of `t`
+            The same digits as `u` and `velocity`. Dask, xarray and pandas arrays give their like.
+
+        Notes
+        -----
+        Error promised: that of `u` and of `velocity`. Source: DLMF 22.13(i).
+
+        Examples
+        --------
+        >>> import libration
+        >>> form = libration.DuffingForm("cn", 1.0, p=1.0, q=1.0)
+        >>> u, velocity = form.motion(1.0)
+        >>> print(f"{u:.6f} {velocity:.6f}")
+        0.233692 -1.201623
         """
-        times = np.asarray(t, dtype=float)
-        u, velocity = self._form.motion(times.ravel())
-        return u.reshape(times.shape)[()], velocity.reshape(times.shape)[()]
+        return apply(Elementwise(self._motion, 2), t, results=MOTION)
 
     @property
     def rate(self) -> float:
-        """Omega, in 1/s. Error promised: 2 ulp. Source: the table of core/src/duffing/forms.rs."""
+        """Omega, in 1/s. Error promised: 2 ulp. Source: the differential equations of DLMF 22.13(iii)."""
         return self._form.rate
 
     @property
     def m(self) -> float:
-        """Parameter of the elliptic function. Error promised: 2 ulp. Source: the table of core/src/duffing/forms.rs."""
+        """Parameter of the elliptic function. Error promised: 2 ulp. Source: the differential equations of DLMF 22.13(iii)."""
         return self._form.parameter[0]
 
     @property
     def mc(self) -> float:
-        """Complement 1 - m, computed directly. Error promised: 2 ulp. Source: the table of core/src/duffing/forms.rs."""
+        """Complement 1 - m, computed directly. Error promised: 2 ulp. Source: the differential equations of DLMF 22.13(iii)."""
         return self._form.parameter[1]
 
     @staticmethod
     def table() -> dict[str, list[OscillatorRegime]]:
         """Which form serves which regimes, found by trying every form over a grid of p and q c1**2.
+
+        Returns
+        -------
+        dict of str to list of OscillatorRegime
+            The regimes of each form.
 
         Examples
         --------
@@ -105,6 +186,15 @@ class DuffingForm(Immutable):
         rest well homoclinic
         """
         return {name: [OscillatorRegime(each) for each in regimes] for name, regimes in _core.DuffingForm.table()}
+
+    def _u(self, t: np.ndarray) -> np.ndarray:
+        return self._form.motion(t)[0]
+
+    def _velocity(self, t: np.ndarray) -> np.ndarray:
+        return self._form.motion(t)[1]
+
+    def _motion(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self._form.motion(t)
 
     def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         form, p, q, c1, c2 = self._given

@@ -1,13 +1,21 @@
 """What every nonlinear spring answers: its motion, regime, period, reach, passages and escapes."""
 
 from enum import StrEnum
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Self, overload
 
 import numpy as np
 
+from .. import _core
+from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import apply
 from .._immutable import Immutable
+from .._labels import Result
 from .._scalars import real
+
+# Displacements are in the user's units.
+U = Result("u", None, "displacement")
+VELOCITY = Result("velocity", None, "velocity")
+MOTION = U, VELOCITY
 
 
 class OscillatorRegime(StrEnum):
@@ -41,7 +49,7 @@ class Oscillator(Immutable):
     _kernels: ClassVar[tuple[np.ufunc, np.ufunc, np.ufunc]]
     _given: tuple[float, ...]
     _operands: tuple[np.ndarray, ...]
-    _oscillator: Any
+    _oscillator: _core.Duffing | _core.CubicQuintic
 
     @classmethod
     def _made(cls, made: Any) -> Self:
@@ -51,6 +59,14 @@ class Oscillator(Immutable):
         object.__setattr__(self, "_operands", tuple(map(np.asarray, made.operands)))
         return self
 
+    @overload
+    def u(self, t: Scalar, out: None = None) -> np.float64: ...
+    @overload
+    def u(self, t: Array, out: Floats | None = None) -> Floats: ...
+    @overload
+    def u(self, t: Scalar, out: Floats) -> Floats: ...
+    @overload
+    def u(self, t: Labelled, out: Labelled | None = None) -> Labelled: ...
     def u(self, t: Any, out: Any = None) -> Any:
         """Displacement at the times `t`.
 
@@ -79,8 +95,16 @@ class Oscillator(Immutable):
         """
         if out is None and type(t) is float:
             return self._oscillator.u(t)
-        return apply(self._kernels[0], t, *self._operands, out=out)
+        return apply(self._kernels[0], t, *self._operands, results=(U,), out=out)
 
+    @overload
+    def velocity(self, t: Scalar, out: None = None) -> np.float64: ...
+    @overload
+    def velocity(self, t: Array, out: Floats | None = None) -> Floats: ...
+    @overload
+    def velocity(self, t: Scalar, out: Floats) -> Floats: ...
+    @overload
+    def velocity(self, t: Labelled, out: Labelled | None = None) -> Labelled: ...
     def velocity(self, t: Any, out: Any = None) -> Any:
         """Velocity at the times `t`, the derivative of `u`.
 
@@ -109,8 +133,14 @@ class Oscillator(Immutable):
         """
         if out is None and type(t) is float:
             return self._oscillator.velocity(t)
-        return apply(self._kernels[1], t, *self._operands, out=out)
+        return apply(self._kernels[1], t, *self._operands, results=(VELOCITY,), out=out)
 
+    @overload
+    def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
+    @overload
+    def motion(self, t: Array) -> tuple[Floats, Floats]: ...
+    @overload
+    def motion(self, t: Labelled) -> tuple[Labelled, Labelled]: ...
     def motion(self, t: Any) -> Any:
         """Displacement and velocity at the times `t`, together: ``(u, velocity)``.
 
@@ -137,9 +167,9 @@ class Oscillator(Immutable):
         """
         if type(t) is float:
             return self._oscillator.motion(t)
-        return apply(self._kernels[2], t, *self._operands)
+        return apply(self._kernels[2], t, *self._operands, results=MOTION)
 
-    def times(self, u: float, start: float, stop: float) -> np.ndarray:
+    def times(self, u: float, start: float, stop: float) -> Floats:
         """All times from `start` to `stop`, both included, at which the displacement is `u`.
 
         Parameters

@@ -6,12 +6,41 @@ one way. The separatrix itself is given that of librations. dJ/dE = 1/abs(freque
 Source: Landau & Lifshitz, Mechanics, sections 11 and 49.
 """
 
-from typing import Any
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, overload
+
+import numpy as np
 
 from .. import _core
+from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from ._results import ACTION, FREQUENCY, MOTION, PHASE
 
-_STATE = """
+
+@overload
+def action(
+    theta: Scalar, velocity: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> np.float64: ...
+@overload
+def action(
+    theta: Real, velocity: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
+) -> Floats: ...
+@overload
+def action(
+    theta: Real | Labelled,
+    velocity: Real | Labelled = 0.0,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: Labelled | None = None,
+    where: Mask = True,
+) -> Labelled: ...
+def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    """Action of pendulums in the states (theta, velocity).
+
+    What `Pendulum.action` is, element by element.
+
     Parameters
     ----------
     theta : scalar or array
@@ -24,14 +53,7 @@ _STATE = """
         Where to put the result.
     where : array of bool, optional
         Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
-"""
 
-
-def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
-    """Action of pendulums in the states (theta, velocity).
-
-    What `Pendulum.action` is, element by element.
-    {state}
     Returns
     -------
     float64 or array of the broadcast shape
@@ -47,14 +69,44 @@ def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = Non
     >>> libration.action([0.0, 0.0], [1.0, 3.0]).round(6)
     array([0.517316, 2.631985])
     """
-    return apply(_core.action, theta, velocity, omega0, out=out, where=where)
+    return apply(_core.action, theta, velocity, omega0, results=(ACTION,), out=out, where=where)
 
 
+@overload
+def frequency(
+    theta: Scalar, velocity: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> np.float64: ...
+@overload
+def frequency(
+    theta: Real, velocity: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
+) -> Floats: ...
+@overload
+def frequency(
+    theta: Real | Labelled,
+    velocity: Real | Labelled = 0.0,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: Labelled | None = None,
+    where: Mask = True,
+) -> Labelled: ...
 def frequency(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Mean angular frequency of pendulums in the states (theta, velocity), negative in rotation downwards.
 
     What `Pendulum.frequency` is, element by element.
-    {state}
+
+    Parameters
+    ----------
+    theta : scalar or array
+        Angle in rad, finite.
+    velocity : scalar or array, default 0.0
+        Angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
     Returns
     -------
     float64 or array of the broadcast shape
@@ -70,15 +122,45 @@ def frequency(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = 
     >>> libration.frequency(0.0, [1.0, 2.0, -3.0]).round(6)
     array([ 0.931808,  0.      , -2.604008])
     """
-    return apply(_core.frequency, theta, velocity, omega0, out=out, where=where)
+    return apply(_core.frequency, theta, velocity, omega0, results=(FREQUENCY,), out=out, where=where)
 
 
+@overload
+def phase(
+    theta: Scalar, velocity: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> np.float64: ...
+@overload
+def phase(
+    theta: Real, velocity: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
+) -> Floats: ...
+@overload
+def phase(
+    theta: Real | Labelled,
+    velocity: Real | Labelled = 0.0,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: Labelled | None = None,
+    where: Mask = True,
+) -> Labelled: ...
 def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Phase of pendulums in the states (theta, velocity).
 
     What ``Pendulum(theta, velocity).phase(0)`` is, element by element: in (-pi, pi] in libration, along with the angle in
     rotation.
-    {state}
+
+    Parameters
+    ----------
+    theta : scalar or array
+        Angle in rad, finite.
+    velocity : scalar or array, default 0.0
+        Angular velocity in rad/s, finite.
+    omega0 : scalar or array, default 1.0
+        Angular frequency of small swings in rad/s, finite and >= 0.
+    out : ndarray, optional
+        Where to put the result.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
     Returns
     -------
     float64 or array of the broadcast shape
@@ -94,14 +176,39 @@ def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None
     >>> libration.phase([1.0, -1.0, 7.0], [0.0, 0.0, 3.0]).round(6)
     array([ 1.570796, -1.570796,  6.916943])
     """
-    return apply(_core.phase, theta, velocity, omega0, out=out, where=where)
+    return apply(_core.phase, theta, velocity, omega0, results=(PHASE,), out=out, where=where)
 
 
-for _function in (action, frequency, phase):
-    if _function.__doc__:
-        _function.__doc__ = _function.__doc__.replace("    {state}\n", _STATE)
-
-
+@overload
+def from_action_phase(
+    action: Scalar,
+    phase: Scalar,
+    omega0: Scalar = 1.0,
+    *,
+    direction: Scalar = 0.0,
+    out: None = None,
+    where: bool = True,
+) -> tuple[np.float64, np.float64]: ...
+@overload
+def from_action_phase(
+    action: Real,
+    phase: Real,
+    omega0: Real = 1.0,
+    *,
+    direction: Real = 0.0,
+    out: tuple[Floats, Floats] | None = None,
+    where: Mask = True,
+) -> tuple[Floats, Floats]: ...
+@overload
+def from_action_phase(
+    action: Real | Labelled,
+    phase: Real | Labelled,
+    omega0: Real | Labelled = 1.0,
+    *,
+    direction: Real | Labelled = 0.0,
+    out: tuple[Labelled, Labelled] | None = None,
+    where: Mask = True,
+) -> tuple[Labelled, Labelled]: ...
 def from_action_phase(
     action: Any,
     phase: Any,
@@ -148,4 +255,4 @@ def from_action_phase(
     >>> print(theta.round(6), velocity.round(6))
     [0.       1.228194] [1.844231 2.190769]
     """
-    return apply(_core.from_action_phase, action, phase, direction, omega0, out=out, where=where)
+    return apply(_core.from_action_phase, action, phase, direction, omega0, results=MOTION, out=out, where=where)

@@ -1,20 +1,38 @@
 """The exact Fourier series of a motion in its phase, and how far from harmonic it is."""
 
-from typing import Any, NamedTuple
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 
 from .. import _core
+from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from ._results import DISTORTION
 
 
 class Fourier(NamedTuple):
-    """Amplitudes of the harmonics j = 1, 2, ...: of sin(j phase) in theta, of cos(j phase) in the velocity."""
+    """Amplitudes of the harmonics j = 1, 2, ...: of sin(j phase) in theta, of cos(j phase) in the velocity.
 
-    theta: np.ndarray
-    velocity: np.ndarray
+    Examples
+    --------
+    >>> import libration
+    >>> libration.Pendulum(1.0).fourier(3)._fields
+    ('theta', 'velocity')
+    """
+
+    theta: Floats
+    velocity: Floats
 
 
+@overload
+def harmonic_distortion(theta_max: Scalar, *, out: None = None, where: bool = True) -> np.float64: ...
+@overload
+def harmonic_distortion(theta_max: Real, *, out: Floats | None = None, where: Mask = True) -> Floats: ...
+@overload
+def harmonic_distortion(theta_max: Real | Labelled, *, out: Labelled | None = None, where: Mask = True) -> Labelled: ...
 def harmonic_distortion(theta_max: Any, *, out: Any = None, where: Any = True) -> Any:
     """Loss of harmonicity of a swing: the norm of the higher harmonics of its angle, over the first.
 
@@ -45,4 +63,4 @@ def harmonic_distortion(theta_max: Any, *, out: Any = None, where: Any = True) -
     >>> libration.harmonic_distortion(np.radians([30.0, 90.0, 170.0])).round(6)
     array([0.001451, 0.015031, 0.116256])
     """
-    return apply(_core.harmonic_distortion, theta_max, out=out, where=where)
+    return apply(_core.harmonic_distortion, theta_max, results=(DISTORTION,), out=out, where=where)

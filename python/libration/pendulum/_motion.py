@@ -5,14 +5,37 @@ orbit, set up once; orbit arguments with dimensions take the path of rows with s
 Source: DLMF 22.19(i).
 """
 
-from typing import Any
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, overload
 
 import numpy as np
 
 from .. import _core
+from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from ._results import MOTION, THETA, VELOCITY
 
 
+@overload
+def theta(
+    t: Scalar, theta0: Scalar, velocity0: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> np.float64: ...
+@overload
+def theta(
+    t: Real, theta0: Real, velocity0: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
+) -> Floats: ...
+@overload
+def theta(
+    t: Real | Labelled,
+    theta0: Real | Labelled,
+    velocity0: Real | Labelled = 0.0,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: Labelled | None = None,
+    where: Mask = True,
+) -> Labelled: ...
 def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Angle of pendulums at the times `t`, continuous through whole turns.
 
@@ -55,10 +78,28 @@ def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: 
     """
     if _one_orbit(theta0, velocity0, omega0):
         factors = apply(_core.factors, omega0)
-        return apply(_core.orbit_theta, t, theta0, velocity0, *factors, out=out, where=where)
-    return apply(_core.state_theta, t, theta0, velocity0, omega0, out=out, where=where)
+        return apply(_core.orbit_theta, t, theta0, velocity0, *factors, results=(THETA,), out=out, where=where)
+    return apply(_core.state_theta, t, theta0, velocity0, omega0, results=(THETA,), out=out, where=where)
 
 
+@overload
+def velocity(
+    t: Scalar, theta0: Scalar, velocity0: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> np.float64: ...
+@overload
+def velocity(
+    t: Real, theta0: Real, velocity0: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
+) -> Floats: ...
+@overload
+def velocity(
+    t: Real | Labelled,
+    theta0: Real | Labelled,
+    velocity0: Real | Labelled = 0.0,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: Labelled | None = None,
+    where: Mask = True,
+) -> Labelled: ...
 def velocity(
     t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True
 ) -> Any:
@@ -100,10 +141,34 @@ def velocity(
     """
     if _one_orbit(theta0, velocity0, omega0):
         factors = apply(_core.factors, omega0)
-        return apply(_core.orbit_velocity, t, theta0, velocity0, *factors, out=out, where=where)
-    return apply(_core.state_velocity, t, theta0, velocity0, omega0, out=out, where=where)
+        return apply(_core.orbit_velocity, t, theta0, velocity0, *factors, results=(VELOCITY,), out=out, where=where)
+    return apply(_core.state_velocity, t, theta0, velocity0, omega0, results=(VELOCITY,), out=out, where=where)
 
 
+@overload
+def motion(
+    t: Scalar, theta0: Scalar, velocity0: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> tuple[np.float64, np.float64]: ...
+@overload
+def motion(
+    t: Real,
+    theta0: Real,
+    velocity0: Real = 0.0,
+    omega0: Real = 1.0,
+    *,
+    out: tuple[Floats, Floats] | None = None,
+    where: Mask = True,
+) -> tuple[Floats, Floats]: ...
+@overload
+def motion(
+    t: Real | Labelled,
+    theta0: Real | Labelled,
+    velocity0: Real | Labelled = 0.0,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: tuple[Labelled, Labelled] | None = None,
+    where: Mask = True,
+) -> tuple[Labelled, Labelled]: ...
 def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Angle and angular velocity of pendulums at the times `t`, together: ``(theta, velocity)``.
 
@@ -143,10 +208,34 @@ def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out:
     """
     if _one_orbit(theta0, velocity0, omega0):
         factors = apply(_core.factors, omega0)
-        return apply(_core.orbit_motion, t, theta0, velocity0, *factors, out=out, where=where)
-    return apply(_core.state_motion, t, theta0, velocity0, omega0, out=out, where=where)
+        return apply(_core.orbit_motion, t, theta0, velocity0, *factors, results=MOTION, out=out, where=where)
+    return apply(_core.state_motion, t, theta0, velocity0, omega0, results=MOTION, out=out, where=where)
 
 
+@overload
+def advance(
+    theta: Scalar, velocity: Scalar, dt: Scalar, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+) -> tuple[np.float64, np.float64]: ...
+@overload
+def advance(
+    theta: Real,
+    velocity: Real,
+    dt: Real,
+    omega0: Real = 1.0,
+    *,
+    out: tuple[Floats, Floats] | None = None,
+    where: Mask = True,
+) -> tuple[Floats, Floats]: ...
+@overload
+def advance(
+    theta: Real | Labelled,
+    velocity: Real | Labelled,
+    dt: Real | Labelled,
+    omega0: Real | Labelled = 1.0,
+    *,
+    out: tuple[Labelled, Labelled] | None = None,
+    where: Mask = True,
+) -> tuple[Labelled, Labelled]: ...
 def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """State of pendulums a time `dt` later: ``(theta, velocity)``.
 
@@ -187,7 +276,7 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     >>> print(f"{theta:.6f} {velocity:.6f}")
     -0.306201 -0.909047
     """
-    return apply(_core.advance, theta, velocity, dt, omega0, out=out, where=where)
+    return apply(_core.advance, theta, velocity, dt, omega0, results=MOTION, out=out, where=where)
 
 
 def _one_orbit(*arguments: Any) -> bool:

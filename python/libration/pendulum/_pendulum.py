@@ -5,14 +5,17 @@ answered without NumPy's machinery, arrays through the one-orbit ufuncs. Source:
 DLMF 22.19(i).
 """
 
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import _core
+from .._arrays import Array, Floats, Indexed, Labelled, Scalar, Stacked
 from .._dispatch import apply, tensor, unindexed
 from .._scalars import real
 from ._constants import Constants
+from ._results import MOTION, PHASE, SECOND_SENSITIVITIES, SENSITIVITIES, THETA, TURNS, VELOCITY
 from ._sensitivities import FIRST, SECOND, SYMMETRIC
 
 
@@ -71,6 +74,14 @@ class Pendulum(Constants):
 
     __slots__ = ()
 
+    @overload
+    def theta(self, t: Scalar, out: None = None) -> np.float64: ...
+    @overload
+    def theta(self, t: Array, out: Floats | None = None) -> Floats: ...
+    @overload
+    def theta(self, t: Scalar, out: Floats) -> Floats: ...
+    @overload
+    def theta(self, t: Labelled, out: Labelled | None = None) -> Labelled: ...
     def theta(self, t: Any, out: Any = None) -> Any:
         """Angle at the times `t`, continuous through whole turns.
 
@@ -106,8 +117,16 @@ class Pendulum(Constants):
             return self._orbit.theta(t)
         if type(t) is np.ndarray:
             return _core.orbit_theta(t, *self._operands, out)
-        return apply(_core.orbit_theta, t, *self._operands, out=out)
+        return apply(_core.orbit_theta, t, *self._operands, results=(THETA,), out=out)
 
+    @overload
+    def velocity(self, t: Scalar, out: None = None) -> np.float64: ...
+    @overload
+    def velocity(self, t: Array, out: Floats | None = None) -> Floats: ...
+    @overload
+    def velocity(self, t: Scalar, out: Floats) -> Floats: ...
+    @overload
+    def velocity(self, t: Labelled, out: Labelled | None = None) -> Labelled: ...
     def velocity(self, t: Any, out: Any = None) -> Any:
         """Angular velocity at the times `t`.
 
@@ -141,8 +160,14 @@ class Pendulum(Constants):
             return self._orbit.velocity(t)
         if type(t) is np.ndarray:
             return _core.orbit_velocity(t, *self._operands, out)
-        return apply(_core.orbit_velocity, t, *self._operands, out=out)
+        return apply(_core.orbit_velocity, t, *self._operands, results=(VELOCITY,), out=out)
 
+    @overload
+    def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
+    @overload
+    def motion(self, t: Array) -> tuple[Floats, Floats]: ...
+    @overload
+    def motion(self, t: Labelled) -> tuple[Labelled, Labelled]: ...
     def motion(self, t: Any) -> Any:
         """Angle and angular velocity at the times `t`, together: ``(theta, velocity)``.
 
@@ -171,8 +196,14 @@ class Pendulum(Constants):
         """
         if type(t) is float or type(t) is np.float64:
             return self._orbit.motion(t)
-        return apply(_core.orbit_motion, t, *self._operands)
+        return apply(_core.orbit_motion, t, *self._operands, results=MOTION)
 
+    @overload
+    def turns(self, t: Scalar) -> tuple[np.int64, np.float64]: ...
+    @overload
+    def turns(self, t: Array) -> tuple[NDArray[np.int64], Floats]: ...
+    @overload
+    def turns(self, t: Labelled) -> tuple[Labelled, Labelled]: ...
     def turns(self, t: Any) -> Any:
         """Whole turns and the rest of the angle at the times `t`: ``(n, angle)``.
 
@@ -203,8 +234,16 @@ class Pendulum(Constants):
         """
         if type(t) is float or type(t) is np.float64:
             return self._orbit.turns(t)
-        return apply(_core.turns, t, *self._operands)
+        return apply(_core.turns, t, *self._operands, results=TURNS)
 
+    @overload
+    def phase(self, t: Scalar, out: None = None) -> np.float64: ...
+    @overload
+    def phase(self, t: Array, out: Floats | None = None) -> Floats: ...
+    @overload
+    def phase(self, t: Scalar, out: Floats) -> Floats: ...
+    @overload
+    def phase(self, t: Labelled, out: Labelled | None = None) -> Labelled: ...
     def phase(self, t: Any, out: Any = None) -> Any:
         """Phase at the times `t`, which grows evenly: ``phase(0) + frequency * t``.
 
@@ -235,9 +274,9 @@ class Pendulum(Constants):
         >>> f"{pendulum.phase(0.0):.6f} {pendulum.phase(pendulum.period):.6f}"
         '1.570796 7.853982'
         """
-        return apply(_core.orbit_phase, t, *self._operands, out=out)
+        return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
 
-    def times(self, theta: float, start: float, stop: float) -> np.ndarray:
+    def times(self, theta: float, start: float, stop: float) -> Floats:
         """All times from `start` to `stop`, both included, at which the angle is `theta`.
 
         In libration modulo 2 pi: 30 degrees is passed whatever turn the pendulum hangs in. In rotation and on the
@@ -273,7 +312,7 @@ class Pendulum(Constants):
         """
         return self._orbit.times(real("theta", theta), real("start", start), real("stop", stop))
 
-    def turning_times(self, start: float, stop: float) -> np.ndarray:
+    def turning_times(self, start: float, stop: float) -> Floats:
         """All times from `start` to `stop`, both included, at which the pendulum turns back.
 
         Parameters
@@ -303,6 +342,12 @@ class Pendulum(Constants):
         """
         return self._orbit.turning_times(real("start", start), real("stop", stop))
 
+    @overload
+    def sensitivities(self, t: Scalar | Array) -> Floats: ...
+    @overload
+    def sensitivities(self, t: Stacked) -> Stacked: ...
+    @overload
+    def sensitivities(self, t: Indexed) -> Floats: ...
     def sensitivities(self, t: Any) -> Any:
         """Derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
 
@@ -334,8 +379,15 @@ class Pendulum(Constants):
         array([[-0.079122,  1.080307, -1.818094],
                [-0.899426, -0.358228, -0.30617 ]])
         """
-        return tensor(apply(_core.orbit_sensitivities, unindexed(t), *self._operands), FIRST)
+        found = apply(_core.orbit_sensitivities, unindexed(t), *self._operands, results=6 * (SENSITIVITIES,))
+        return tensor(found, FIRST)
 
+    @overload
+    def second_sensitivities(self, t: Scalar | Array) -> Floats: ...
+    @overload
+    def second_sensitivities(self, t: Stacked) -> Stacked: ...
+    @overload
+    def second_sensitivities(self, t: Indexed) -> Floats: ...
     def second_sensitivities(self, t: Any) -> Any:
         """Second derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
 
@@ -366,5 +418,6 @@ class Pendulum(Constants):
                [ 0.375216,  0.331688, -1.796763],
                [-1.798852, -1.796763,  1.205754]])
         """
-        twelve = apply(_core.orbit_second_sensitivities, unindexed(t), *self._operands)
+        given = unindexed(t), *self._operands
+        twelve = apply(_core.orbit_second_sensitivities, *given, results=12 * (SECOND_SENSITIVITIES,))
         return tensor(tuple(twelve[6 * of + i] for of in range(2) for i in SYMMETRIC), SECOND)

@@ -1,9 +1,14 @@
 """How angle and velocity change with the start and the force: the exact derivatives, of arrays of states."""
 
-from typing import Any
+# A number fits where an array does: of several signatures the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
+from typing import Any, overload
 
 from .. import _core
+from .._arrays import Floats, Indexed, Real, Stacked
 from .._dispatch import apply, tensor, unindexed
+from ._results import SENSITIVITIES
 
 BY = ("theta0", "velocity0", "omega0")
 FIRST = {"of": ("theta", "velocity"), "by": BY}
@@ -12,6 +17,16 @@ SECOND = {**FIRST, "and_by": BY}
 SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 
 
+@overload
+def sensitivities(t: Real, theta0: Real, velocity0: Real = 0.0, omega0: Real = 1.0) -> Floats: ...
+@overload
+def sensitivities(
+    t: Real | Stacked, theta0: Real | Stacked, velocity0: Real | Stacked = 0.0, omega0: Real | Stacked = 1.0
+) -> Stacked: ...
+@overload
+def sensitivities(
+    t: Real | Indexed, theta0: Real | Indexed, velocity0: Real | Indexed = 0.0, omega0: Real | Indexed = 1.0
+) -> Floats: ...
 def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
     """Derivatives of the state a time `t` after (theta0, velocity0), by theta0, velocity0 and omega0.
 
@@ -50,4 +65,5 @@ def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) 
     >>> np.linalg.det(slopes[..., :2]).round(6)
     array([1., 1., 1.])
     """
-    return tensor(apply(_core.state_sensitivities, *map(unindexed, (t, theta0, velocity0, omega0))), FIRST)
+    given = map(unindexed, (t, theta0, velocity0, omega0))
+    return tensor(apply(_core.state_sensitivities, *given, results=6 * (SENSITIVITIES,)), FIRST)

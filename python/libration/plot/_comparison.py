@@ -58,7 +58,7 @@ def plot_comparison(
     save_figure({form: path}, (9, 6.5), lambda figure: draw_comparison(figure, pendulum, solutions, periods))
 
 
-def draw_comparison(figure, pendulum, solutions, periods):
+def draw_comparison(figure: Any, pendulum: Pendulum, solutions: Any, periods: float) -> None:
     """Both panels, over time in periods."""
     shown = min(periods, SHOWN_PERIODS)
     part = np.linspace(0.0, shown, INSTANTS + 1)
@@ -98,20 +98,20 @@ def draw_comparison(figure, pendulum, solutions, periods):
     head(figure, f"{state}: {pendulum.regime}, T = {number(pendulum.period)} s")
 
 
-def within(axes, low, high):
+def within(axes: Any, low: float, high: float) -> None:
     """Keeps the limits that the curves ask for within others."""
     bottom, top = axes.get_ylim()
     axes.set_ylim(max(bottom, low), min(top, high))
 
 
-def style(number_of):
+def style(number_of: int) -> tuple[str, Any]:
     """Colour and dash of a curve: the first six are told apart in grey too, and no two of thirty-six are alike."""
     color, _ = STYLES[number_of % len(STYLES)]
     _, dash = STYLES[(number_of + number_of // len(STYLES)) % len(STYLES)]
     return color, dash
 
 
-def hatch(axes, part, gap, color, row):
+def hatch(axes: Any, part: np.ndarray, gap: np.ndarray, color: str, row: int) -> None:
     """Where an approximation is undefined, in a strip of its own."""
     low = 0.02 + 0.06 * row
     strip = {"facecolor": "none", "edgecolor": color, "hatch": "//////", "lw": 0.6}

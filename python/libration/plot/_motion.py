@@ -1,9 +1,10 @@
 """The picture of a pendulum's motion: theta(t) with the linear solution, and the phase portrait with the separatrix."""
 
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
+from .._arrays import Array, Floats, Labelled, Scalar
 from ..approx import angle
 from ..pendulum import Pendulum
 from ._style import (
@@ -28,6 +29,12 @@ LEVELS = (0.05, 0.2, 0.45, 0.75, 1.4, 2.0)
 SMALL = 0.01
 
 
+@overload
+def linear_theta(pendulum: Pendulum, t: Scalar) -> np.float64: ...
+@overload
+def linear_theta(pendulum: Pendulum, t: Array) -> Floats: ...
+@overload
+def linear_theta(pendulum: Pendulum, t: Labelled) -> Labelled: ...
 def linear_theta(pendulum: Pendulum, t: Any) -> Any:
     """The linear solution theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t).
 
@@ -102,7 +109,7 @@ def plot_motion(pendulum: Pendulum, t: Any, path: Any, *, form: str | None = Non
     save(path, form, lambda: headline(pendulum), *panels)
 
 
-def headline(pendulum):
+def headline(pendulum: Pendulum) -> str:
     """Initial state, regime and period in one line."""
     speed = f"{number(pendulum.velocity0)} rad/s" if pendulum.velocity0 else "0"
     start = rf"$\theta_0$ = {number(pendulum.theta0)} rad, $\dot\theta_0$ = {speed}: "
@@ -118,7 +125,7 @@ def headline(pendulum):
     return start + f"libration, period {period}, turning angle {degrees}"
 
 
-def draw_angle(axes, pendulum, t):
+def draw_angle(axes: Any, pendulum: Pendulum, t: np.ndarray) -> None:
     """The left panel: theta over t."""
     first, last = t.min(), t.max()
     if first == last:
@@ -145,7 +152,7 @@ def draw_angle(axes, pendulum, t):
     legend(axes)
 
 
-def time_scale(pendulum):
+def time_scale(pendulum: Pendulum) -> float:
     """The time in which the angle changes: the small-swing period, or one turn if that is shorter."""
     times = [pendulum.period]
     if pendulum.omega0 > 0:
@@ -153,7 +160,7 @@ def time_scale(pendulum):
     return min(times)
 
 
-def draw_portrait(axes, pendulum, t):
+def draw_portrait(axes: Any, pendulum: Pendulum, t: np.ndarray) -> None:
     """The right panel: velocity / omega0 over theta, on one turn around the stable equilibrium."""
     free = pendulum.omega0 == 0
     omega0 = 1.0 if free else pendulum.omega0
@@ -183,7 +190,7 @@ def draw_portrait(axes, pendulum, t):
         draw_enlarged(axes, np.sqrt(ratio), where - bottom, velocity)
 
 
-def draw_level(axes, ratio, bottom, sign=0, **style):
+def draw_level(axes: Any, ratio: float, bottom: float, sign: float = 0, **style: Any) -> None:
     """The orbit of an energy ratio k^2: a closed curve below 1, one or two branches from there on."""
     if ratio < 1:
         turn = np.linspace(0, 2 * np.pi, 400)
@@ -198,7 +205,7 @@ def draw_level(axes, ratio, bottom, sign=0, **style):
             style.pop("label", None)
 
 
-def covered(pendulum, t, omega0, bottom):
+def covered(pendulum: Pendulum, t: np.ndarray, omega0: float, bottom: float) -> tuple[np.ndarray, np.ndarray]:
     """The part of the orbit that the range of t covers, on one turn around the bottom, with a gap at each jump."""
     first = t.min()
     span = min(t.max() - first, pendulum.period)
@@ -212,7 +219,7 @@ def covered(pendulum, t, omega0, bottom):
     return np.insert(wrapped, jumps, np.nan), np.insert(velocity, jumps, np.nan)
 
 
-def draw_enlarged(axes, k, where, velocity):
+def draw_enlarged(axes: Any, k: float, where: np.ndarray, velocity: np.ndarray) -> None:
     """An orbit too small to see, enlarged in a corner."""
     inset = axes.inset_axes((0.8, 0.75, 0.2, 0.25))
     draw_level(inset, k * k, 0.0, color=EXACT, lw=0.9)

@@ -52,7 +52,7 @@ def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None 
     save_figure({form: path}, (11, 8), lambda figure: draw_periods(figure, theta_max))
 
 
-def draw_periods(figure, theta_max):
+def draw_periods(figure: Any, theta_max: float | None) -> None:
     """Both panels and the legend beside them."""
     # Denser towards the top, where the period runs away.
     degrees = 180 * np.sin(np.linspace(0, math.pi / 2, ANGLES + 2)[1:-1])

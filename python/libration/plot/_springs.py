@@ -51,7 +51,7 @@ def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | No
     save(path, form, lambda: headline(oscillator), *panels)
 
 
-def headline(oscillator):
+def headline(oscillator: Oscillator) -> str:
     """Equation, regime and what goes with it in one line."""
     coefficients = ", ".join(f"{name} = {number(getattr(oscillator, name))}" for name in oscillator._names)
     start = f"{coefficients}, u(0) = {number(oscillator.u0)}, u'(0) = {number(oscillator.velocity0)}: "
@@ -64,7 +64,7 @@ def headline(oscillator):
     return start + regime
 
 
-def reach(oscillator):
+def reach(oscillator: Oscillator) -> float:
     """Half the width of the picture: the orbit if it is bounded, else some way on its way out."""
     marks = [abs(oscillator.u0), *(abs(end) for end in oscillator.range if math.isfinite(end))]
     marks += [abs(each) for each in equilibria(oscillator)]
@@ -73,29 +73,29 @@ def reach(oscillator):
     return (1.25 if bounded else FAR / 2) * widest
 
 
-def polynomial(oscillator):
+def polynomial(oscillator: Oscillator) -> list[float]:
     """Coefficients of the force over u, rising powers of u**2."""
     return [getattr(oscillator, name) for name in oscillator._names]
 
 
-def equilibria(oscillator):
+def equilibria(oscillator: Oscillator) -> list[float]:
     """Displacements other than 0 at which the force is 0."""
     squares = np.roots(polynomial(oscillator)[::-1]) if any(polynomial(oscillator)[1:]) else np.empty(0)
     return [sign * math.sqrt(s.real) for s in squares if abs(s.imag) < 1e-9 * abs(s) and s.real > 0 for sign in (-1, 1)]
 
 
-def potential(stiffness, x):
+def potential(stiffness: list[float], x: Any) -> Any:
     """Energy at rest at x."""
     return sum(c * x ** (2 * k + 2) / (2 * k + 2) for k, c in enumerate(stiffness))
 
 
-def barriers(stiffness, resting):
+def barriers(stiffness: list[float], resting: list[float]) -> list[float]:
     """Energies at rest on the unstable equilibria, rising: those of the separatrices."""
     tops = [x for x in resting if sum((2 * k + 1) * c * x ** (2 * k) for k, c in enumerate(stiffness)) < 0]
     return sorted({float(potential(stiffness, x)) for x in tops})
 
 
-def draw_displacement(axes, oscillator, t):
+def draw_displacement(axes: Any, oscillator: Oscillator, t: np.ndarray) -> None:
     """The left panel: u over t, as far as it is in the picture."""
     first, last = t.min(), t.max()
     if first == last:
@@ -108,7 +108,7 @@ def draw_displacement(axes, oscillator, t):
     t = t[(fine[0] <= t) & (t <= fine[-1])]
     if 0 < t.size <= FEW:
         axes.plot(t, oscillator.u(t), "o", ms=4, color=EXACT, label="instants")
-    label = "escape"
+    label: str | None = "escape"
     for end in (oscillator.escape_time_backward, oscillator.escape_time):
         if fine[0] <= end <= fine[-1]:
             axes.axvline(end, color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label=label)
@@ -118,7 +118,7 @@ def draw_displacement(axes, oscillator, t):
     legend(axes)
 
 
-def seen(oscillator, first, last):
+def seen(oscillator: Oscillator, first: float, last: float) -> tuple[np.ndarray, np.ndarray]:
     """Instants and displacements to draw: of many swings the first, of a motion that runs away what is not too far."""
     if math.isfinite(oscillator.period):
         last = first_swings(first, last, oscillator.period)
@@ -140,7 +140,7 @@ def seen(oscillator, first, last):
         first, last = closer
 
 
-def draw_portrait(axes, oscillator):
+def draw_portrait(axes: Any, oscillator: Oscillator) -> None:
     """The right panel: velocity over displacement, by the levels of the energy.
 
     Displacements count in units of the picture's half width and velocities in what the largest force makes of it, so
@@ -177,7 +177,7 @@ def draw_portrait(axes, oscillator):
     legend(axes)
 
 
-def scaled(oscillator, width):
+def scaled(oscillator: Oscillator, width: float) -> tuple[list[float], float]:
     """Coefficients of the force where u counts in half widths and the largest of them is 1, and the rate that it stands for."""
     stiffness = [c * width ** (2 * k) for k, c in enumerate(polynomial(oscillator))]
     pull = max(map(abs, stiffness))
@@ -186,7 +186,7 @@ def scaled(oscillator, width):
     return [c / pull for c in stiffness], math.sqrt(pull)
 
 
-def along(oscillator, width):
+def along(oscillator: Oscillator, width: float) -> tuple[np.ndarray, np.ndarray]:
     """The whole orbit, as far as the picture shows it."""
     back, ahead = oscillator.escape_time_backward, oscillator.escape_time
     scale = oscillator.period if math.isfinite(oscillator.period) else 40 / scaled(oscillator, width)[1]

@@ -22,17 +22,17 @@ FEW = 60
 
 def finite(t: Any) -> np.ndarray:
     """The finite instants among those given, at least one."""
-    t = np.asarray(t, dtype=float).ravel()
-    t = t[np.isfinite(t)]
-    if not t.size:
+    given = np.asarray(t, dtype=float).ravel()
+    instants: np.ndarray = given[np.isfinite(given)]
+    if not instants.size:
         raise ValueError("t = []: at least one finite instant is needed for a picture")
-    return t
+    return instants
 
 
 def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None:
     """Draw a panel over time beside a phase portrait, under one line, and save the picture."""
 
-    def draw(figure):
+    def draw(figure: Any) -> None:
         panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
         left(panels[0])
         right(panels[1])
@@ -41,7 +41,7 @@ def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None
     save_figure({form: path}, (12, 5), draw)
 
 
-def head(figure, title):
+def head(figure: Any, title: str) -> None:
     """The line above a picture."""
     figure.suptitle(title, x=0.012, ha="left", fontsize=13)
 
@@ -71,22 +71,22 @@ def save_figure(
                 figure.savefig(file, format=form, metadata=(told or {}) | stamp)
 
 
-def is_svg(path, form):
+def is_svg(path: Any, form: str | None) -> bool:
     """Whether the picture is SVG."""
     return form == "svg" or (form is None and str(path).lower().endswith(".svg"))
 
 
-def number(value, digits=6):
+def number(value: float, digits: int = 6) -> str:
     """A number with a real minus sign."""
     return f"{value:.{digits}g}".replace("-", "−")
 
 
-def first_swings(first, last, scale):
+def first_swings(first: float, last: float, scale: float) -> float:
     """Where the picture ends: more swings than it has room for would be a solid band."""
     return first + SHOWN * scale if last - first > MANY * scale else last
 
 
-def part_of(unit, first, last, start, stop):
+def part_of(unit: str, first: float, last: float, start: float, stop: float) -> str:
     """What an axis from `first` to `last` shows of the instants asked for, `start` to `stop`."""
     if last - first == stop - start:
         return unit
@@ -94,7 +94,7 @@ def part_of(unit, first, last, start, stop):
     return f"{unit}, {which}{last - first:.3g} of {stop - start:.6g} s"
 
 
-def quiet(axes):
+def quiet(axes: Any) -> None:
     """Thin grey frame on two sides, a light grid."""
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
@@ -105,7 +105,7 @@ def quiet(axes):
     axes.set_axisbelow(True)
 
 
-def legend(axes):
+def legend(axes: Any) -> None:
     """One line above the panel, clear of every curve."""
     axes.legend(
         loc="lower right",
@@ -119,7 +119,7 @@ def legend(axes):
     )
 
 
-def angle_ticks(axis, low, high):
+def angle_ticks(axis: Any, low: float, high: float) -> None:
     """Ticks at multiples of pi if the range spans some; else decimal radians."""
     from matplotlib.ticker import FuncFormatter, MultipleLocator
 
@@ -131,7 +131,7 @@ def angle_ticks(axis, low, high):
     axis.set_major_formatter(FuncFormatter(pi_text))
 
 
-def pi_text(value, _position=None):
+def pi_text(value: float, _position: object = None) -> str:
     """`-π/2`, `0`, `3π`: a multiple of pi/4 in words."""
     quarters = round(4 * value / np.pi)
     whole, below = quarters, 4

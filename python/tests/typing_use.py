@@ -1,0 +1,103 @@
+"""A program that uses the package, for type checkers: what each call gives, and the mistakes they must find.
+
+It is checked by test_typing.py and never run.
+"""
+
+from typing import assert_type
+
+import numpy as np
+import xarray
+from numpy.typing import NDArray
+
+import libration
+from libration import Duffing, DuffingForm, Fourier, JacobiValues, OscillatorRegime, Pendulum, Regime, approx, elliptic
+
+Floats = NDArray[np.float64]
+T = np.linspace(0.0, 1.0, 5)
+NAMED = xarray.DataArray(T, dims="time")
+PENDULUM = Pendulum(1.0, length=1.0)
+
+
+def one_orbit() -> None:
+    assert_type(PENDULUM.theta(1.0), np.float64)
+    assert_type(PENDULUM.theta(1), np.float64)
+    assert_type(PENDULUM.theta(T), Floats)
+    assert_type(PENDULUM.theta([0.0, 1.0]), Floats)
+    assert_type(PENDULUM.theta(NAMED), xarray.DataArray)
+    assert_type(PENDULUM.theta(T, out=T), Floats)
+    assert_type(PENDULUM.velocity(np.float32(1.0)), np.float64)
+    assert_type(PENDULUM.motion(1.0), tuple[np.float64, np.float64])
+    assert_type(PENDULUM.motion(T), tuple[Floats, Floats])
+    assert_type(PENDULUM.motion(NAMED), tuple[xarray.DataArray, xarray.DataArray])
+    assert_type(PENDULUM.turns(1.0), tuple[np.int64, np.float64])
+    assert_type(PENDULUM.turns(T), tuple[NDArray[np.int64], Floats])
+    assert_type(PENDULUM.phase(T), Floats)
+    assert_type(PENDULUM.sensitivities(1.0), Floats)
+    assert_type(PENDULUM.sensitivities(NAMED), xarray.DataArray)
+    assert_type(PENDULUM.times(0.0, 0.0, 1.0), Floats)
+    assert_type(PENDULUM.fourier(3), Fourier)
+    assert_type(PENDULUM.fourier(3).theta, Floats)
+    assert_type(PENDULUM.regime, Regime)
+    assert_type(PENDULUM.period, float)
+    assert_type(PENDULUM.extremes, tuple[float, float])
+    assert_type(Pendulum.from_action_phase(1.0, 0.5), Pendulum)
+
+
+def arrays_of_states() -> None:
+    assert_type(libration.theta(1.0, 2.0), np.float64)
+    assert_type(libration.theta(T, 2), Floats)
+    assert_type(libration.theta(1.0, [1.0, 2.0], where=[True, False]), Floats)
+    assert_type(libration.velocity(NAMED, 2.0), xarray.DataArray)
+    assert_type(libration.motion(1.0, 2.0), tuple[np.float64, np.float64])
+    assert_type(libration.advance(T, T, 0.1), tuple[Floats, Floats])
+    assert_type(libration.action(1.0), np.float64)
+    assert_type(libration.frequency(T), Floats)
+    assert_type(libration.phase(NAMED), xarray.DataArray)
+    assert_type(libration.from_action_phase(T, 0.0), tuple[Floats, Floats])
+    assert_type(libration.sensitivities(T, 1.0), Floats)
+    assert_type(libration.harmonic_distortion(1.0), np.float64)
+    assert_type(libration.duffing_motion(T, 1.0), tuple[Floats, Floats])
+
+
+def elliptic_functions() -> None:
+    assert_type(libration.complete_k(m=0.5), np.float64)
+    assert_type(elliptic.complete_e(mc=T), Floats)
+    assert_type(elliptic.nome(k=NAMED), xarray.DataArray)
+    assert_type(elliptic.sn(1.0, m=0.5), np.float64)
+    assert_type(elliptic.arcdc(T, m=0.5), Floats)
+    assert_type(elliptic.theta3(1.0, q=T), Floats)
+    assert_type(elliptic.incomplete_pi(0.3, 1.0, m=NAMED), xarray.DataArray)
+    assert_type(elliptic.carlson_rj(1.0, 2.0, 3.0, 4.0), np.float64)
+    assert_type(elliptic.jacobi(1.0, m=0.5), JacobiValues[np.float64])
+    assert_type(elliptic.jacobi(T, m=0.5).am, Floats)
+    assert_type(elliptic.jacobi_complex(1j, m=0.5).sn, np.complex128)
+    assert_type(elliptic.jacobi_complex(T + 1j, m=0.5).sn, NDArray[np.complex128])
+
+
+def springs_and_approximations() -> None:
+    duffing = Duffing(1.0, p=1.0, q=1.0)
+    assert_type(duffing.u(1.0), np.float64)
+    assert_type(duffing.motion(T), tuple[Floats, Floats])
+    assert_type(duffing.regime, OscillatorRegime)
+    assert_type(duffing.pendulum, tuple[float, Pendulum] | None)
+    assert_type(DuffingForm("cn", 1.0, p=1.0, q=1.0).u(NAMED), xarray.DataArray)
+    assert_type(approx.angle("cubic"), approx.AngleFormula)
+    assert_type(approx.angle("cubic").of(PENDULUM).theta(T), Floats)
+    assert_type(approx.angle("cubic").error(1.0), np.float64)
+    assert_type(approx.period("linear").ratio(m=T), Floats)
+    assert_type(approx.sine("salas-2").value(1.0), np.float64)
+    assert_type(approx.numerical("rk4:0.1").of(PENDULUM).theta(T), Floats)
+    assert_type(libration.plot.linear_theta(PENDULUM, 1.0), np.float64)
+
+
+def mistakes() -> None:
+    libration.Pendulm(1.0)  # type: ignore[attr-defined]
+    elliptic.complet_k(m=0.5)  # type: ignore[attr-defined]
+    libration.elliptic.complet_k(m=0.5)  # type: ignore[attr-defined]
+    approx.angel("cubic")  # type: ignore[attr-defined]
+    print(PENDULUM.perod)  # type: ignore[attr-defined]
+    PENDULUM.theta("now")  # type: ignore[arg-type]
+    PENDULUM.period = 2.0  # type: ignore[misc]
+    libration.theta(1.0)  # type: ignore[call-overload]
+    elliptic.complete_k(m=1j)  # type: ignore[call-overload]
+    Pendulum("1")  # type: ignore[arg-type]
