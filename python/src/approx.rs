@@ -7,6 +7,7 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::orbit::{Orbit, refused};
+use crate::signals;
 
 /// What an entry says: pattern, formula, source, stated range in words and in rad, and where it is undefined.
 pub(crate) type Facts = (String, &'static str, &'static str, &'static str, Option<(f64, f64)>, &'static str);
@@ -17,6 +18,9 @@ pub(crate) fn facts(entry: &'static Entry) -> Facts {
     (entry.pattern(), entry.formula, entry.source, entry.stated, range, entry.undefined)
 }
 
+/// One answer counts as so many rows of a ufunc: it takes some microseconds, the slowest half a millisecond.
+const ROWS: usize = 64;
+
 /// One answer for each argument.
 pub(crate) fn each<'py>(
     py: Python<'py>,
@@ -24,7 +28,15 @@ pub(crate) fn each<'py>(
     answer: impl Fn(f64) -> f64 + Send + Sync,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let arguments = arguments.as_slice()?;
-    let answers: Vec<f64> = py.detach(|| arguments.iter().map(|argument| answer(*argument)).collect());
+    let mut answers = vec![f64::NAN; arguments.len()];
+    signals::detached(py, |stop| {
+        for (argument, place) in arguments.iter().zip(&mut answers) {
+            *place = answer(*argument);
+            if stop(ROWS) {
+                break;
+            }
+        }
+    })?;
     Ok(answers.into_pyarray(py))
 }
 
@@ -34,7 +46,7 @@ pub(crate) fn pairs(ranges: Vec<[f64; 2]>) -> Vec<(f64, f64)> {
 }
 
 /// A formula for the angle over time: what `libration.approx.AngleFormula` stands on.
-#[pyclass(frozen, module = "libration._core")]
+#[pyclass(frozen, weakref, module = "libration._core")]
 pub struct AngleFormula {
     formula: Formula,
 }
@@ -71,12 +83,13 @@ impl AngleFormula {
 
     /// Turning angles for which the error stays within a share of them.
     fn ranges(&self, py: Python<'_>, bound: f64, periods: f64) -> PyResult<Vec<(f64, f64)>> {
-        Ok(pairs(py.detach(|| self.formula.ranges(bound, periods)).map_err(refused)?))
+        let found = signals::detached(py, |stop| self.formula.ranges_unless(bound, periods, &|| stop(ROWS)))?;
+        Ok(pairs(found.map_err(refused)?))
     }
 }
 
 /// A formula for the angle set up for one orbit: what `libration.approx.AngleApproximation` stands on.
-#[pyclass(frozen, module = "libration._core")]
+#[pyclass(frozen, weakref, module = "libration._core")]
 pub struct AngleApproximation {
     approximation: Approximation,
 }
@@ -109,7 +122,9 @@ impl AngleApproximation {
 
     /// The largest difference, the first time of it, and the first time at which there is none.
     fn largest_error(&self, py: Python<'_>, periods: f64) -> PyResult<(f64, f64, f64)> {
-        let found = py.detach(|| self.approximation.largest_error(periods)).map_err(refused)?;
+        let found =
+            signals::detached(py, |stop| self.approximation.largest_error_unless(periods, &|| stop(ROWS)))?;
+        let found = found.map_err(refused)?;
         let LargestError { difference, t, undefined_from } = found;
         Ok((difference, t, undefined_from))
     }

@@ -8,7 +8,7 @@ use crate::approx::{Facts, each, facts, pairs};
 use crate::orbit::{Orbit, refused};
 
 /// A formula of the period: what `libration.approx.PeriodFormula` stands on.
-#[pyclass(frozen, module = "libration._core")]
+#[pyclass(frozen, weakref, module = "libration._core")]
 pub struct PeriodFormula {
     formula: Period,
 }
@@ -109,7 +109,7 @@ impl PeriodFormula {
 }
 
 /// A polynomial for the sine: what `libration.approx.SineFormula` stands on.
-#[pyclass(frozen, module = "libration._core")]
+#[pyclass(frozen, weakref, module = "libration._core")]
 pub struct SineFormula {
     formula: Sine,
 }

@@ -1,4 +1,4 @@
-//! The Python door: the module `libration._core`, on which the package `libration` stands.
+//! The Python binding: the module `libration._core`, on which the package `libration` stands.
 //!
 //! No formula and no arithmetic on doubles: everything is handed to the core.
 
@@ -10,6 +10,7 @@ mod numerical;
 mod orbit;
 mod oscillator;
 mod pool;
+mod signals;
 mod ufunc;
 
 use pyo3::exceptions::PyValueError;

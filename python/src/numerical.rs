@@ -5,6 +5,8 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::orbit::refused;
+use crate::signals;
+use crate::ufunc::BLOCK;
 
 /// Adds the functions of this file.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -24,7 +26,15 @@ fn march<'py>(
 ) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
     let scheme = Scheme::named(scheme).map_err(refused)?;
     let (mut theta, mut velocity) = (vec![f64::NAN; count], vec![f64::NAN; count]);
-    py.detach(|| scheme.march(start, omega2, step, &mut theta, &mut velocity));
+    signals::detached(py, |stop| {
+        let mut state = start;
+        for (theta, velocity) in theta.chunks_mut(BLOCK).zip(velocity.chunks_mut(BLOCK)) {
+            state = scheme.march(state, omega2, step, theta, velocity);
+            if stop(BLOCK) {
+                break;
+            }
+        }
+    })?;
     Ok([theta.into_pyarray(py), velocity.into_pyarray(py)])
 }
 

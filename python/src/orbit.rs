@@ -7,10 +7,15 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyType};
 
+use crate::signals;
+
+/// A question of a search for times counts as so many rows of a ufunc: it asks after some thousand times.
+pub(crate) const ROWS: usize = 512;
+
 /// One orbit, set up once: what `libration.Pendulum` stands on.
 ///
 /// `omega0`, `omega2` and `length` exclude each other; none of them means `omega0 = 1`. `gravity` needs `length`.
-#[pyclass(frozen, module = "libration._core")]
+#[pyclass(frozen, weakref, module = "libration._core")]
 pub struct Orbit {
     pub(crate) orbit: libration::Orbit,
     theta0: f64,
@@ -70,8 +75,9 @@ impl Orbit {
         start: f64,
         stop: f64,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let times = py.detach(|| self.orbit.times(theta, start, stop)).map_err(refused)?;
-        Ok(times.into_pyarray(py))
+        let times =
+            signals::detached(py, |ended| self.orbit.times_unless(theta, start, stop, &|| ended(ROWS)))?;
+        Ok(times.map_err(refused)?.into_pyarray(py))
     }
 
     /// Times from `start` to `stop` at which the motion turns back.
@@ -81,8 +87,9 @@ impl Orbit {
         start: f64,
         stop: f64,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let times = py.detach(|| self.orbit.turning_times(start, stop)).map_err(refused)?;
-        Ok(times.into_pyarray(py))
+        let times =
+            signals::detached(py, |ended| self.orbit.turning_times_unless(start, stop, &|| ended(ROWS)))?;
+        Ok(times.map_err(refused)?.into_pyarray(py))
     }
 
     /// The first `n` amplitudes of angle and velocity.

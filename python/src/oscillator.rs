@@ -2,18 +2,19 @@
 
 use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, Form};
 use libration::{Frequency, Glaisher};
-use numpy::{IntoPyArray, PyArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::orbit::{float64, refused};
+use crate::orbit::{ROWS, float64, refused};
+use crate::signals;
 use crate::ufunc::{BLOCK, add, whole};
 
 /// The class of one oscillator: its arguments, and the core's type that answers.
 macro_rules! oscillator {
     ($name:ident, $core:ident, $document:literal, $($coefficient:ident),+) => {
         #[doc = $document]
-        #[pyclass(frozen, module = "libration._core")]
+        #[pyclass(frozen, weakref, module = "libration._core")]
         pub struct $name {
             oscillator: $core,
             u0: f64,
@@ -53,8 +54,10 @@ macro_rules! oscillator {
                 start: f64,
                 stop: f64,
             ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-                let times = py.detach(|| self.oscillator.times(u, start, stop)).map_err(refused)?;
-                Ok(times.into_pyarray(py))
+                let times = signals::detached(py, |ended| {
+                    self.oscillator.times_unless(u, start, stop, &|| ended(ROWS))
+                })?;
+                Ok(times.map_err(refused)?.into_pyarray(py))
             }
 
             /// What a ufunc knows this oscillator by.
@@ -157,7 +160,7 @@ fn glaisher(name: &str) -> PyResult<Glaisher> {
 }
 
 /// c1 pq(Omega t + c2 | m): what `libration.DuffingForm` stands on.
-#[pyclass(frozen, module = "libration._core")]
+#[pyclass(frozen, weakref, module = "libration._core")]
 pub struct DuffingForm {
     form: Form,
 }
@@ -186,11 +189,20 @@ impl DuffingForm {
     fn motion<'py>(
         &self,
         py: Python<'py>,
-        t: Vec<f64>,
-    ) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+        let t = t.as_slice()?;
         let (mut u, mut velocity) = (vec![f64::NAN; t.len()], vec![f64::NAN; t.len()]);
-        py.detach(|| self.form.motion_into(&t, &mut u, &mut velocity));
-        (u.into_pyarray(py), velocity.into_pyarray(py))
+        signals::detached(py, |stop| {
+            let columns = u.chunks_mut(BLOCK).zip(velocity.chunks_mut(BLOCK));
+            for (t, (u, velocity)) in t.chunks(BLOCK).zip(columns) {
+                self.form.motion_into(t, u, velocity);
+                if stop(BLOCK) {
+                    break;
+                }
+            }
+        })?;
+        Ok((u.into_pyarray(py), velocity.into_pyarray(py)))
     }
 
     /// The regimes that each form serves, by their names.

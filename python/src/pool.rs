@@ -1,14 +1,18 @@
 //! The threads that share long loops: as many as the process has cores, or `LIBRATION_NUM_THREADS` of them.
 //!
 //! Sections of a loop are the same for any number of threads in what they compute: every value comes from its own row,
-//! so results do not depend on how rows are shared out.
+//! so results do not depend on how rows are shared out. A signal ends every section at its next block (signals.rs).
 
 use std::env;
 use std::process;
-use std::sync::{Mutex, OnceLock};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
 
+use pyo3::PyResult;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::signals::{self, INTERVAL, Stop};
 
 /// Rows below which a second thread costs more than it gains: a section takes some 20 microseconds at the least.
 const WORTHWHILE: usize = 16_384;
@@ -18,31 +22,44 @@ static POOL: OnceLock<(u32, Option<ThreadPool>)> = OnceLock::new();
 
 /// What the environment asks for.
 pub fn wanted() -> Result<usize, String> {
-    let cores = || thread::available_parallelism().map_or(1, usize::from);
-    match env::var("LIBRATION_NUM_THREADS") {
-        Err(_) => Ok(cores()),
-        Ok(text) if text.trim().is_empty() => Ok(cores()),
-        Ok(text) => match text.trim().parse() {
-            Ok(count @ 1..=1024) => Ok(count),
-            _ => Err(format!("LIBRATION_NUM_THREADS = {text}: must be a whole number from 1 to 1024")),
-        },
+    let Some(given) = env::var_os("LIBRATION_NUM_THREADS") else {
+        return Ok(thread::available_parallelism().map_or(1, usize::from));
+    };
+    // What is no text is no number either; it is shown with the sign of what cannot be read.
+    let text = given.to_string_lossy();
+    let text = text.trim();
+    if text.is_empty() {
+        return Ok(thread::available_parallelism().map_or(1, usize::from));
+    }
+    match text.parse() {
+        Ok(count @ 1..=1024) => Ok(count),
+        _ => Err(format!("LIBRATION_NUM_THREADS = {text}: must be a whole number from 1 to 1024")),
     }
 }
 
-/// Runs `section(from, rows)` over all rows, in one piece or shared out; what the last section returns.
-pub fn share<T: Send>(rows: usize, section: impl Fn(usize, usize) -> Option<T> + Sync) -> Option<T> {
+/// Runs `section(from, rows, stop)` over all rows, in one piece or shared out; what the last section returns, or the
+/// error of the signal that ended them all.
+pub fn share<T: Send>(
+    rows: usize,
+    section: impl Fn(usize, usize, Stop<'_>) -> Option<T> + Sync,
+) -> PyResult<Option<T>> {
     let pool = if rows < 2 * WORTHWHILE { None } else { pool() };
     let Some(pool) = pool else {
-        return section(0, rows);
+        return signals::watched(|stop| section(0, rows, stop));
     };
     let pieces = (rows / WORTHWHILE).min(4 * pool.current_num_threads());
     let edge = |piece: usize| (rows as u128 * piece as u128 / pieces as u128) as usize;
     let last = Mutex::new(None);
+    let stopped = AtomicBool::new(false);
+    let left = Left::new(pieces);
+    let mut raised = None;
     pool.in_place_scope(|scope| {
         for piece in 0..pieces {
-            let (section, last) = (&section, &last);
+            let (section, last, stopped, left) = (&section, &last, &stopped, &left);
             scope.spawn(move |_| {
-                let made = section(edge(piece), edge(piece + 1) - edge(piece));
+                let _one = One(left);
+                let stop = |_| stopped.load(Ordering::Relaxed);
+                let made = section(edge(piece), edge(piece + 1) - edge(piece), &stop);
                 if piece + 1 == pieces
                     && let Ok(mut last) = last.lock()
                 {
@@ -50,8 +67,49 @@ pub fn share<T: Send>(rows: usize, section: impl Fn(usize, usize) -> Option<T> +
                 }
             });
         }
+        while raised.is_none() && !left.none_soon() {
+            raised = signals::asked();
+        }
+        // The scope ends when every section has seen the flag.
+        stopped.store(raised.is_some(), Ordering::Relaxed);
     });
-    last.into_inner().unwrap_or(None)
+    raised.map_or_else(|| Ok(last.into_inner().unwrap_or(None)), Err)
+}
+
+/// How many pieces are not done.
+struct Left {
+    pieces: Mutex<usize>,
+    changed: Condvar,
+}
+
+impl Left {
+    fn new(pieces: usize) -> Left {
+        Left { pieces: Mutex::new(pieces), changed: Condvar::new() }
+    }
+
+    /// The count; a number is whole whatever panicked beside it.
+    fn count(&self) -> MutexGuard<'_, usize> {
+        self.pieces.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits for the end of all pieces, for [`INTERVAL`] at most; whether it came.
+    fn none_soon(&self) -> bool {
+        let waited = self.changed.wait_timeout_while(self.count(), INTERVAL, |pieces| *pieces > 0);
+        *waited.unwrap_or_else(PoisonError::into_inner).0 == 0
+    }
+}
+
+/// A piece at work; it is done when this is dropped, by a panic too.
+struct One<'a>(&'a Left);
+
+impl Drop for One<'_> {
+    fn drop(&mut self) {
+        let mut pieces = self.0.count();
+        *pieces -= 1;
+        if *pieces == 0 {
+            self.0.changed.notify_all();
+        }
+    }
 }
 
 /// The pool of this process, if it has more than one thread.

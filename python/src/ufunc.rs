@@ -3,7 +3,8 @@
 //! A kernel is two functions: `set_up` makes of the last operands of a row what belongs to them alone (an orbit, a
 //! parameter), and `block` makes of that and of columns of the first operands the columns of results, a block of rows
 //! at a time. [`add`] registers the pair as a ufunc of float64 operands; broadcasting, casting, `out=`, `where=` and
-//! overlapping memory are NumPy's. Long loops are shared out to the threads of pool.rs.
+//! overlapping memory are NumPy's. Long loops are shared out to the threads of pool.rs and end at a signal: NumPy runs
+//! them without the interpreter, and looks for an error when they are done.
 //! Source: the NumPy C API, "UFunc API", <https://numpy.org/doc/stable/reference/c-api/ufunc.html>.
 
 use std::array;
@@ -18,6 +19,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 
 use crate::pool;
+use crate::signals::{self, Stop};
 
 /// Rows computed at a time: their columns stay in the nearest cache.
 pub const BLOCK: usize = 512;
@@ -285,30 +287,43 @@ unsafe extern "C" fn sweep<M, V, S, R, const X: usize, const P: usize>(
         let steps = array::from_fn(|i| if i < count { *steps.add(i) } else { 0 });
         (&*data.cast::<Kernel<M, V, S, P>>(), *dimensions as usize, Operands::<WIDEST> { at, steps })
     };
+    // NumPy calls the loop for every stretch of an array, also after one that was ended.
+    if signals::ending() {
+        return;
+    }
     let kept = kernel.last.lock().map_or(None, |kept| kept.clone());
     let fed_back = operands.fed_back(X + P, R::CODES.len(), rows);
     let block = if fed_back { 1 } else { BLOCK };
-    let section = |from: usize, rows: usize| {
+    let section = |from: usize, rows: usize, stop: Stop<'_>| {
         let operands = operands.starting(from);
-        section::<M, V, S, R, X, P>(kernel, &operands, rows, block, kept.clone())
+        section::<M, V, S, R, X, P>(kernel, &operands, rows, block, kept.clone(), stop)
     };
-    let renewed = if fed_back { section(0, rows) } else { pool::share(rows, section) };
-    if renewed.is_some()
-        && let Ok(mut kept) = kernel.last.lock()
-    {
-        *kept = renewed;
+    let done =
+        if fed_back { signals::watched(|stop| section(0, rows, stop)) } else { pool::share(rows, section) };
+    match done {
+        Ok(renewed @ Some(_)) => {
+            if let Ok(mut kept) = kernel.last.lock() {
+                *kept = renewed;
+            }
+        }
+        Ok(None) => {}
+        Err(error) => signals::leave(error),
     }
     // A NaN or an infinity here is a documented result, and intermediate flags mean nothing: no RuntimeWarning.
     (kernel.clear)();
 }
 
-/// A section of the rows on one thread; the last set-up if it is a new one.
+/// A set-up counts as so many rows: it takes some microseconds, the slowest a tenth of a millisecond.
+const ROWS_OF_A_SET_UP: usize = 64;
+
+/// A section of the rows on one thread, or the start of it where a signal stops it; the last set-up if it is a new one.
 fn section<M, V, S, R, const X: usize, const P: usize>(
     kernel: &Kernel<M, V, S, P>,
     operands: &Operands<WIDEST>,
     rows: usize,
     block: usize,
     mut last: Last<S, P>,
+    stop: Stop<'_>,
 ) -> Last<S, P>
 where
     M: Fn([f64; P]) -> Option<S>,
@@ -325,9 +340,11 @@ where
     let mut row = 0;
     while row < rows {
         let key = key_of(row);
+        let mut work = 0;
         if last.as_ref().is_none_or(|(kept, _)| *kept != key) {
             last = Some((key, (kernel.set_up)(key.map(f64::from_bits))));
             renewed = true;
+            work = ROWS_OF_A_SET_UP;
         }
         let most = block.min(rows - row);
         let run = if one { most } else { 1 + (1..most).take_while(|next| key_of(row + next) == key).count() };
@@ -351,6 +368,9 @@ where
         // SAFETY: the outputs follow the inputs, one aligned and writable address per code and row.
         unsafe { R::store(&columns, run, &to.at[outputs.clone()], &to.steps[outputs.clone()]) };
         row += run;
+        if stop(work + run) {
+            break;
+        }
     }
     if renewed { last } else { None }
 }

@@ -75,18 +75,44 @@ impl Secular {
     }
 
     pub fn theta(&self, t: f64) -> f64 {
+        self.theta_and_stride(t).0
+    }
+
+    /// The angle, and a time in s within which it changes by a part of a radian at most.
+    ///
+    /// tan of half the angle is the quotient of two functions, and by x the sum of their sizes falls by no more than x
+    /// times the sum of the largest sizes of their derivatives. Near a turn, where the numerator crosses zero, the time is
+    /// a part of that to the crossing, and in its middle a part of the width of the turn.
+    pub fn theta_and_stride(&self, t: f64) -> (f64, f64) {
         let Start { s, c, x, m, .. } = self.start;
         let passed = ldexp(t, self.power);
-        let Some((sine, cosine)) = counted(&self.phase, passed) else { return f64::NAN };
+        let Some((sine, cosine)) = counted(&self.phase, passed) else { return (f64::NAN, f64::INFINITY) };
         let y = self.phase.rate * PI * passed - sine * cosine;
         let n0 = s * c * cosine + x * sine;
         let n1 = s * c * y * sine - x * (sine * sine.square() * 2.0 + y * cosine);
         let square = self.start.square(x);
         let d0 = c.square() - square * sine.square();
         let d1 = (square * y * sine * cosine).scale(2.0);
-        self.start.angle(n0 * d0 + m.scale(0.25) * (n1 * d0 - n0 * d1), d0.square())
+        let (above, below) = (n0 * d0 + m.scale(0.25) * (n1 * d0 - n0 * d1), d0.square());
+        let part = PART * (above.hi.abs() + below.hi) / self.steepest(y.hi.abs());
+        let stride = ldexp(part / (self.phase.rate.hi * PI.hi), -self.power);
+        (self.start.angle(above, below), if self.start.power == 0 { stride } else { f64::INFINITY })
+    }
+
+    /// A bound of the derivatives of numerator and denominator by u where |y| is this large, from |sin|, |cos| <= 1,
+    /// |y'| <= 2: |n0|, |n0'| <= a = |s c| + |x|; d0 <= b = c^2 + x^2 and |d0'| <= x^2; |n1| <= a (|y| + 2) and
+    /// |n1'| <= a (|y| + 8); |d1| <= x^2 |y| and |d1'| <= 2 x^2 (|y| + 1).
+    fn steepest(&self, y: f64) -> f64 {
+        let Start { s, c, x, m, .. } = &self.start;
+        let (a, square) = ((s.hi * c.hi).abs() + x.hi.abs(), x.hi * x.hi);
+        let b = c.hi * c.hi + square;
+        let first = 0.25 * m.hi * (b * (y + 8.0) + square * (4.0 * y + 4.0));
+        a * (b + square + first) + 2.0 * b * square
     }
 }
+
+/// Of the shortest time in which the quotient may change as much as it is.
+const PART: f64 = 0.25;
 
 /// To first order in m at a fixed phase.
 #[derive(Clone, Debug)]

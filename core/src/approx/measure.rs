@@ -1,14 +1,15 @@
-//! How far an approximation of the angle is from the exact one: its largest error over some periods, and the turning
-//! angles for which that stays within a bound.
+//! How far an approximation of the angle is from the exact one: its largest error over some periods.
 //!
 //! A grid fine enough for every harmonic that the difference has; then golden sections about each point that may lead to
-//! the largest, and bisections where the approximation begins and ends to be defined.
+//! the largest, and bisections where the approximation begins and ends to be defined. The secular formula turns from
+//! -pi to pi the faster the later; there the grid is finer in geometric progression towards each turn, so that the work
+//! grows with the time and not with its square.
 
-use super::angle::{AngleApproximation, AngleFormula, Shape};
+use super::angle::{AngleApproximation, Shape};
 use super::search::{Point, crossing, maximum};
 use crate::domain::Domain;
 use crate::float::PI;
-use crate::pendulum::{Frequency, Orbit, Regime};
+use crate::pendulum::Regime;
 
 /// The largest difference from the exact angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,9 +40,21 @@ const SLACK_OF_SERIES: f64 = 0.3;
 /// Two tops of one height, but for rounding.
 const SAME: f64 = 1e-9;
 
+/// The caller's answer to whether it has given up; once true, always true.
+pub(super) type Ended<'a> = &'a dyn Fn() -> bool;
+
 impl AngleApproximation {
     fn size(&self, t: f64) -> f64 {
         self.difference(t).abs()
+    }
+
+    /// The difference's size, and how far on the next point may lie, in s.
+    fn look(&self, t: f64) -> (f64, f64) {
+        if let Shape::Secular(secular) = &self.shape {
+            let (theta, stride) = secular.theta_and_stride(t);
+            return ((theta - self.orbit.theta(t)).abs(), stride);
+        }
+        (self.size(t), f64::INFINITY)
     }
 
     /// Whether the difference repeats with the exact motion.
@@ -49,7 +62,7 @@ impl AngleApproximation {
         matches!(self.shape, Shape::Harmonic(_) | Shape::Arcsine(_) | Shape::Series(_) | Shape::Bounded(_))
     }
 
-    /// How long to search, and the step.
+    /// How long to search, and the largest step.
     fn search(&self, periods: f64) -> (f64, f64) {
         let (period, omega0) = (self.orbit.period(), self.orbit.omega0());
         // Released from rest the two halves of each swing mirror each other.
@@ -64,13 +77,7 @@ impl AngleApproximation {
         let mut shortest = if omega0 > 0.0 { period.min(2.0 * PI.hi / omega0) } else { period };
         shortest = if own < shortest { own.max(shortest / FASTEST) } else { shortest };
         let harmonics = if self.repeats() { TO_A_HARMONIC * (2.0 * order + 3.0) } else { 0.0 };
-        // The secular terms make the steps of the arctangent as much narrower as they have grown.
-        let grown = if matches!(self.shape, Shape::Secular(_)) {
-            1.0 + f64::min(self.orbit.energy_ratio(), 1.0) * omega0 * enough * period
-        } else {
-            1.0
-        };
-        let step = (shortest / (TO_A_PERIOD * grown)).min(period / harmonics.max(1.0));
+        let step = (shortest / TO_A_PERIOD).min(period / harmonics.max(1.0));
         let points = (enough * period / step).ceil().clamp(1.0, MOST_POINTS);
         (enough * period, enough * period / points)
     }
@@ -79,19 +86,28 @@ impl AngleApproximation {
     /// rotation. Refused on the separatrix, which has no period.
     ///
     /// **Error** relative 1e-9 of the difference found, plus the rounding of [`AngleApproximation::difference`]; more where a
-    /// model swings over 1000 times as fast as the pendulum, and of `small-m` where m omega0 t is beyond some 1000.
+    /// model swings over 1000 times as fast as the pendulum.
     pub fn largest_error(&self, periods: f64) -> Result<LargestError, Domain> {
-        let allowed = "above 0 and at most 10000";
-        Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)?;
+        self.largest_error_unless(periods, &|| false)
+    }
+
+    /// [`AngleApproximation::largest_error`], where `ended` is asked at every step: once it is true, and it must stay so,
+    /// the search is cut short and the answer means nothing.
+    pub fn largest_error_unless(
+        &self,
+        periods: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<LargestError, Domain> {
+        check_periods(periods)?;
         if self.orbit.regime() == Regime::Separatrix {
             let allowed = "libration or rotation for an error over periods";
             return Err(Domain::new("regime", self.orbit.regime().name().into(), allowed));
         }
-        Ok(self.largest(periods, f64::INFINITY))
+        Ok(self.largest(periods, f64::INFINITY, ended))
     }
 
     /// The largest difference; or the first found beyond a limit, or the first undefined with a limit, as soon as it is found.
-    fn largest(&self, periods: f64, limit: f64) -> LargestError {
+    pub(super) fn largest(&self, periods: f64, limit: f64, ended: Ended<'_>) -> LargestError {
         if matches!(self.shape, Shape::Exact) {
             return LargestError { difference: 0.0, t: 0.0, undefined_from: f64::NAN };
         }
@@ -103,21 +119,35 @@ impl AngleApproximation {
             }
         }
         let limited = limit < f64::INFINITY;
-        let mut best =
-            LargestError { difference: 0.0, t: 0.0, undefined_from: self.undefined_from(duration, step) };
+        let mut best = LargestError {
+            difference: 0.0,
+            t: 0.0,
+            undefined_from: self.undefined_from(duration, step, ended),
+        };
         if limited && !best.undefined_from.is_nan() {
             return best;
         }
         let slack = if self.repeats() { SLACK_OF_SERIES } else { SLACK };
-        let points = (duration / step).round();
         let mut tops: Vec<[Point; 3]> = Vec::new();
         let mut height = 0.0;
-        let at = |i: f64| (step * i, self.size(step * i));
         let mut before = (0.0, f64::NAN);
-        let mut here = at(0.0);
-        let mut i = 0.0;
-        while i <= points {
-            let after = if i < points { at(i + 1.0) } else { (duration, f64::NAN) };
+        let mut grid = Grid { step, points: (duration / step).round(), even: 0.0, between: 0.0 };
+        let (size, mut stride) = self.look(0.0);
+        let mut here = (0.0, size);
+        let mut last = false;
+        // Ends: each step is the next of the multiples or one of MOST_POINTS between them.
+        while !last && !ended() {
+            let after = match grid.next(here.0, stride) {
+                Some(t) => {
+                    let (size, next) = self.look(t);
+                    stride = next;
+                    (t, size)
+                }
+                None => {
+                    last = true;
+                    (duration, f64::NAN)
+                }
+            };
             if here.1 > limit || here.1 == f64::INFINITY {
                 return LargestError { difference: here.1, t: here.0, ..best };
             }
@@ -136,10 +166,13 @@ impl AngleApproximation {
                     tops.sort_by(|a, b| a[1].0.total_cmp(&b[1].0));
                 }
             }
-            (before, here, i) = (here, after, i + 1.0);
+            (before, here) = (here, after);
         }
         let height = tops.iter().map(estimate).fold(0.0, f64::max);
         for bracket in tops.iter().filter(|bracket| estimate(bracket) >= height * (1.0 - slack)) {
+            if ended() {
+                break;
+            }
             let (t, difference) = maximum(bracket, |t| self.size(t));
             if difference > best.difference * (1.0 + SAME) {
                 best = LargestError { difference, t, ..best };
@@ -163,14 +196,14 @@ impl AngleApproximation {
     }
 
     /// The first time at which the approximation is undefined, or NaN.
-    fn undefined_from(&self, duration: f64, step: f64) -> f64 {
+    fn undefined_from(&self, duration: f64, step: f64, ended: Ended<'_>) -> f64 {
         let Shape::Arcsine(series) = &self.shape else { return f64::NAN };
         let margin = |t: f64| series.margin(&self.orbit, t);
         let points = (duration / step).round();
         let mut i = 0.0;
         let mut before = (0.0, f64::NAN);
         let mut here = (0.0, margin(0.0));
-        while i <= points {
+        while i <= points && !ended() {
             if here.1 < 0.0 {
                 let first = if i == 0.0 { 0.0 } else { crossing(|t| margin(t) < 0.0, here.0, before.0) };
                 return first;
@@ -191,60 +224,42 @@ impl AngleApproximation {
     }
 }
 
-/// The value of a parabola's top through three points, not below the middle one.
-fn estimate(&[low, here, high]: &[Point; 3]) -> f64 {
-    let (left, right) = (here.1 - low.1, here.1 - high.1);
-    let (bend, slope) = (left + right, left - right);
-    let above = if bend > 0.0 { slope * slope / (8.0 * bend) } else { 0.0 };
-    if above.is_finite() { here.1.max(low.1).max(high.1) + above } else { f64::INFINITY }
+/// The number of periods, where it is one.
+pub(super) fn check_periods(periods: f64) -> Result<f64, Domain> {
+    let allowed = "above 0 and at most 10000";
+    Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)
 }
 
-/// Turning angles in degrees between whole ones, where ranges may end near the bottom and the top.
-const ENDS: [f64; 12] =
-    [1e-4, 1e-3, 1e-2, 0.1, 0.5, 179.5, 179.9, 179.95, 179.99, 179.999, 179.9999, 179.999_999];
+/// The times of a search: multiples of a step, so that nothing adds up, and times between where they are asked for.
+struct Grid {
+    step: f64,
+    points: f64,
+    /// The last multiple, and how many times there were between.
+    even: f64,
+    between: f64,
+}
 
-impl AngleFormula {
-    /// Whether the error of a release from rest stays within a share of the turning angle; undefined counts as beyond.
-    fn within(&self, theta_max: f64, bound: f64, periods: f64) -> bool {
-        let made = Frequency::from_omega0(1.0)
-            .and_then(|one| Orbit::new(theta_max, 0.0, one))
-            .and_then(|orbit| self.of(&orbit));
-        let Ok(made) = made else { return false };
-        let LargestError { difference, undefined_from, .. } = made.largest(periods, bound * theta_max);
-        difference <= bound * theta_max && undefined_from.is_nan()
-    }
-
-    /// The turning angles in rad, as intervals within (0, pi), for which the largest error over `periods` exact periods of
-    /// a release from rest stays at most `bound` times the turning angle.
-    ///
-    /// Found on a grid of degrees, finer at both ends, and by bisection; an interval that reaches the ends of the grid
-    /// (1e-4 degrees, and 1e-6 degrees below the top) is given as reaching 0 or pi.
-    pub fn ranges(&self, bound: f64, periods: f64) -> Result<Vec<[f64; 2]>, Domain> {
-        Domain::check("bound", bound, bound > 0.0 && bound.is_finite(), "finite and positive")?;
-        let allowed = "above 0 and at most 10000";
-        Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)?;
-        let mut angles: Vec<f64> =
-            (1..180).map(f64::from).chain(ENDS).map(|angle| angle * (PI.hi / 180.0)).collect();
-        angles.sort_by(f64::total_cmp);
-        let holds = |angle: f64| self.within(angle, bound, periods);
-        let mut found: Vec<[f64; 2]> = Vec::new();
-        let mut open: Option<f64> = None;
-        let mut before = 0.0;
-        for angle in &angles {
-            let (angle, good) = (*angle, holds(*angle));
-            match (open, good) {
-                (None, true) => {
-                    open = Some(if before == 0.0 { 0.0 } else { crossing(holds, angle, before) });
-                }
-                (Some(low), false) => {
-                    found.push([low, crossing(holds, before, angle)]);
-                    open = None;
-                }
-                _ => {}
-            }
-            before = angle;
+impl Grid {
+    /// The time after another one, at most a stride later; `None` after the last.
+    fn next(&mut self, t: f64, stride: f64) -> Option<f64> {
+        let after = (self.even + 1.0) * self.step;
+        if t + stride < after && self.even < self.points && self.between < MOST_POINTS {
+            self.between += 1.0;
+            return Some(t + stride);
         }
-        found.extend(open.map(|low| [low, PI.hi]));
-        Ok(found)
+        self.even += 1.0;
+        (self.even <= self.points).then_some(after)
     }
+}
+
+/// The value of a parabola's top through three points, not below the middle one.
+fn estimate(&[low, here, high]: &[Point; 3]) -> f64 {
+    // Where a neighbour is missing the distance of the other one serves.
+    let (to_low, to_high) = (here.0 - low.0, high.0 - here.0);
+    let before = if to_low > 0.0 { to_low } else { to_high };
+    let after = if to_high > 0.0 { to_high } else { to_low };
+    let (rise, fall) = ((here.1 - low.1) / before, (here.1 - high.1) / after);
+    let (bend, slope) = ((rise + fall) / (before + after), (rise * after - fall * before) / (before + after));
+    let above = if bend > 0.0 { slope * slope / (4.0 * bend) } else { 0.0 };
+    if above.is_finite() { here.1.max(low.1).max(high.1) + above } else { f64::INFINITY }
 }

@@ -6,6 +6,7 @@ pub mod angle;
 mod angle_entries;
 mod angle_oscillator;
 mod angle_phase;
+mod angle_ranges;
 mod angle_series;
 mod angle_small;
 mod angle_taylor;

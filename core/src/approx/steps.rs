@@ -98,13 +98,22 @@ impl Scheme {
         Ok(Scheme { step })
     }
 
-    /// Angle and velocity at 0, h, 2 h, ... as many as the slices hold, both of one length.
-    pub fn march(&self, start: (f64, f64), omega2: f64, h: f64, theta: &mut [f64], velocity: &mut [f64]) {
+    /// Angle and velocity at 0, h, 2 h, ... as many as the slices hold, both of one length; the state after the last, from
+    /// which the march goes on.
+    pub fn march(
+        &self,
+        start: (f64, f64),
+        omega2: f64,
+        h: f64,
+        theta: &mut [f64],
+        velocity: &mut [f64],
+    ) -> (f64, f64) {
         let mut state = State(start.0, start.1);
         for (theta, velocity) in theta.iter_mut().zip(velocity) {
             (*theta, *velocity) = (state.0, state.1);
             state = (self.step)(state, h, omega2);
         }
+        (state.0, state.1)
     }
 }
 

@@ -9,20 +9,25 @@ pub const MOST_TIMES: f64 = 1e7;
 
 /// An interval of times, both ends included.
 #[derive(Clone, Copy)]
-pub(crate) struct Interval {
+pub(crate) struct Interval<'a> {
     start: f64,
     stop: f64,
+    /// Asked now and then: whether the caller has given up, so that any answer will do.
+    ended: &'a dyn Fn() -> bool,
 }
 
-impl Interval {
+/// Times between two questions to the caller.
+const ASKED_EVERY: u32 = 4096;
+
+impl<'a> Interval<'a> {
     /// An error for a NaN, and for a start after the stop.
-    pub fn new(start: f64, stop: f64) -> Result<Interval, Domain> {
+    pub fn new(start: f64, stop: f64, ended: &'a dyn Fn() -> bool) -> Result<Interval<'a>, Domain> {
         Domain::check("start", start, !start.is_nan(), "a number")?;
         Domain::check("stop", stop, !stop.is_nan(), "a number")?;
         if stop < start {
             return Err(Domain::new("stop", format!("{stop:?}"), format!("not before start, {start:?}")));
         }
-        Ok(Interval { start, stop })
+        Ok(Interval { start, stop, ended })
     }
 
     /// Whether a time is in it.
@@ -51,6 +56,7 @@ impl Interval {
         Domain::check("stop", self.stop, near, "within 2^53 half periods, like start")?;
         let mut times = Vec::with_capacity(count as usize + 2);
         let mut repeat = low - 1.0;
+        let mut since = 0;
         while repeat <= high + 1.0 {
             for at in phases {
                 let t = ((*at + Dd::from(repeat * spacing)) / rate).value() / scale;
@@ -59,6 +65,13 @@ impl Interval {
                 }
             }
             repeat += 1.0;
+            since += 1;
+            if since == ASKED_EVERY {
+                since = 0;
+                if (self.ended)() {
+                    break;
+                }
+            }
         }
         times.sort_by(f64::total_cmp);
         Ok(times)

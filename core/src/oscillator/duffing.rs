@@ -104,4 +104,15 @@ impl Duffing {
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         self.0.times(u, start, stop)
     }
+
+    /// [`Duffing::times`], where `ended` is asked now and then: once it is true, the times are cut short and mean nothing.
+    pub fn times_unless(
+        &self,
+        u: f64,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Vec<f64>, Domain> {
+        self.0.times_unless(u, start, stop, ended)
+    }
 }

@@ -46,8 +46,19 @@ impl CubicQuintic {
     ///
     /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        self.times_unless(u, start, stop, &|| false)
+    }
+
+    /// [`CubicQuintic::times`], where `ended` is asked now and then: once it is true, the times are cut short and mean nothing.
+    pub fn times_unless(
+        &self,
+        u: f64,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Vec<f64>, Domain> {
         Domain::check("u", u, u.is_finite(), "finite")?;
-        let interval = Interval::new(start, stop)?;
+        let interval = Interval::new(start, stop, ended)?;
         let Some((argument, turns)) = self.argument_of(u) else { return Ok(Vec::new()) };
         let crosses = self.range().0 < 0.0 && self.range().1 > 0.0;
         let mirrored = u != 0.0 && (u < 0.0) != (self.orientation.sign < 0.0);

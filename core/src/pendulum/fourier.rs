@@ -12,6 +12,7 @@ use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
 use crate::float::elementary::sech;
+use crate::float::scaled::exp;
 use crate::float::{Dd, HALF_PI, PI, Scaled};
 
 /// Amplitudes of the harmonics j = 1, 2, ... of angle and velocity.
@@ -43,7 +44,21 @@ impl Series {
         let (value, power) = sech(self.decay * order);
         (value * self.factor / Dd::from(order), power)
     }
+
+    /// a_j, however small.
+    fn amplitude(&self, j: u64) -> Scaled {
+        let order = j as f64;
+        let argument = self.decay * order;
+        if argument.hi > FAR {
+            return exp(-argument) * (2.0 * self.factor) / Scaled::from(order);
+        }
+        let (value, power) = self.harmonic(j);
+        Scaled::from(value) * Scaled::from(power)
+    }
 }
+
+/// Beyond, 1 + e^-2y is 1 to 600 digits; up to it sech is a product of two doubles in their range.
+const FAR: f64 = 700.0;
 
 impl Orbit {
     /// pi K'/2K of a libration and pi K'/K of a rotation, of its inner parameter, where the motion has a series that is not
@@ -70,39 +85,43 @@ impl Orbit {
         if !(1..=MOST_HARMONICS).contains(&n) {
             return Err(Domain::new("n", n.to_string(), "from 1 to 10000000"));
         }
-        let amplitudes = self.amplitudes(n as u64);
+        let (mut theta, mut velocity) = (vec![0.0; n as usize], vec![0.0; n as usize]);
         let frequency = self.mean_frequency();
-        let rate =
-            |(a, j): (&Scaled, u64)| if a.is_zero() { 0.0 } else { (*a * frequency * j as f64).value() };
-        let velocity = amplitudes.iter().zip(1u64..).map(rate).collect();
-        Ok(Fourier { theta: amplitudes.into_iter().map(Scaled::value).collect(), velocity })
-    }
-
-    fn amplitudes(&self, n: u64) -> Vec<Scaled> {
+        let mut put = |j: u64, amplitude: Scaled| {
+            let place = (j - 1) as usize;
+            theta[place] = amplitude.value();
+            velocity[place] =
+                if amplitude.is_zero() { 0.0 } else { (amplitude * frequency * j as f64).value() };
+            theta[place] != 0.0 || velocity[place] != 0.0
+        };
         if let Some(series) = self.series() {
             // A rotation about the other equilibrium has its phase from this one, half a turn away.
             let turned = series.step == 1 && self.frame.half_turn != 0.0;
-            let side = |j: u64| if turned && j % 2 == 1 { -1.0 } else { 1.0 };
-            return (1..=n)
-                .map(|j| {
-                    let (value, power) = series.harmonic(j);
-                    Scaled::from(value) * Scaled::from(power) * side(j)
-                })
-                .collect();
+            for j in (1..=n as u64).step_by(series.step as usize) {
+                let side = if turned && j % 2 == 1 { -1.0 } else { 1.0 };
+                // a_j and j a_j fall with j: after the first that are below every double all are.
+                if !put(j, series.amplitude(j) * side) {
+                    break;
+                }
+            }
+            return Ok(Fourier { theta, velocity });
         }
-        let mut amplitudes = vec![Scaled::ZERO; n as usize];
         match self.course {
             Course::Libration(_) => {
                 // Of a swing of next to nothing a_3 = theta_max^3/192 is the last that a double may hold.
-                amplitudes[0] = Scaled::from(self.theta_max());
+                let first = Scaled::from(self.theta_max());
+                put(1, first);
                 if n > 2 {
-                    amplitudes[2] = amplitudes[0] * self.tiny_distortion();
+                    put(3, first * self.tiny_distortion());
                 }
             }
-            Course::Separatrix(..) => amplitudes.fill(Scaled::from(f64::NAN)),
+            Course::Separatrix(..) => {
+                theta.fill(f64::NAN);
+                velocity.fill(f64::NAN);
+            }
             _ => {}
         }
-        amplitudes
+        Ok(Fourier { theta, velocity })
     }
 
     /// theta_max^2/192 = kappa^2/48 of a swing of next to nothing.

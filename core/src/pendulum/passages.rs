@@ -141,8 +141,19 @@ impl Orbit {
     /// that reaches beyond 2^53 half periods. **Error** such that the angle there is `theta` to 4 ulp of the largest
     /// angle plus what an ulp of the time makes of it.
     pub fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        self.times_unless(theta, start, stop, &|| false)
+    }
+
+    /// [`Orbit::times`], where `ended` is asked now and then: once it is true, the times are cut short and mean nothing.
+    pub fn times_unless(
+        &self,
+        theta: f64,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Vec<f64>, Domain> {
         Domain::check("theta", theta, theta.is_finite(), "finite")?;
-        let interval = Interval::new(start, stop)?;
+        let interval = Interval::new(start, stop, ended)?;
         let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else {
             return Ok(match self.course {
                 Course::Free => within(interval, self.straight_time(theta)),
@@ -185,7 +196,17 @@ impl Orbit {
     ///
     /// Errors as for [`Orbit::times`].
     pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
-        let interval = Interval::new(start, stop)?;
+        self.turning_times_unless(start, stop, &|| false)
+    }
+
+    /// [`Orbit::turning_times`], where `ended` is asked now and then: once it is true, the times are cut short and mean nothing.
+    pub fn turning_times_unless(
+        &self,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Vec<f64>, Domain> {
+        let interval = Interval::new(start, stop, ended)?;
         match (&self.course, State::new(self.theta0, self.velocity0, self.force)) {
             (Course::Libration(elliptic), Ok(state)) => interval.repeated(
                 elliptic.phase.rate,
@@ -209,6 +230,6 @@ impl Orbit {
 }
 
 /// The time, if it is in the interval.
-fn within(interval: Interval, time: f64) -> Vec<f64> {
+fn within(interval: Interval<'_>, time: f64) -> Vec<f64> {
     if interval.holds(time) { vec![time] } else { Vec::new() }
 }

@@ -1,0 +1,82 @@
+//! Long calls end within a moment of Ctrl-C: what a computation asks between its blocks.
+//!
+//! Python runs its signal handlers on the main thread only, and only when asked. The thread that was called asks every
+//! [`INTERVAL`]; it looks at the clock every [`ROWS`] rows, so that short calls pay nothing. The threads of the pool
+//! never ask: they read a flag of their call.
+//! Source: the Python C API, `PyErr_CheckSignals`, <https://docs.python.org/3/c-api/exceptions.html#signal-handling>.
+
+use std::cell::{Cell, RefCell};
+use std::time::{Duration, Instant};
+
+use pyo3::prelude::*;
+
+/// Time between two questions.
+pub const INTERVAL: Duration = Duration::from_millis(50);
+
+/// Rows between two looks at the clock: one takes 100 microseconds at most.
+const ROWS: usize = 512;
+
+thread_local! {
+    /// Rows since the last look at the clock.
+    static COUNTED: Cell<usize> = const { Cell::new(0) };
+    /// When this thread asked last.
+    static ASKED: Cell<Option<Instant>> = const { Cell::new(None) };
+    /// Whether a ufunc of this thread left an error for NumPy to find.
+    static LEFT: Cell<bool> = const { Cell::new(false) };
+}
+
+/// A question to a computation's caller, after so many rows: whether to give up.
+pub type Stop<'a> = &'a dyn Fn(usize) -> bool;
+
+/// The error of a signal handler, if one has raised; asked after every `rows` rows.
+fn after(rows: usize) -> Option<PyErr> {
+    let counted = COUNTED.get() + rows;
+    COUNTED.set(if counted < ROWS { counted } else { 0 });
+    if counted < ROWS { None } else { asked() }
+}
+
+/// The same, whatever the number of rows.
+#[cold]
+pub fn asked() -> Option<PyErr> {
+    let now = Instant::now();
+    if ASKED.get().is_some_and(|before| now.duration_since(before) < INTERVAL) {
+        return None;
+    }
+    ASKED.set(Some(now));
+    // An interpreter that shuts down has no handlers left to run.
+    Python::try_attach(|py| py.check_signals().err()).flatten()
+}
+
+/// Does work of this thread, which may be without the interpreter; the error if a signal ended it.
+pub fn watched<T>(work: impl FnOnce(Stop<'_>) -> T) -> PyResult<T> {
+    let raised = RefCell::new(None);
+    let stop = |rows: usize| {
+        let mut raised = raised.borrow_mut();
+        if raised.is_none() {
+            *raised = after(rows);
+        }
+        raised.is_some()
+    };
+    let answer = work(&stop);
+    raised.into_inner().map_or(Ok(answer), Err)
+}
+
+/// Likewise, of a thread that holds the interpreter and lets it go meanwhile.
+pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce(Stop<'_>) -> T + Send) -> PyResult<T> {
+    py.detach(|| watched(work))
+}
+
+/// Leaves an error where NumPy looks for one after the loops of a ufunc.
+pub fn leave(error: PyErr) {
+    Python::attach(|py| error.restore(py));
+    LEFT.set(true);
+}
+
+/// Whether the error that this thread left still stands: the ufunc is at its end, and its other loops have no work.
+pub fn ending() -> bool {
+    LEFT.get() && {
+        let stands = Python::attach(|py| PyErr::occurred(py));
+        LEFT.set(stands);
+        stands
+    }
+}
