@@ -9,6 +9,7 @@ import math
 import random
 from fractions import Fraction
 
+import ends_inputs
 import mpmath as mp
 from elliptic import outside, parameters
 from exact import mpf, real
@@ -236,9 +237,10 @@ def incomplete():
 
 
 def rows(name):
-    return {
+    draw = {
         "jacobi.csv": jacobi,
         "jacobi_special.csv": jacobi_special,
         "complete.csv": complete,
         "incomplete.csv": incomplete,
-    }[name]()
+    }[name]
+    return [*draw(), *ends_inputs.rows(name)]

@@ -7,6 +7,7 @@ import math
 import random
 from fractions import Fraction
 
+import ends_inputs
 import mpmath as mp
 from elliptic import jacobi_evaluate, parameters
 from elliptic_inputs import either, log_uniform, neighbours, sign
@@ -385,7 +386,7 @@ def jacobi_complex():
 
 
 def rows(name):
-    return {
+    draw = {
         "glaisher.csv": glaisher,
         "inverse_jacobi.csv": inverses,
         "second_kind.csv": second_kind,
@@ -394,4 +395,5 @@ def rows(name):
         "carlson.csv": carlson,
         "third_kind.csv": third_kind,
         "jacobi_complex.csv": jacobi_complex,
-    }[name]()
+    }[name]
+    return [*draw(), *ends_inputs.rows(name)]

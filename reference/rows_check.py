@@ -43,14 +43,14 @@ SAMPLES = {
     "jacobi_special.csv": 500,
     "complete.csv": 120,
     "incomplete.csv": 150,
-    "glaisher.csv": 594,
-    "inverse_jacobi.csv": 1632,
+    "glaisher.csv": 649,
+    "inverse_jacobi.csv": 2182,
     "second_kind.csv": 150,
-    "theta_functions.csv": 449,
+    "theta_functions.csv": 534,
     "heuman.csv": 150,
     "carlson.csv": 12,
     "third_kind.csv": 6,
-    "jacobi_complex.csv": 503,
+    "jacobi_complex.csv": 575,
 }
 
 

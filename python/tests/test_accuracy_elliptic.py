@@ -15,7 +15,7 @@ import pytest
 import libration
 
 ROOT = Path(__file__).parents[2]
-ROWS = {"jacobi": 2750, "complete": 679, "incomplete": 1368, "jacobi_special": 116}
+ROWS = {"jacobi": 2823, "complete": 697, "incomplete": 1467, "jacobi_special": 116}
 # Per function: its file, the column of its first argument, its outputs, and whether the condition eases.
 FUNCTIONS = {
     "jacobi": ("jacobi", ["u"], ["sn", "cn", "dn", "am"], True),

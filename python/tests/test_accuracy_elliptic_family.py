@@ -17,14 +17,14 @@ from libration import elliptic
 
 TWELVE = "sn cn dn ns nc nd sc cs sd ds cd dc".split()
 ROWS = {
-    "glaisher": 594,
-    "inverse_jacobi": 1632,
-    "second_kind": 640,
-    "theta_functions": 449,
-    "heuman": 576,
-    "carlson": 875,
-    "third_kind": 832,
-    "jacobi_complex": 503,
+    "glaisher": 649,
+    "inverse_jacobi": 2182,
+    "second_kind": 713,
+    "theta_functions": 534,
+    "heuman": 616,
+    "carlson": 1022,
+    "third_kind": 1061,
+    "jacobi_complex": 575,
 }
 PARTS = [f"{name}_{part}" for name in ("sn", "cn", "dn") for part in ("re", "im")]
 

@@ -41,7 +41,7 @@ pub(crate) fn minus_log_nome(k: Dd, kc: Dd) -> Dd {
 ///
 /// **Error** at most 3 ulp.
 pub fn nome(parameter: Parameter) -> f64 {
-    let Parameter { m, mc } = parameter;
+    let Parameter { m, mc, .. } = parameter;
     if mc.hi == 0.0 {
         return 1.0;
     }

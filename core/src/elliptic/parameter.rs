@@ -1,28 +1,38 @@
 //! The parameter m = k^2 together with its complement mc = 1 - m, each formed from what was given without
 //! subtracting: near the separatrix 1 - m formed from a rounded m has no digits left.
 
-use crate::float::Dd;
+use crate::float::{Dd, Scaled};
 
 /// m and mc as double-doubles; m + mc = 1 to 2^-106.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     pub(crate) m: Dd,
     pub(crate) mc: Dd,
+    /// The modulus, where it was given and its square has no full digits as a double-double; else 0.
+    small_modulus: f64,
 }
 
+/// Below, the square of the modulus is next to the subnormal numbers.
+const SMALL_MODULUS: f64 = 1e-140;
+
 impl Parameter {
+    /// From both, m + mc = 1.
+    pub(crate) fn new(m: Dd, mc: Dd) -> Parameter {
+        Parameter { m, mc, small_modulus: 0.0 }
+    }
     /// From the parameter m, any real number.
     pub fn from_m(m: f64) -> Parameter {
-        Parameter { m: Dd::from(m), mc: Dd::sum(1.0, -m) }.checked(m)
+        Parameter::new(Dd::from(m), Dd::sum(1.0, -m)).checked(m)
     }
     /// From the complement mc = 1 - m, any real number.
     pub fn from_mc(mc: f64) -> Parameter {
-        Parameter { m: Dd::sum(1.0, -mc), mc: Dd::from(mc) }.checked(mc)
+        Parameter::new(Dd::sum(1.0, -mc), Dd::from(mc)).checked(mc)
     }
     /// From the modulus k, |k| <= 1e150; only k^2 counts.
     pub fn from_modulus(k: f64) -> Parameter {
-        let mc = Dd::sum(1.0, -k) * Dd::sum(1.0, k);
-        Parameter { m: Dd::product(k, k), mc }.checked(if k.abs() <= 1e150 { k } else { f64::NAN })
+        let (m, mc) = (Dd::product(k, k), Dd::sum(1.0, -k) * Dd::sum(1.0, k));
+        let small_modulus = if k.abs() < SMALL_MODULUS { k.abs() } else { 0.0 };
+        Parameter { m, mc, small_modulus }.checked(if k.abs() <= 1e150 { k } else { f64::NAN })
     }
     /// The parameter, rounded.
     pub fn m(&self) -> f64 {
@@ -33,12 +43,21 @@ impl Parameter {
         self.mc.value()
     }
     fn checked(self, given: f64) -> Parameter {
-        if given.is_finite() { self } else { Parameter { m: Dd::from(f64::NAN), mc: Dd::from(f64::NAN) } }
+        let nan = Dd::from(f64::NAN);
+        if given.is_finite() { self } else { Parameter::new(nan, nan) }
+    }
+    /// m with all digits, also where it is below the range of doubles.
+    pub(crate) fn long_m(self) -> Scaled {
+        if self.small_modulus > 0.0 {
+            Scaled::from(self.small_modulus).square()
+        } else {
+            Scaled::from(self.m)
+        }
     }
     /// The parameter in [0, 1] that carries this one: m itself; -m/(1 - m) for m < 0; 1/m for m > 1. The moduli
     /// come from roots of what was given, because the squares of their inverses may be below the range.
     pub(crate) fn unit(self) -> Unit {
-        let Parameter { m, mc } = self;
+        let Parameter { m, mc, small_modulus } = self;
         if m.hi < 0.0 {
             let root = mc.sqrt();
             Unit { m: -m / mc, mc: Dd::ONE / mc, k: (-m).sqrt() / root, kc: Dd::ONE / root }
@@ -46,12 +65,14 @@ impl Parameter {
             let root = m.sqrt();
             Unit { m: Dd::ONE / m, mc: -mc / m, k: Dd::ONE / root, kc: (-mc).sqrt() / root }
         } else {
-            Unit { m, mc, k: m.sqrt(), kc: mc.sqrt() }
+            let k = if small_modulus > 0.0 { Dd::from(small_modulus) } else { m.sqrt() };
+            Unit { m, mc, k, kc: mc.sqrt() }
         }
     }
 }
 
-/// A parameter in [0, 1] with its modulus and complementary modulus.
+/// A parameter in [0, 1] with its modulus and complementary modulus: the moduli have all digits, also where their squares
+/// are below the normal numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
     pub m: Dd,

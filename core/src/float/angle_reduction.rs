@@ -9,11 +9,13 @@ use super::exponent::exp2;
 use super::triple_double::Td;
 use crate::lanes::Lane;
 
-/// theta = 2 pi turns + side * from_bottom, side = +1 or -1, from_bottom in [0, pi].
+/// theta = 2 pi (turns + turns_rest) + side * from_bottom, side = +1 or -1, from_bottom in [0, pi].
 #[derive(Clone, Copy, Debug)]
 pub struct ReducedAngle {
-    /// Nearest whole number of turns (rounded to double beyond 2^53).
+    /// Nearest whole number of turns, rounded to double beyond 2^53.
     pub turns: f64,
+    /// What that rounding lost: together the number of turns to 2^-106 of itself.
+    pub turns_rest: f64,
     /// Which side of the bottom: the sign of the remainder.
     pub side: f64,
     /// Distance from the bottom, in [0, pi].
@@ -30,6 +32,9 @@ const INVERSE_TWO_PI: [u64; 22] = [
     0x5d49eeb1faf97c5e, 0xcf41ce7de294a4ba, 0x9afed7ec47e35742, 0x1580cc11bf1edaea, 0xfc33ef0826bd0d87,
     0x6a78e45857b986c2, 0x19666157c5281a10,
 ];
+
+/// 1/(2 pi) to a triple-double.
+const INVERSE_TWO_PI_LONG: Td = Td::new(0.15915494309189535, -9.839338337591243e-18, -5.360718141446502e-34);
 
 /// Beyond, the half turns are left to [`reduce`].
 pub const FAR: f64 = 1e9;
@@ -49,7 +54,14 @@ pub fn half_turns<L: Lane>(theta: L) -> (L, Dd<L>) {
     (j, Dd::ordered_sum(hi, hi_error + rest))
 }
 
-/// theta modulo 2 pi, for finite theta.
+impl ReducedAngle {
+    /// The nearest whole number of turns: exact up to 2^106, beyond to 2^-106 of itself.
+    pub fn whole_turns(&self) -> Dd {
+        Dd::new(self.turns, self.turns_rest)
+    }
+}
+
+/// theta modulo 2 pi, for every finite theta.
 pub fn reduce(theta: f64) -> ReducedAngle {
     let side = if theta < 0.0 { -1.0 } else { 1.0 };
     let size = theta.abs();
@@ -61,11 +73,11 @@ pub fn reduce(theta: f64) -> ReducedAngle {
         let (mid, rest) = two_sum(mid, error);
         let (mid, lo) = two_sum(mid, -2.9947698097183397e-33);
         let from_top = Td::normalised(hi, mid, lo + rest + 1.1124542208633653e-49);
-        return ReducedAngle { turns: 0.0, side, from_bottom, from_top };
+        return ReducedAngle { turns: 0.0, turns_rest: 0.0, side, from_bottom, from_top };
     }
     let exponent = ((size.to_bits() >> 52) as i32) - 1075;
     let mantissa = (size.to_bits() & ((1 << 52) - 1)) | (1 << 52);
-    // Words of 1/(2 pi) whose product with theta is a whole number of turns are left out.
+    // Words of 1/(2 pi) whose product with theta is a whole number of turns are left out: none below 2^116.
     let first = if exponent > 0 { (exponent / 64) as usize } else { 0 };
     let mut limbs = [0u64; 7]; // least significant first
     let mut carry = 0u128;
@@ -79,19 +91,21 @@ pub fn reduce(theta: f64) -> ReducedAngle {
     let point = (384 - (exponent - 64 * first as i32)) as usize;
     let (mut turns, mut fraction) = split_at(&limbs, point);
     let half = bit(&fraction, point - 1);
-    let mut side = side;
+    let mut remainder_side = side;
     if half {
-        turns += 1.0;
+        turns += 1;
         fraction = complement(&fraction, point);
-        side = -side;
+        remainder_side = -side;
     }
+    // Where words were left out there are more than 2^113 turns, and their fraction no longer counts.
+    let turns = if first == 0 { whole(turns) } else { (INVERSE_TWO_PI_LONG * size).to_dd() } * side;
     let mut from_top = [0u64; 7];
     from_top[(point - 1) / 64] = 1 << ((point - 1) % 64);
     let from_top = subtract(&from_top, &fraction);
-    let signed_turns = if theta < 0.0 { -turns } else { turns };
     ReducedAngle {
-        turns: signed_turns,
-        side,
+        turns: turns.hi,
+        turns_rest: turns.lo,
+        side: remainder_side,
         from_bottom: to_td(&fraction, point) * TWO_PI_LONG,
         from_top: to_td(&from_top, point) * TWO_PI_LONG,
     }
@@ -101,11 +115,17 @@ fn bit(limbs: &[u64; 7], index: usize) -> bool {
     limbs[index / 64] >> (index % 64) & 1 == 1
 }
 
-/// Whole part as a double, and the fraction's limbs.
-fn split_at(limbs: &[u64; 7], point: usize) -> (f64, [u64; 7]) {
-    let mut whole = 0.0;
+/// A whole number below 2^127 as a double-double.
+fn whole(number: u128) -> Dd {
+    let hi = number as f64;
+    Dd::new(hi, (number as i128 - hi as i128) as f64)
+}
+
+/// Whole part, whose last 127 bits count, and the fraction's limbs.
+fn split_at(limbs: &[u64; 7], point: usize) -> (u128, [u64; 7]) {
+    let mut whole = 0u128;
     for index in (point..448).rev() {
-        whole = 2.0 * whole + f64::from(u8::from(bit(limbs, index)));
+        whole = whole << 1 | u128::from(bit(limbs, index));
     }
     let mut fraction = *limbs;
     for (i, limb) in fraction.iter_mut().enumerate() {

@@ -180,9 +180,13 @@ impl Dd<f64> {
         if self.hi == 0.0 {
             return Dd::ZERO;
         }
-        // The error of the root's square must not fall below the range.
+        // The error of the root's square must stay in range, and so must the square. One call deep: the scaled number lies
+        // between the bounds.
         if self.hi > 0.0 && self.hi < 1e-200 {
             return self.scale(exp2(800)).sqrt().scale(exp2(-400));
+        }
+        if self.hi > 1e300 && self.hi.is_finite() {
+            return self.scale(exp2(-400)).sqrt().scale(exp2(200));
         }
         let root = f64::sqrt(self.hi);
         let rest = self - Dd::product(root, root);

@@ -168,7 +168,7 @@ impl Form {
     }
     /// m with its complement.
     pub fn parameter(&self) -> Parameter {
-        Parameter { m: self.unit.m, mc: self.unit.mc }
+        Parameter::new(self.unit.m, self.unit.mc)
     }
     /// c1.
     pub fn c1(&self) -> f64 {

@@ -34,9 +34,9 @@ impl Orbit {
         let (ratio, more) = match self.course {
             // E - (1 - m) K = pi m/4 (1 + m/8 + ...), and m is too small here for the second term to count.
             Course::Libration(_) if power != 0 => (m * PI.scale(0.25), 2 * power),
-            Course::Libration(_) => (complete_difference_dd(Parameter { m, mc }), 0),
+            Course::Libration(_) => (complete_difference_dd(Parameter::new(m, mc)), 0),
             Course::Rotation(_) => {
-                let inner = Parameter { m: Dd::ONE / m, mc: -mc / m };
+                let inner = Parameter::new(Dd::ONE / m, -mc / m);
                 ((k * complete_e_dd(inner)).scale(0.5), 0)
             }
             _ => (Dd::ONE, 0),
@@ -160,7 +160,7 @@ fn libration_state(share: Dd, ratio: Dd, power: i32, at: ReducedPhase<f64>) -> (
         let [sine, cosine, _] = lattice.long_values(&at);
         return ((k * sine).scale(2.0).ldexp(power), k * cosine, power);
     }
-    let Parameter { m, mc } = parameter_of_libration(share);
+    let Parameter { m, mc, .. } = parameter_of_libration(share);
     let k = m.sqrt();
     let [sn, cn, dn] = NevilleTheta::new(m, mc, k, mc.sqrt()).long_values(&at);
     (arctangent((k * sn).abs(), dn).scale(2f64.copysign(sn.hi)), k * cn, 0)
@@ -168,7 +168,7 @@ fn libration_state(share: Dd, ratio: Dd, power: i32, at: ReducedPhase<f64>) -> (
 
 /// Angle and |velocity|/2 omega0 of a rotation with J pi/4 omega0 = `share`.
 fn rotation_state(share: Dd, at: ReducedPhase<f64>) -> (Dd, Dd) {
-    let (m, Parameter { m: inner, mc }) = parameter_of_rotation(share);
+    let (m, Parameter { m: inner, mc, .. }) = parameter_of_rotation(share);
     let [sn, cn, dn] = NevilleTheta::new(inner, mc, inner.sqrt(), mc.sqrt()).long_values(&at);
     (arctangent(sn.abs(), cn).scale(2f64.copysign(sn.hi)), m.sqrt() * dn)
 }
@@ -216,25 +216,25 @@ fn root(mut x: Dd, excess_and_slope: impl Fn(Dd) -> (Dd, Dd)) -> Dd {
 fn parameter_of_libration(share: Dd) -> Parameter {
     if share.hi < 0.6 {
         let m = root(share / PI.scale(0.25), |m| {
-            let parameter = Parameter { m, mc: Dd::ONE - m };
+            let parameter = Parameter::new(m, Dd::ONE - m);
             (complete_difference_dd(parameter) - share, complete_k_dd(parameter).scale(0.5))
         });
-        return Parameter { m, mc: Dd::ONE - m };
+        return Parameter::new(m, Dd::ONE - m);
     }
     // 1 - share = mc (ln(16/mc) + 1)/4 + ...: for all that doubles can tell from 1 the start is below the root.
     let rest = Dd::ONE - share;
     let mc = root(rest.scale(0.05), |mc| {
-        let parameter = Parameter { m: Dd::ONE - mc, mc };
+        let parameter = Parameter::new(Dd::ONE - mc, mc);
         (Dd::ONE - complete_difference_dd(parameter) - rest, complete_k_dd(parameter).scale(0.5))
     });
-    Parameter { m: Dd::ONE - mc, mc }
+    Parameter::new(Dd::ONE - mc, mc)
 }
 
 /// m with sqrt(m) E(1/m) = share > 1, and 1/m as a parameter: its slope in m is K(1/m)/2 sqrt(m).
 fn parameter_of_rotation(share: Dd) -> (Dd, Parameter) {
     let inner = |beyond: Dd| {
         let m = Dd::ONE + beyond;
-        Parameter { m: Dd::ONE / m, mc: beyond / m }
+        Parameter::new(Dd::ONE / m, beyond / m)
     };
     let far = share.square() / HALF_PI.square();
     let start = if share.hi > 2.0 { far } else { (share - Dd::ONE).scale(0.05) };

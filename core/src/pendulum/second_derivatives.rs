@@ -78,7 +78,7 @@ impl Set<'_> {
 
     fn jet(&self, place: &Place) -> Jet {
         let Place { s, c, d, u, g } = *place;
-        let Parameter { m: mu, mc: muc } = self.parameter;
+        let Parameter { m: mu, mc: muc, .. } = self.parameter;
         let (one, two) = (Dd::ONE, Dd::from(2.0));
         // By the parameter, u held: am, then all the others.
         let am = (mu * s * c + g * d) / (mu * muc).scale(2.0);
@@ -145,11 +145,11 @@ impl Orbit {
         let omega = omega.ldexp(omega_power);
         let (set, start) = match &self.course {
             Course::Libration(elliptic) => {
-                let set = Set { elliptic, rotation: false, k, parameter: Parameter { m, mc } };
+                let set = Set { elliptic, rotation: false, k, parameter: Parameter::new(m, mc) };
                 (set, [s / k, x / k, c])
             }
             Course::Rotation(elliptic) => {
-                let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
+                let parameter = Parameter::new(Dd::ONE / m, -mc / m);
                 (Set { elliptic, rotation: true, k, parameter }, [s, c, x / k])
             }
             _ => return UNDEFINED,

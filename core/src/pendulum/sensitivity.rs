@@ -105,7 +105,7 @@ pub(super) fn cosine_integral(m: Dd, [sn, cn, dn]: [Dd; 3]) -> Dd {
 }
 
 /// p and q of a libration between the quarter periods.
-fn swing(Parameter { m, mc }: Parameter, values: [Dd; 3]) -> [Scaled; 2] {
+fn swing(Parameter { m, mc, .. }: Parameter, values: [Dd; 3]) -> [Scaled; 2] {
     let [sn, cn, dn] = values;
     if dn.hi < TOP {
         return top(values);
@@ -232,7 +232,7 @@ impl Sensitivity {
         let omega = root.to_dd();
         let periodic = Periodic {
             rotation: false,
-            parameter: Parameter { m: Dd::ZERO, mc: Dd::ONE },
+            parameter: Parameter::new(Dd::ZERO, Dd::ONE),
             lattice: NevilleTheta::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE),
             shift: Scaled::ZERO,
         };
@@ -251,7 +251,7 @@ impl Sensitivity {
         let common = Sensitivity { k, x, power, omega, omega_power, side: frame.side, ..self };
         match &orbit.course {
             Course::Libration(elliptic) => {
-                let parameter = Parameter { m: m.ldexp(2 * power), mc };
+                let parameter = Parameter::new(m.ldexp(2 * power), mc);
                 let shift =
                     Scaled::from(complete_difference_dd(parameter).scale(-2.0)) / Scaled::from(kc).square();
                 let lattice = elliptic.lattice.clone();
@@ -265,7 +265,7 @@ impl Sensitivity {
                 }
             }
             Course::Rotation(elliptic) => {
-                let parameter = Parameter { m: Dd::ONE / m, mc: -mc / m };
+                let parameter = Parameter::new(Dd::ONE / m, -mc / m);
                 let shift = Scaled::from(complete_e_dd(parameter).scale(2.0)) / Scaled::from(kc / k).square();
                 let lattice = elliptic.lattice.clone();
                 let periodic = Periodic { rotation: true, parameter, lattice, shift };

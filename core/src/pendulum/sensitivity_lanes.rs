@@ -53,12 +53,12 @@ impl Slopes {
     pub fn new(sensitivity: &Sensitivity, periodic: &Periodic) -> Option<Slopes> {
         let &Periodic { rotation, parameter, ref lattice, .. } = periodic;
         let &Sensitivity { k, x, power, stretch, omega, omega_power, .. } = sensitivity;
-        let Parameter { m, mc } = parameter;
+        let Parameter { m, mc, .. } = parameter;
         let ordinary = power == 0 && omega_power.abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
         if mc.hi < LEAST_COMPLEMENT || !ordinary {
             return None;
         }
-        let other = Parameter { m: mc, mc: m };
+        let other = Parameter::new(mc, m);
         let (quarter, whole) = (lattice.quarter, complete_difference_dd(parameter));
         let e = whole + mc * quarter;
         let (near, far, zeta) = if lattice.hyperbolic() {

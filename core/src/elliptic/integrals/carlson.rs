@@ -19,6 +19,21 @@ fn window<const N: usize>(arguments: [Scaled; N]) -> (i32, bool) {
     (top & !1, top - bottom < APART)
 }
 
+/// Most duplications before the arguments are near. With t the power of the largest and d the distance to the smallest but a
+/// zero, sqrt x sqrt y + ... is at least 2^(t - d/2), so that a step leaves a distance of at most d/2 + 2: 31 steps
+/// bring any powers of 32 bits below 5.
+const STEPS: usize = 32;
+
+/// The same of R_J. A p far above x, y and z comes nearer by one factor of 4 a step, and it is at most 2^2100 above them.
+const STEPS_OF_RJ: usize = 1050 + STEPS;
+
+const NAN: f64 = f64::NAN;
+
+/// Whether the arguments are numbers: with a NaN or an infinity the duplication would never end.
+fn finite<const N: usize>(arguments: [Scaled; N]) -> bool {
+    arguments.iter().all(|x| x.is_finite())
+}
+
 /// sqrt x sqrt y + sqrt y sqrt z + sqrt z sqrt x.
 fn shift(roots: [Scaled; 3]) -> Scaled {
     let [x, y, z] = roots;
@@ -31,7 +46,10 @@ pub(crate) fn rf(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
     if at.iter().filter(|x| x.is_zero()).count() > 1 {
         return Scaled::from(f64::INFINITY);
     }
-    loop {
+    if !finite(at) {
+        return Scaled::from(NAN);
+    }
+    for _ in 0..STEPS {
         let (top, near) = window(at);
         if near {
             let [x, y, z] = at.map(|x| x.shift(-top).to_dd());
@@ -40,12 +58,16 @@ pub(crate) fn rf(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
         let shift = shift(at.map(Scaled::sqrt));
         at = at.map(|x| (x + shift).shift(-2));
     }
+    Scaled::from(NAN)
 }
 
 /// R_C of x >= 0, y > 0.
 pub(crate) fn rc(x: Scaled, y: Scaled) -> Scaled {
     let (mut x, mut y) = (x, y);
-    loop {
+    if !finite([x, y]) {
+        return Scaled::from(NAN);
+    }
+    for _ in 0..STEPS {
         let (top, near) = window([x, y]);
         if near {
             let [x, y] = [x, y].map(|x| x.shift(-top).to_dd());
@@ -55,6 +77,7 @@ pub(crate) fn rc(x: Scaled, y: Scaled) -> Scaled {
         x = (x + shift).shift(-2);
         y = (y + shift).shift(-2);
     }
+    Scaled::from(NAN)
 }
 
 /// R_C of x >= 0 and any y: for y < 0 Cauchy's principal value.
@@ -77,9 +100,12 @@ pub(crate) fn rd(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
         return Scaled::from(f64::INFINITY);
     }
     let mut at = [x, y, z];
+    if !finite(at) {
+        return Scaled::from(NAN);
+    }
     let mut sum = Scaled::ZERO;
     let mut power = 0;
-    loop {
+    for _ in 0..STEPS {
         let (top, near) = window(at);
         if near {
             let [x, y, z] = at.map(|x| x.shift(-top).to_dd());
@@ -91,6 +117,7 @@ pub(crate) fn rd(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
         power -= 2;
         at = at.map(|x| (x + shift).shift(-2));
     }
+    Scaled::from(NAN)
 }
 
 /// R_J of x, y, z >= 0, p > 0.
@@ -99,9 +126,12 @@ pub(crate) fn rj(x: Scaled, y: Scaled, z: Scaled, p: Scaled) -> Scaled {
         return Scaled::from(f64::INFINITY);
     }
     let mut at = [x, y, z, p];
+    if !finite(at) {
+        return Scaled::from(NAN);
+    }
     let mut sum = Scaled::ZERO;
     let mut power = 0;
-    loop {
+    for _ in 0..STEPS_OF_RJ {
         let (top, near) = window(at);
         if near {
             let [x, y, z, p] = at.map(|x| x.shift(-top).to_dd());
@@ -116,6 +146,7 @@ pub(crate) fn rj(x: Scaled, y: Scaled, z: Scaled, p: Scaled) -> Scaled {
         power -= 2;
         at = at.map(|x| (x + shift).shift(-2));
     }
+    Scaled::from(NAN)
 }
 
 /// Cauchy's principal value of R_J(x, y, z, -q), q > 0: DLMF 19.20.14 with z the largest, so that its R_F and R_J have

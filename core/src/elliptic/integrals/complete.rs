@@ -27,7 +27,7 @@ pub(crate) fn complete_e_dd(parameter: Parameter) -> Dd {
 }
 
 /// E - mc K = m int_0^K cn^2 for 0 <= m <= 1, whose terms cancel: m mc R_D(0, 1, mc)/3 has none.
-pub(crate) fn complete_difference_dd(Parameter { m, mc }: Parameter) -> Dd {
+pub(crate) fn complete_difference_dd(Parameter { m, mc, .. }: Parameter) -> Dd {
     if mc.hi < 1e-200 { Dd::ONE } else { m * (mc * rd(Dd::ZERO, Dd::ONE, mc)) * THIRD }
 }
 

@@ -29,7 +29,7 @@ const TWO_OVER_PI: Dd = Dd::new(0.6366197723675814, -3.935735335036497e-17);
 /// assert_eq!(format!("{:.12}", heuman_lambda(0.5, Parameter::from_m(0.5))), "0.414660142135");
 /// ```
 pub fn heuman_lambda(phi: f64, parameter: Parameter) -> f64 {
-    let Parameter { m, mc } = parameter;
+    let Parameter { m, mc, .. } = parameter;
     if m.hi.is_nan() || m.hi < 0.0 || mc.hi < 0.0 || phi.is_nan() {
         return f64::NAN;
     }
@@ -48,5 +48,5 @@ pub fn heuman_lambda(phi: f64, parameter: Parameter) -> f64 {
     let first = rf(Scaled::ZERO, mc, Scaled::ONE);
     let second = m / (e * 3.0) * rj(Scaled::ZERO, mc, Scaled::ONE, mc * c / e);
     let within = scale * mc * sine * cosine / e.sqrt() * (first + second);
-    (Scaled::from(2.0 * n) + within * side).value()
+    (Scaled::from(n).shift(1) + within * side).value()
 }

@@ -4,15 +4,17 @@
 //! Method: phi = n pi + r with r reduced in triple-double, then Carlson's integrals in the one of DLMF
 //! 19.25.5, 19.25.9 to 19.25.11 whose terms are all positive for the given m, plus 2 n K or 2 n E.
 
+use super::carlson;
 use super::carlson_duplication::{THIRD, rd, rf};
 use super::complete::{complete_e_dd, complete_k_dd};
 use crate::elliptic::parameter::Parameter;
-use crate::float::{Dd, Td, angle_reduction, series};
+use crate::float::{Dd, Scaled, Td, angle_reduction, series};
 
 /// phi = n pi + side * r, 0 <= r <= pi/2.
 pub(crate) struct HalfTurns {
-    pub n: f64,
-    /// Whether n is odd, also beyond 2^53.
+    /// Exact up to 2^106, beyond to 2^-106 of itself.
+    pub n: Dd,
+    /// Whether n is odd, also beyond 2^106.
     pub odd: bool,
     pub side: f64,
     pub r: Td,
@@ -24,10 +26,11 @@ pub(crate) struct HalfTurns {
 pub(crate) fn half_turns(phi: f64) -> HalfTurns {
     let full = angle_reduction::reduce(phi);
     let odd = full.from_top.hi < full.from_bottom.hi;
+    let even_half_turns = full.whole_turns().scale(2.0);
     let (n, side, r, other) = if odd {
-        (2.0 * full.turns + full.side, -full.side, full.from_top, full.from_bottom)
+        (even_half_turns + Dd::from(full.side), -full.side, full.from_top, full.from_bottom)
     } else {
-        (2.0 * full.turns, full.side, full.from_bottom, full.from_top)
+        (even_half_turns, full.side, full.from_bottom, full.from_top)
     };
     // pi/2 - r, half the difference of r and pi - r.
     let rest = (other - r).scale(0.5);
@@ -53,7 +56,7 @@ pub(crate) fn sines(r: Td, rest: Td) -> (Dd, Dd) {
 
 /// phi = n pi + side * r, with the sine and cosine of r.
 pub(crate) struct ReducedAmplitude {
-    pub n: f64,
+    pub n: Dd,
     pub side: f64,
     pub sine: Dd,
     pub cosine: Dd,
@@ -65,6 +68,35 @@ pub(crate) fn reduce(phi: f64) -> ReducedAmplitude {
     ReducedAmplitude { n, side, sine, cosine }
 }
 
+/// 1 - m s^2 from mc = 1 - m and the squares of the sine s and the cosine. It subtracts only for m > 1, and then the smaller
+/// terms: next to m = 1 those of c^2 + mc s^2.
+pub(crate) fn delta_square(m: Scaled, mc: Scaled, sine_square: Scaled, cosine_square: Scaled) -> Scaled {
+    if (mc.abs() - Scaled::ONE).is_positive() {
+        Scaled::ONE - m * sine_square
+    } else {
+        cosine_square + mc * sine_square
+    }
+}
+
+/// E of the reduced amplitude from s = sin r, c = cos r and d = sqrt(1 - m s^2), for any m, into the ends of the range.
+pub(crate) fn second_kind(m: Scaled, mc: Scaled, [s, c, d]: [Scaled; 3]) -> Scaled {
+    let (square, c2, d2) = (s.square(), c.square(), d.square());
+    let third = s * square / Scaled::from(3.0);
+    if mc.is_zero() {
+        s
+    } else if mc.is_negative() {
+        // 19.25.11
+        d * s / c - mc * third * carlson::rd(d2, Scaled::ONE, c2)
+    } else if m.is_positive() {
+        // 19.25.10
+        let first = s * carlson::rf(c2, d2, Scaled::ONE) + m * third * carlson::rd(c2, Scaled::ONE, d2);
+        mc * first + m * s * c / d
+    } else {
+        // 19.25.9
+        s * carlson::rf(c2, d2, Scaled::ONE) - m * third * carlson::rd(c2, d2, Scaled::ONE)
+    }
+}
+
 /// Which of the two integrals.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
@@ -72,15 +104,35 @@ enum Kind {
     Second,
 }
 
-/// The integral from 0 to the reduced amplitude, from c = cos^2 r and d = 1 - m sin^2 r.
+/// Up to here |m| leaves every step of [`reduced`] in the range of doubles.
+const LARGE: f64 = 1e100;
+
+/// The integral from 0 to the reduced amplitude; NaN where 1 - m sin^2 is negative there.
+fn reduced_integral(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd) -> Scaled {
+    let Parameter { m, mc, .. } = parameter;
+    if m.hi.abs() <= LARGE {
+        let d = cosine.square() + mc * sine.square();
+        let real = mc.hi >= 0.0 || d.hi >= 0.0;
+        return if real { reduced(kind, parameter, sine, cosine, d).into() } else { Scaled::from(f64::NAN) };
+    }
+    let [m, mc, s, c] = [m, mc, sine, cosine].map(Scaled::from);
+    let square = delta_square(m, mc, s.square(), c.square());
+    match kind {
+        _ if square.is_negative() => Scaled::from(f64::NAN),
+        Kind::First => s * carlson::rf(c.square(), square, Scaled::ONE),
+        Kind::Second => second_kind(m, mc, [s, c, square.sqrt()]),
+    }
+}
+
+/// The same for |m| up to [`LARGE`], from d = 1 - m sin^2 r.
 fn reduced(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd {
-    let Parameter { m, mc } = parameter;
+    let Parameter { m, mc, .. } = parameter;
     let c = cosine.square();
     if kind == Kind::First {
         return sine * rf(c, d, Dd::ONE);
     }
     if m.hi < 0.0 {
-        // 19.25.9, with R_D scaled by d so that it stays in range for m to -1e300.
+        // 19.25.9, with R_D scaled by d.
         let inverse = Dd::ONE / d;
         let scaled = rd(c * inverse, Dd::ONE, inverse);
         return sine * rf(c, d, Dd::ONE)
@@ -111,18 +163,18 @@ fn incomplete(kind: Kind, phi: f64, parameter: Parameter) -> f64 {
         return phi;
     }
     let ReducedAmplitude { n, side, sine, cosine } = reduce(phi);
-    let d = cosine.square() + mc * sine.square();
-    if mc.hi < 0.0 && (n != 0.0 || d.hi < 0.0) {
-        return f64::NAN;
+    let integral = reduced_integral(kind, parameter, sine, cosine) * side;
+    if n.hi == 0.0 {
+        return integral.value();
     }
     let half_turn = match kind {
-        _ if n == 0.0 => Dd::ZERO,
+        _ if mc.hi < 0.0 => return f64::NAN,
         Kind::First if mc.hi == 0.0 => return f64::INFINITY.copysign(phi),
         Kind::First => complete_k_dd(parameter),
         Kind::Second if mc.hi == 0.0 => Dd::ONE,
         Kind::Second => complete_e_dd(parameter),
     };
-    (half_turn * (2.0 * n) + reduced(kind, parameter, sine, cosine, d) * side).value()
+    (Scaled::from(half_turn) * Scaled::from(n).shift(1) + integral).value()
 }
 
 /// F(phi | m) = int_0^phi dt / sqrt(1 - m sin^2 t).

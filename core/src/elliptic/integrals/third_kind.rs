@@ -10,7 +10,7 @@
 
 use super::carlson::{rc, rc_principal, rf, rj};
 use super::complete::complete_k_dd;
-use super::incomplete::{ReducedAmplitude, reduce};
+use super::incomplete::{ReducedAmplitude, delta_square, reduce};
 use crate::elliptic::parameter::Parameter;
 use crate::float::{Dd, Scaled};
 
@@ -26,7 +26,7 @@ struct Given {
 impl Given {
     fn new(n: f64, parameter: Parameter) -> Given {
         let nc = Scaled::from(Dd::sum(1.0, -n));
-        Given { m: parameter.m.into(), mc: parameter.mc.into(), n: n.into(), nc }
+        Given { m: parameter.long_m(), mc: parameter.mc.into(), n: n.into(), nc }
     }
 }
 
@@ -54,11 +54,10 @@ fn partial(given: Given, sine: Scaled, cosine: Scaled) -> Scaled {
     let Given { m, mc, n, nc } = given;
     let one = Scaled::ONE;
     let (square, c) = (sine.square(), cosine.square());
-    // Whichever has no subtraction; for m > 1 there is none, and none is needed next to the end of the range.
-    let d = if mc.is_negative() || m.is_negative() { one - m * square } else { c + mc * square };
+    let d = delta_square(m, mc, square, c);
     let third = sine * square / Scaled::from(THREE);
     // 1 - n s^2
-    let below = if nc.is_negative() || n.is_negative() { one - n * square } else { c + nc * square };
+    let below = delta_square(n, nc, square, c);
     if n.is_negative() {
         if mc.is_negative() {
             let rest = m - n;
@@ -76,9 +75,10 @@ fn partial(given: Given, sine: Scaled, cosine: Scaled) -> Scaled {
     if !below.is_negative() {
         return sine * rf(c, d, one) + n * third * rj(c, d, one, below);
     }
-    // p = 1 - m/n s^2 = ((n - m) s^2 + n c^2)/n, and n - m = (n - 1) + mc.
-    let p = if mc.is_negative() { one - m * square / n } else { c + (mc - nc) * square / n };
-    sine * rc_principal(c * d, below * p) - m / n * third * rj(c, d, one, p)
+    // 1 - n' = (n - m)/n, and n - m = (n - 1) + mc.
+    let inner = m / n;
+    let p = delta_square(inner, (mc - nc) / n, square, c);
+    sine * rc_principal(c * d, below * p) - inner * third * rj(c, d, one, p)
 }
 
 /// Pi(n | m) = int_0^(pi/2) dt / ((1 - n sin^2 t) sqrt(1 - m sin^2 t)), for n > 1 Cauchy's principal value.
@@ -139,18 +139,20 @@ pub fn incomplete_pi(n: f64, phi: f64, parameter: Parameter) -> f64 {
     if phi.is_infinite() {
         return if mc < 0.0 || n > 1.0 { f64::NAN } else { phi };
     }
-    let ReducedAmplitude { n: turns, side, sine, cosine } = reduce(phi);
+    let ReducedAmplitude { n: half_turns, side, sine, cosine } = reduce(phi);
     let given = Given::new(n, parameter);
-    if mc < 0.0 && (turns != 0.0 || (Scaled::ONE - given.m * Scaled::from(sine).square()).is_negative()) {
+    if mc < 0.0
+        && (half_turns.hi != 0.0 || (Scaled::ONE - given.m * Scaled::from(sine).square()).is_negative())
+    {
         return f64::NAN;
     }
     let within = partial(given, sine.into(), cosine.into()) * side;
-    if turns == 0.0 {
+    if half_turns.hi == 0.0 {
         return within.value();
     }
     if mc == 0.0 || n == 1.0 {
         let infinity = f64::INFINITY.copysign(phi);
         return if n > 1.0 { -infinity } else { infinity };
     }
-    (complete(given, parameter) * (2.0 * turns) + within).value()
+    (complete(given, parameter) * Scaled::from(half_turns).shift(1) + within).value()
 }

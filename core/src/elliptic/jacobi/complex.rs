@@ -46,7 +46,7 @@ enum Range {
 impl JacobiComplex {
     /// Sets up one parameter.
     pub fn new(parameter: Parameter) -> JacobiComplex {
-        let Parameter { m, mc } = parameter;
+        let Parameter { m, mc, .. } = parameter;
         let (range, stretch) = if m.hi < 0.0 {
             (Range::Negative, mc.sqrt())
         } else if mc.hi < 0.0 {
@@ -59,8 +59,8 @@ impl JacobiComplex {
         JacobiComplex {
             real: Jacobi::of_unit(unit, stretch),
             imaginary: Jacobi::of_unit(complement, stretch),
-            m: unit.m.into(),
-            mc: unit.mc.into(),
+            m: Scaled::from(unit.k).square(),
+            mc: Scaled::from(unit.kc).square(),
             stretch: stretch.into(),
             range,
         }

@@ -7,8 +7,9 @@
 
 use super::functions::{Jacobi, LongRatio};
 use super::inverse::real_quarter;
-use crate::elliptic::integrals::carlson::{rd, rf, rj};
+use crate::elliptic::integrals::carlson::rj;
 use crate::elliptic::integrals::complete::{complete_e_dd, complete_k_dd};
+use crate::elliptic::integrals::incomplete::second_kind;
 use crate::elliptic::parameter::Parameter;
 use crate::float::{Dd, Scaled};
 
@@ -100,19 +101,5 @@ impl SecondKind {
 /// E(am r) from sn, cn, dn of r.
 fn partial(m: Scaled, mc: Scaled, at: &LongRatio) -> Scaled {
     let inverse = Scaled::ONE / at.one;
-    let [s, c, d] = [at.sn, at.cn, at.dn].map(|part| part * inverse);
-    let (square, c2, d2) = (s.square(), c.square(), d.square());
-    let third = s * square / Scaled::from(3.0);
-    if mc.is_zero() {
-        s
-    } else if mc.is_negative() {
-        // 19.25.11
-        d * s / c - mc * third * rd(d2, Scaled::ONE, c2)
-    } else if m.is_positive() {
-        // 19.25.10
-        mc * (s * rf(c2, d2, Scaled::ONE) + m * third * rd(c2, Scaled::ONE, d2)) + m * s * c / d
-    } else {
-        // 19.25.9
-        s * rf(c2, d2, Scaled::ONE) - m * third * rd(c2, d2, Scaled::ONE)
-    }
+    second_kind(m, mc, [at.sn, at.cn, at.dn].map(|part| part * inverse))
 }

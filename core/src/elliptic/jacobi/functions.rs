@@ -59,7 +59,7 @@ pub(crate) struct Ratio<L: Lane> {
 impl Jacobi {
     /// Sets up one parameter.
     pub fn new(parameter: Parameter) -> Jacobi {
-        let Parameter { m, mc } = parameter;
+        let Parameter { m, mc, .. } = parameter;
         // Half periods per unit of u: sqrt(mc), 1 or sqrt(m) times 1/2K.
         let (range, stretch) = if m.hi < 0.0 {
             (Range::Negative, mc.sqrt())

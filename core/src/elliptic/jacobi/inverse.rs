@@ -82,12 +82,12 @@ fn even(p: Letter, q: Letter, x: f64, parameter: Parameter) -> Scaled {
     if distance.is_zero() || w.is_negative() {
         return outside();
     }
-    // 1 + Delta(r, q) w, which is also (Delta(r, p) - Delta(r, q) x^2)/Delta(q, p): the one that does not subtract, or
-    // else the one of smaller terms.
+    // 1 + Delta(r, q) w, which is also (Delta(r, p) - Delta(r, q) x^2)/Delta(q, p): the one that does not subtract. Where
+    // both do, the second, which is exactly 0 at an exact end of the range, unless its terms are much larger.
     let (ratio, offset) = (delta(r, q, parameter), delta(r, p, parameter));
     let sums = ratio.is_negative() != offset.is_negative();
-    let smaller = distance.abs() - offset.abs();
-    let last = if !ratio.is_negative() || (!sums && smaller.is_negative()) {
+    let larger = offset.abs() - distance.abs().shift(1);
+    let last = if !ratio.is_negative() || (!sums && larger.is_positive()) {
         Scaled::ONE + ratio * w
     } else {
         (offset - ratio * square) / distance

@@ -15,6 +15,8 @@ use crate::float::elementary::long_sinh_cosh;
 use crate::float::scaled::{exp, ln};
 use crate::float::{Dd, HALF_PI, PI, Scaled, Td};
 
+/// Below, the nome is m/16 to a double-double.
+const TINY_PARAMETER: f64 = 1e-200;
 /// Where the two series take the same number of terms.
 const SMALL: f64 = 0.0432;
 
@@ -55,7 +57,7 @@ impl Theta {
         let series = if size.is_nan() || size >= 1.0 {
             Series::None
         } else if size <= SMALL {
-            Series::small(Dd::from(size))
+            Series::small(size.into())
         } else {
             Series::large(-ln(size))
         };
@@ -64,13 +66,15 @@ impl Theta {
 
     /// From the parameter m < 1 whose nome it is: negative for m < 0.
     pub fn from_parameter(parameter: Parameter) -> Theta {
-        let Parameter { m, mc } = parameter;
+        let Parameter { m, mc, .. } = parameter;
         let series = if mc.hi.is_nan() || mc.hi <= 0.0 {
             Series::None
         } else {
             let unit = parameter.unit();
-            if unit.m.hi <= 0.5 {
-                Series::small(small_nome(unit.m, unit.kc))
+            if unit.m.hi < TINY_PARAMETER {
+                Series::small(Scaled::from(unit.k).square().shift(-4))
+            } else if unit.m.hi <= 0.5 {
+                Series::small(small_nome(unit.m, unit.kc).into())
             } else {
                 Series::large(minus_log_nome(unit.k, unit.kc))
             }
@@ -127,8 +131,8 @@ impl Theta {
 }
 
 impl Series {
-    fn small(q: Dd) -> Series {
-        Series::Small { q, lead: Scaled::from(q).sqrt().sqrt().shift(1) }
+    fn small(q: Scaled) -> Series {
+        Series::Small { q: q.to_dd(), lead: q.sqrt().sqrt().shift(1) }
     }
     fn large(log: Dd) -> Series {
         let t = log / PI;
