@@ -39,7 +39,7 @@ pub use elliptic::{
     carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,
     incomplete_pi, inverse_jacobi, nome,
 };
-pub use oscillator::{CubicQuintic, Duffing, Form};
+pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
 pub use pendulum::{Fourier, Frequency, Jacobian, Orbit, Regime, Sensitivity, advance, advance_into};
 
 /// Version of the core, and of everything built on it.

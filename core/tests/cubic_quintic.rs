@@ -2,7 +2,7 @@
 //! reversal, the cubic oscillator as the case gamma = 0, scaling by powers of two, passages, and every exact boundary.
 
 use crate::ruler::bits;
-use libration::oscillator::Regime;
+use libration::oscillator::OscillatorRegime;
 use libration::{CubicQuintic, Duffing};
 
 /// A sequence without a library: the same numbers on every machine.
@@ -189,12 +189,12 @@ fn passages_are_passed() {
     assert!(found > 2000, "{found}");
 }
 
-/// Regime, a time, u and period (or inf) of exact boundaries whose motion is known.
+/// OscillatorRegime, a time, u and period (or inf) of exact boundaries whose motion is known.
 #[test]
 fn exact_boundaries() {
     let inf = f64::INFINITY;
     let two_pi = 2.0 * core::f64::consts::PI;
-    let check = |start: [f64; 5], regime: Regime, t: f64, u: f64, period: f64| {
+    let check = |start: [f64; 5], regime: OscillatorRegime, t: f64, u: f64, period: f64| {
         let one = orbit(start);
         assert_eq!(one.regime(), regime, "{start:?}");
         let got = one.u(t);
@@ -203,34 +203,40 @@ fn exact_boundaries() {
         assert!(near(one.period(), period), "{start:?} {} {period}", one.period());
     };
     // Rest everywhere that there is an equilibrium: 4 - 5 y + y^2 = 0 at y = 1, 4.
-    check([0.0, 0.0, 4.0, -5.0, 1.0], Regime::Rest, 9.0, 0.0, two_pi / 2.0);
-    check([1.0, 0.0, 4.0, -5.0, 1.0], Regime::Rest, 9.0, 1.0, inf);
-    check([-2.0, 0.0, 4.0, -5.0, 1.0], Regime::Rest, 9.0, -2.0, two_pi / 24f64.sqrt());
-    check([3.0, 0.0, 0.0, 0.0, 0.0], Regime::Rest, 9.0, 3.0, inf);
+    check([0.0, 0.0, 4.0, -5.0, 1.0], OscillatorRegime::Rest, 9.0, 0.0, two_pi / 2.0);
+    check([1.0, 0.0, 4.0, -5.0, 1.0], OscillatorRegime::Rest, 9.0, 1.0, inf);
+    check([-2.0, 0.0, 4.0, -5.0, 1.0], OscillatorRegime::Rest, 9.0, -2.0, two_pi / 24f64.sqrt());
+    check([3.0, 0.0, 0.0, 0.0, 0.0], OscillatorRegime::Rest, 9.0, 3.0, inf);
     // Linear.
-    check([1.0, 0.0, 4.0, 0.0, 0.0], Regime::Linear, 0.5, 1f64.cos(), two_pi / 2.0);
-    check([1.0, 0.0, -4.0, 0.0, 0.0], Regime::Linear, 0.5, 1f64.cosh(), inf);
-    check([0.0, 2.0, -4.0, 0.0, 0.0], Regime::Linear, 0.5, 1f64.sinh(), inf);
-    check([1.0, -2.0, -4.0, 0.0, 0.0], Regime::Linear, 0.5, (-1f64).exp(), inf);
-    check([1.0, 2.0, 0.0, 0.0, 0.0], Regime::Linear, 3.0, 7.0, inf);
+    check([1.0, 0.0, 4.0, 0.0, 0.0], OscillatorRegime::Linear, 0.5, 1f64.cos(), two_pi / 2.0);
+    check([1.0, 0.0, -4.0, 0.0, 0.0], OscillatorRegime::Linear, 0.5, 1f64.cosh(), inf);
+    check([0.0, 2.0, -4.0, 0.0, 0.0], OscillatorRegime::Linear, 0.5, 1f64.sinh(), inf);
+    check([1.0, -2.0, -4.0, 0.0, 0.0], OscillatorRegime::Linear, 0.5, (-1f64).exp(), inf);
+    check([1.0, 2.0, 0.0, 0.0, 0.0], OscillatorRegime::Linear, 3.0, 7.0, inf);
     // The pure quintic at E = 0: 1/u^2 is linear.
     let pole = orbit([2.0, 8.0, 0.0, 0.0, -3.0]);
-    assert_eq!((pole.regime(), pole.escape_time(), pole.u(-0.375)), (Regime::Escape, 0.125, 1.0));
+    assert_eq!((pole.regime(), pole.escape_time(), pole.u(-0.375)), (OscillatorRegime::Escape, 0.125, 1.0));
     // v = 1/u^2 = c + b e^(2t) at alpha = -1, beta = 4, gamma = -3: from 0 to 1/sqrt c = 1.
     check(
         [0.5, 0.375, -1.0, 4.0, -3.0],
-        Regime::Heteroclinic,
+        OscillatorRegime::Heteroclinic,
         1.0,
         (1.0 + 3.0 * (-2f64).exp()).powf(-0.5),
         inf,
     );
-    check([2.0, 6.0, -1.0, 4.0, -3.0], Regime::Escape, -1.0, (1.0 - 0.75 * (-2f64).exp()).powf(-0.5), inf);
+    check(
+        [2.0, 6.0, -1.0, 4.0, -3.0],
+        OscillatorRegime::Escape,
+        -1.0,
+        (1.0 - 0.75 * (-2f64).exp()).powf(-0.5),
+        inf,
+    );
     assert!((orbit([2.0, 6.0, -1.0, 4.0, -3.0]).escape_time() - 0.5 * (4f64 / 3.0).ln()).abs() < 1e-16);
     // Homoclinic: v = cosh^2 t, E = 0, alpha = -1, beta = 2, gamma = 0 (sech); and with a square of the time.
-    check([1.0, 0.0, -1.0, 2.0, 0.0], Regime::Homoclinic, 1.0, 1.0 / 1f64.cosh(), inf);
-    check([1.0, 0.0, 0.0, -2.0, 3.0], Regime::Homoclinic, 2.0, 0.2f64.sqrt(), inf);
+    check([1.0, 0.0, -1.0, 2.0, 0.0], OscillatorRegime::Homoclinic, 1.0, 1.0 / 1f64.cosh(), inf);
+    check([1.0, 0.0, 0.0, -2.0, 3.0], OscillatorRegime::Homoclinic, 2.0, 0.2f64.sqrt(), inf);
     // E = 0 in a well: v = c + B cos 2t, alpha = 1, beta = -8, gamma = 9: roots v = 1 and 3.
-    check([1.0, 0.0, 1.0, -8.0, 9.0], Regime::Well, 0.25 * two_pi, 1.0 / 3f64.sqrt(), 0.5 * two_pi);
+    check([1.0, 0.0, 1.0, -8.0, 9.0], OscillatorRegime::Well, 0.25 * two_pi, 1.0 / 3f64.sqrt(), 0.5 * two_pi);
 }
 
 #[test]

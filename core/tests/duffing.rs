@@ -3,7 +3,7 @@
 use crate::on_every_set;
 use crate::oscillator::{Spread, energy, energy_scale, example, scales};
 use crate::ruler::same;
-use libration::oscillator::{Regime, duffing_motion_into};
+use libration::oscillator::{OscillatorRegime, duffing_motion_into};
 use libration::{Duffing, Glaisher};
 
 /// A start of every course, and what its regime is.
@@ -178,8 +178,9 @@ fn passages_are_all_there_and_right() {
         let (from, to) = (start.max(orbit.escape_time_backward()), stop.min(orbit.escape_time()));
         let width = to - from;
         let (from, to) = (from + 1e-3 * width, to - 1e-3 * width);
-        let close =
-            (value - low).abs() < 1e-3 || (high - value).abs() < 1e-3 || orbit.regime() == Regime::Rest;
+        let close = (value - low).abs() < 1e-3
+            || (high - value).abs() < 1e-3
+            || orbit.regime() == OscillatorRegime::Rest;
         if !close {
             let found = orbit.times(value, from, to).unwrap().len();
             assert_eq!(found, counted(&orbit, value, from, to), "{orbit:?} {value} {from} {to}");
@@ -201,7 +202,7 @@ fn passages_at_the_edges() {
     // Every start is passed at 0, to the last bit.
     for start in STARTS {
         let orbit = of(start);
-        if orbit.regime() != Regime::Rest {
+        if orbit.regime() != OscillatorRegime::Rest {
             let times = orbit.times(start.0, -0.1, 0.1).unwrap();
             assert!(times.contains(&0.0), "{start:?} {times:?}");
         }
@@ -218,12 +219,12 @@ fn passages_at_the_edges() {
 #[test]
 fn extremes() {
     let far = Duffing::new(1e-300, 0.0, -1e300, 1.0).unwrap();
-    assert_eq!(far.regime(), Regime::Well);
+    assert_eq!(far.regime(), OscillatorRegime::Well);
     assert!((far.period() / 2.075_792_319_597_440_8e-147 - 1.0).abs() < 1e-15);
     assert!((far.u(0.5 * far.period()) / (2f64.sqrt() * 1e150) - 1.0).abs() < 1e-13);
     // Over both tops, each in ln of 1e160.
     let slow = Duffing::new(1e-160, 1.0, 2.0, -2.0).unwrap();
-    assert_eq!(slow.regime(), Regime::Escape);
+    assert_eq!(slow.regime(), OscillatorRegime::Escape);
     assert!((slow.escape_time() / 370.146_482_830_447_17 - 1.0).abs() < 1e-15);
     for t in [0.5, 1.0, 100.0, 185.0, 369.0, 370.0] {
         let (u, v) = slow.motion(t);

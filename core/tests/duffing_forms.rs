@@ -1,8 +1,8 @@
 //! The twelve forms against the equation, and the oscillator against the pendulum.
 
 use crate::oscillator::{Spread, energy, energy_scale, scales};
-use libration::oscillator::Regime;
-use libration::{Duffing, Form, Frequency, Glaisher, Orbit};
+use libration::oscillator::OscillatorRegime;
+use libration::{Duffing, DuffingForm, Frequency, Glaisher, Orbit};
 
 #[test]
 fn each_of_the_twelve_forms_obeys_the_equation() {
@@ -11,7 +11,7 @@ fn each_of_the_twelve_forms_obeys_the_equation() {
     for _ in 0..4000 {
         let [p, q, c1, c2] = spread.state();
         for which in Glaisher::ALL {
-            let Ok(form) = Form::new(which, p, q, c1, c2) else { continue };
+            let Ok(form) = DuffingForm::new(which, p, q, c1, c2) else { continue };
             *tried.entry(which.name()).or_insert(0) += 1;
             let t = spread.between(-2.0, 2.0);
             let (u, v) = form.motion(t);
@@ -56,12 +56,12 @@ fn each_of_the_twelve_forms_obeys_the_equation() {
 
 #[test]
 fn a_form_out_of_its_domain_is_refused() {
-    let refused = |which, p, q| Form::new(which, p, q, 1.0, 0.0).unwrap_err().to_string();
+    let refused = |which, p, q| DuffingForm::new(which, p, q, 1.0, 0.0).unwrap_err().to_string();
     assert_eq!(
         refused(Glaisher::Cn, -2.0, 1.0),
         "form = cn, p = -2.0, q = 1.0, c1 = 1.0: must be of q c1^2 >= 0 and q c1^2 + 2p >= 0, and not both 0"
     );
-    assert!(Form::new(Glaisher::Sn, 1.0, -1.0, f64::NAN, 0.0).is_err());
+    assert!(DuffingForm::new(Glaisher::Sn, 1.0, -1.0, f64::NAN, 0.0).is_err());
     // The edges of the domains are in them: m = 0 and m = 1.
     for (which, p, q) in [
         (Glaisher::Sn, 1.0, 0.0),
@@ -77,7 +77,7 @@ fn a_form_out_of_its_domain_is_refused() {
         (Glaisher::Ds, -0.5, -1.0),
         (Glaisher::Ns, 1.0, -1.0),
     ] {
-        let form = Form::new(which, p, q, 1.0, 0.4).unwrap();
+        let form = DuffingForm::new(which, p, q, 1.0, 0.4).unwrap();
         let m = form.parameter().m();
         assert!(m == 0.0 || m == 1.0, "{} {m}", which.name());
         let (u, v) = form.motion(0.0);
@@ -89,7 +89,7 @@ fn a_form_out_of_its_domain_is_refused() {
 
 #[test]
 fn which_form_serves_which_regime() {
-    let lines: Vec<String> = Form::table()
+    let lines: Vec<String> = DuffingForm::table()
         .iter()
         .map(|(which, regimes)| {
             let names: Vec<&str> = regimes.iter().map(|regime| regime.name()).collect();
@@ -154,10 +154,10 @@ fn pendulum_and_oscillator_are_one_motion() {
     assert!(there[0] > 1000 && there[1] > 1000, "{there:?}");
     // The separatrix of the pendulum is the linear oscillator, and pi is beyond every u.
     let separatrix = Duffing::of_pendulum(0.0, 2.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
-    assert_eq!((separatrix.regime(), separatrix.p(), separatrix.q()), (Regime::Linear, -1.0, 0.0));
+    assert_eq!((separatrix.regime(), separatrix.p(), separatrix.q()), (OscillatorRegime::Linear, -1.0, 0.0));
     assert!(separatrix.companion().is_none());
     let top = Duffing::of_pendulum(std::f64::consts::PI, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
-    assert!(top.u0() > 1.6e16 && top.u0() < 1.7e16 && top.regime() == Regime::Libration);
+    assert!(top.u0() > 1.6e16 && top.u0() < 1.7e16 && top.regime() == OscillatorRegime::Libration);
 }
 
 /// omega0^2 = 1.4e310 has no double: there is no companion, as where there is none at all.

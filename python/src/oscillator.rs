@@ -1,6 +1,6 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
-use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, Form};
+use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, DuffingForm as Form};
 use libration::{Frequency, Glaisher};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -209,7 +209,7 @@ impl DuffingForm {
     #[staticmethod]
     fn table() -> Vec<(&'static str, Vec<&'static str>)> {
         let line = |(which, regimes): (Glaisher, Vec<_>)| {
-            (which.name(), regimes.into_iter().map(libration::oscillator::Regime::name).collect())
+            (which.name(), regimes.into_iter().map(libration::OscillatorRegime::name).collect())
         };
         Form::table().into_iter().map(line).collect()
     }

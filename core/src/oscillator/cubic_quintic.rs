@@ -6,7 +6,7 @@
 //! Source: derived; Belendez et al., J. Vib. Control 22 (2016) 2914, for motions released at rest about u = 0.
 
 use super::energy::{EnergyPolynomial, Orientation};
-use super::regime::Regime;
+use super::regime::OscillatorRegime;
 use super::set_up::{EnergyCase, SetUp, Solution};
 use crate::domain::Domain;
 use crate::float::scaled::Scaled;
@@ -29,7 +29,7 @@ pub struct CubicQuintic {
     pub(super) solution: Solution,
     pub(super) energy_case: Option<EnergyCase>,
     pub(super) orientation: Orientation,
-    regime: Regime,
+    regime: OscillatorRegime,
     period: f64,
     range: (f64, f64),
     escapes: (f64, f64),
@@ -67,8 +67,8 @@ impl CubicQuintic {
         })
     }
 
-    /// Regime, decided exactly.
-    pub fn regime(&self) -> Regime {
+    /// OscillatorRegime, decided exactly.
+    pub fn regime(&self) -> OscillatorRegime {
         self.regime
     }
     /// Period of a libration, of a well and of a harmonic oscillator; at rest that of small oscillations about a stable

@@ -3,7 +3,7 @@
 //! Source: Salas 2019 (6), (7), the nine forms; the real classification is ours (set_up.rs, pq_quotient.rs).
 
 use super::cubic_quintic::CubicQuintic;
-use super::regime::Regime;
+use super::regime::OscillatorRegime;
 use crate::domain::Domain;
 
 /// One orbit of u'' + p u + q u^3 = 0, set up once for many times.
@@ -36,8 +36,8 @@ impl Duffing {
     pub fn as_cubic_quintic(&self) -> &CubicQuintic {
         &self.0
     }
-    /// Regime, decided exactly.
-    pub fn regime(&self) -> Regime {
+    /// OscillatorRegime, decided exactly.
+    pub fn regime(&self) -> OscillatorRegime {
         self.0.regime()
     }
     /// Period: [`CubicQuintic::period`].

@@ -19,7 +19,7 @@
 //! Sums are formed without rounding, m and 1 - m each by its own quotient.
 //! Source: Salas 2019 gives the first nine (his sd cancels for small p, and is 0/0 at p = 0); ns, cs and ds are ours.
 
-use super::regime::Regime;
+use super::regime::OscillatorRegime;
 use crate::domain::Domain;
 use crate::elliptic::jacobi::functions::{Jacobi, Ratio};
 use crate::elliptic::jacobi::glaisher::{Glaisher, Letter};
@@ -34,13 +34,13 @@ use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 /// One solution c1 pq(Omega t + c2 | m), set up once for many times.
 ///
 /// ```
-/// use libration::{Form, Glaisher};
-/// let form = Form::new(Glaisher::Cn, 1.0, 1.0, 1.0, 0.0)?;
+/// use libration::{DuffingForm, Glaisher};
+/// let form = DuffingForm::new(Glaisher::Cn, 1.0, 1.0, 1.0, 0.0)?;
 /// assert_eq!(format!("{:.9} {:.9}", form.u(1.0), form.rate()), "0.233691791 1.414213562");
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Form {
+pub struct DuffingForm {
     which: Glaisher,
     c1: f64,
     c2: f64,
@@ -126,7 +126,7 @@ fn real_where(which: Glaisher) -> &'static str {
     }
 }
 
-impl Form {
+impl DuffingForm {
     /// Sets up a form.
     ///
     /// | argument | domain |
@@ -134,7 +134,7 @@ impl Form {
     /// | `which` | one of the twelve |
     /// | `p`, `q`, `c1` | finite, where the form is real: the table above |
     /// | `c2` | finite |
-    pub fn new(which: Glaisher, p: f64, q: f64, c1: f64, c2: f64) -> Result<Form, Domain> {
+    pub fn new(which: Glaisher, p: f64, q: f64, c1: f64, c2: f64) -> Result<DuffingForm, Domain> {
         for (name, value) in [("p", p), ("q", q), ("c1", c1), ("c2", c2)] {
             Domain::check(name, value, value.is_finite(), "finite")?;
         }
@@ -155,7 +155,7 @@ impl Form {
         if !mc.is_zero() {
             jacobi.phase.start = argument.start / jacobi.lattice.quarter.scale(2.0);
         }
-        Ok(Form { which, c1, c2, rate, unit, jacobi, argument })
+        Ok(DuffingForm { which, c1, c2, rate, unit, jacobi, argument })
     }
 
     /// Which of the twelve.
@@ -198,21 +198,21 @@ impl Form {
         let [u, velocity] = self.evaluate(Once([t]));
         (u, velocity)
     }
-    /// u at t, as in [`Form::motion`].
+    /// u at t, as in [`DuffingForm::motion`].
     pub fn u(&self, t: f64) -> f64 {
         self.motion(t).0
     }
-    /// u' at t, as in [`Form::motion`].
+    /// u' at t, as in [`DuffingForm::motion`].
     pub fn velocity(&self, t: f64) -> f64 {
         self.motion(t).1
     }
-    /// [`Form::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    /// [`DuffingForm::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
         self.evaluate(Columns::new([t], [u, velocity]));
     }
 
     /// The regimes that a form serves, found by trying it: p and Q = q c1^2 over a grid of whole numbers.
-    pub fn regimes(which: Glaisher) -> Vec<Regime> {
+    pub fn regimes(which: Glaisher) -> Vec<OscillatorRegime> {
         let mut found = Vec::new();
         for p in -12..=12 {
             for force in -12..=12 {
@@ -231,14 +231,19 @@ impl Form {
         found
     }
 
-    /// Which form serves which regime: a line for each of the twelve, from [`Form::regimes`].
-    pub fn table() -> [(Glaisher, Vec<Regime>); 12] {
-        Glaisher::ALL.map(|which| (which, Form::regimes(which)))
+    /// Which form serves which regime: a line for each of the twelve, from [`DuffingForm::regimes`].
+    pub fn table() -> [(Glaisher, Vec<OscillatorRegime>); 12] {
+        Glaisher::ALL.map(|which| (which, DuffingForm::regimes(which)))
     }
 }
 
 /// The regime of a real form with c1 = 1.
-fn regime(which: Glaisher, p: f64, force: f64, Coefficients { square, m, mc }: &Coefficients) -> Regime {
+fn regime(
+    which: Glaisher,
+    p: f64,
+    force: f64,
+    Coefficients { square, m, mc }: &Coefficients,
+) -> OscillatorRegime {
     let [above, below] = which.letters();
     let pole = matches!(below, Letter::S | Letter::C);
     // dn and nd at m = 0 and cd at m = 1 are constant; so is dc = 1 there, which has no pole then.
@@ -248,26 +253,30 @@ fn regime(which: Glaisher, p: f64, force: f64, Coefficients { square, m, mc }: &
         && !matches!(below, Letter::S | Letter::C);
     let one = mc.is_zero() && matches!(which, Glaisher::Cd | Glaisher::Dc);
     if flat || one {
-        return Regime::Rest;
+        return OscillatorRegime::Rest;
     }
     if force == 0.0 {
-        return Regime::Linear;
+        return OscillatorRegime::Linear;
     }
     if pole && !(mc.is_zero() && matches!(below, Letter::C)) {
-        return Regime::Escape;
+        return OscillatorRegime::Escape;
     }
     if force < 0.0 {
-        return if mc.is_zero() && !pole { Regime::Heteroclinic } else { Regime::Libration };
+        return if mc.is_zero() && !pole {
+            OscillatorRegime::Heteroclinic
+        } else {
+            OscillatorRegime::Libration
+        };
     }
     // 4 E: 2p + Q at a turning point c1, 2 Omega^2 at the zero of sd.
     let energy =
         if which == Glaisher::Sd { square.shift(1) } else { sum_of_products(&[&[2.0, p], &[force]]) };
     if energy.is_zero() {
-        Regime::Homoclinic
+        OscillatorRegime::Homoclinic
     } else if energy.is_negative() {
-        Regime::Well
+        OscillatorRegime::Well
     } else {
-        Regime::Libration
+        OscillatorRegime::Libration
     }
 }
 
@@ -294,13 +303,13 @@ fn slope(which: Glaisher, unit: &Unit) -> Dd {
     }
 }
 
-struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a Form, Dd);
+struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a DuffingForm, Dd);
 
 /// m = 1.
-struct HyperbolicFormula<'a>(&'a Form, Dd);
+struct HyperbolicFormula<'a>(&'a DuffingForm, Dd);
 
 #[inline(always)]
-fn finished<L: Lane>(form: &Form, slope: Dd, ratio: &Ratio<L>) -> [L; 2] {
+fn finished<L: Lane>(form: &DuffingForm, slope: Dd, ratio: &Ratio<L>) -> [L; 2] {
     let [above, below] = form.which.letters();
     let others = match (above, below) {
         (Letter::S, Letter::N) | (Letter::N, Letter::S) => [Letter::C, Letter::D],

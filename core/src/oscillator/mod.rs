@@ -1,7 +1,7 @@
 //! The springs u'' + p u + q u^3 = 0 and u'' + alpha u + beta u^3 + gamma u^5 = 0 from any start, in every regime.
 //!
 //! One theory: v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = 2E v^3 - alpha v^2 - beta v/2 - gamma/3, whose exact roots tell the
-//! regime and the functions. [`Duffing`] is the case gamma = 0, with the twelve forms ([`Form`]) of its solution and its
+//! regime and the functions. [`Duffing`] is the case gamma = 0, with the twelve forms ([`DuffingForm`]) of its solution and its
 //! relation to the pendulum ([`Companion`]).
 
 pub mod batch;
@@ -31,5 +31,5 @@ pub use batch::duffing_motion_into;
 pub use companion::Companion;
 pub use cubic_quintic::CubicQuintic;
 pub use duffing::Duffing;
-pub use glaisher_forms::Form;
-pub use regime::Regime;
+pub use glaisher_forms::DuffingForm;
+pub use regime::OscillatorRegime;

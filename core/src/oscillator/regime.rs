@@ -2,7 +2,7 @@
 
 /// What the energy and the start allow. Decided exactly, by signs of sums of products of what was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Regime {
+pub enum OscillatorRegime {
     /// At an equilibrium: nothing moves.
     Rest,
     /// No force but -p u: cosine, hyperbolic functions or a straight line.
@@ -19,17 +19,17 @@ pub enum Regime {
     Escape,
 }
 
-impl Regime {
+impl OscillatorRegime {
     /// `rest`, `linear`, `libration`, `well`, `homoclinic`, `heteroclinic` or `escape`.
     pub fn name(self) -> &'static str {
         match self {
-            Regime::Rest => "rest",
-            Regime::Linear => "linear",
-            Regime::Libration => "libration",
-            Regime::Well => "well",
-            Regime::Homoclinic => "homoclinic",
-            Regime::Heteroclinic => "heteroclinic",
-            Regime::Escape => "escape",
+            OscillatorRegime::Rest => "rest",
+            OscillatorRegime::Linear => "linear",
+            OscillatorRegime::Libration => "libration",
+            OscillatorRegime::Well => "well",
+            OscillatorRegime::Homoclinic => "homoclinic",
+            OscillatorRegime::Heteroclinic => "heteroclinic",
+            OscillatorRegime::Escape => "escape",
         }
     }
 }

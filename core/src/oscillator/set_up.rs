@@ -7,7 +7,7 @@ use super::hyperbolic_lanes::Hyperbolic;
 use super::nonzero_energy::{Argument, NonzeroEnergy};
 use super::pq_elementary::PqElementary;
 use super::pq_quotient::Pq;
-use super::regime::Regime;
+use super::regime::OscillatorRegime;
 use super::root_quotient::Squares;
 use super::theta_motion::{QuotientFactors, ThetaMotion};
 use super::zero_energy::ZeroEnergy;
@@ -43,7 +43,7 @@ pub(super) enum Solution {
 pub(super) struct SetUp {
     pub solution: Solution,
     pub energy_case: Option<EnergyCase>,
-    pub regime: Regime,
+    pub regime: OscillatorRegime,
     pub period: Scaled,
     pub range: [Scaled; 2],
     /// Backward and forward.
@@ -77,7 +77,7 @@ fn equilibrium(u: f64, y: &Dyadic, force: [f64; 3]) -> SetUp {
     SetUp {
         solution: Solution::Equilibrium,
         energy_case: None,
-        regime: Regime::Rest,
+        regime: OscillatorRegime::Rest,
         period,
         range: [Scaled::from(u); 2],
         escapes: [-infinite, infinite],
@@ -158,18 +158,18 @@ fn solution(
     Solution::Theta(Box::new(ThetaMotion::new(&factors, outline, start, orientation)))
 }
 
-fn regime(energy: &EnergyPolynomial, outline: &Outline) -> Regime {
+fn regime(energy: &EnergyPolynomial, outline: &Outline) -> OscillatorRegime {
     if energy.linear() {
-        return Regime::Linear;
+        return OscillatorRegime::Linear;
     }
     if outline.pole.is_some() {
-        return Regime::Escape;
+        return OscillatorRegime::Escape;
     }
     match (outline.periodic, outline.crosses, outline.limits) {
-        (true, true, _) => Regime::Libration,
-        (true, false, _) => Regime::Well,
-        (_, _, 2) => Regime::Heteroclinic,
-        _ => Regime::Homoclinic,
+        (true, true, _) => OscillatorRegime::Libration,
+        (true, false, _) => OscillatorRegime::Well,
+        (_, _, 2) => OscillatorRegime::Heteroclinic,
+        _ => OscillatorRegime::Homoclinic,
     }
 }
 

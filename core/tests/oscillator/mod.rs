@@ -1,6 +1,6 @@
 //! What the tests of the oscillators share.
 
-use libration::{Duffing, Form, Glaisher};
+use libration::{Duffing, DuffingForm, Glaisher};
 
 /// Reproducible numbers in [0, 1).
 pub struct Spread(pub u64);
@@ -41,7 +41,7 @@ pub fn scales(orbit: &Duffing, u: f64, v: f64) -> [f64; 2] {
 }
 
 /// A real example of a form.
-pub fn example(which: Glaisher, c2: f64) -> Option<Form> {
+pub fn example(which: Glaisher, c2: f64) -> Option<DuffingForm> {
     let grid = [
         (1.0, -0.7),
         (1.0, 0.6),
@@ -54,5 +54,5 @@ pub fn example(which: Glaisher, c2: f64) -> Option<Form> {
         (-0.9, -1.2),
         (-1.5, -0.5),
     ];
-    grid.iter().find_map(|(p, q)| Form::new(which, *p, *q, 1.0, c2).ok())
+    grid.iter().find_map(|(p, q)| DuffingForm::new(which, *p, *q, 1.0, c2).ok())
 }
