@@ -38,6 +38,18 @@ impl Duffing {
     /// | `theta0` | finite; u is infinite at odd multiples of pi, which no double is |
     /// | `velocity0` | finite, and so are p and q: up to about 1e154 |
     /// | `frequency` | any |
+    ///
+    /// **Source** Salas 2019 (5), (8).
+    ///
+    /// # Errors
+    /// A [`Domain`] that names what is not finite.
+    ///
+    /// ```
+    /// use libration::{Duffing, Frequency};
+    /// let spring = Duffing::of_pendulum(1.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// assert_eq!(format!("{:.9} {:.9}", spring.p(), spring.q()), "0.540302306 1.540302306");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     pub fn of_pendulum(theta0: f64, velocity0: f64, frequency: Frequency) -> Result<Duffing, Domain> {
         Domain::check("theta0", theta0, theta0.is_finite(), "finite")?;
         Domain::check("velocity0", velocity0, velocity0.is_finite(), "finite")?;
@@ -68,6 +80,7 @@ impl Duffing {
     ///
     /// `None` where there is none: at E = 0, in wells, in librations of a softening spring, outside of its barrier with
     /// E >= 0, for Delta <= 0, without a cubic force, and where one of its numbers is beyond the range of doubles.
+    #[must_use]
     pub fn companion(&self) -> Option<Companion> {
         let [u0, v0, p, q] = [self.u0(), self.velocity0(), self.p(), self.q()];
         // 4 E, and Delta = p^2 + 4 q E = S^2.

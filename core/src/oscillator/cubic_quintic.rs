@@ -42,6 +42,9 @@ impl CubicQuintic {
     /// |---|---|
     /// | `u0`, `velocity0` | finite |
     /// | `alpha`, `beta`, `gamma` | finite, of any signs |
+    ///
+    /// # Errors
+    /// A [`Domain`] that names the argument which is not finite.
     pub fn new(u0: f64, velocity0: f64, alpha: f64, beta: f64, gamma: f64) -> Result<CubicQuintic, Domain> {
         let named =
             [("u0", u0), ("velocity0", velocity0), ("alpha", alpha), ("beta", beta), ("gamma", gamma)];
@@ -67,49 +70,79 @@ impl CubicQuintic {
         })
     }
 
-    /// OscillatorRegime, decided exactly.
+    /// Regime. Exact signs decide it, so it is right for the numbers that were passed.
+    ///
+    /// ```
+    /// use libration::{CubicQuintic, OscillatorRegime};
+    /// let saddle = CubicQuintic::new(1e-200, 0.0, -1.0, 1.0, 0.0)?;
+    /// assert_eq!(saddle.regime(), OscillatorRegime::Well);
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
     pub fn regime(&self) -> OscillatorRegime {
         self.regime
     }
     /// Period of a libration, of a well and of a harmonic oscillator; at rest that of small oscillations about a stable
-    /// equilibrium; else infinite. **Error** at most 4 ulp (plus 2^-100 of its condition).
+    /// equilibrium; else infinite.
+    ///
+    /// **Error** at most 4 ulp, plus 2^-100 of its condition. **Source** DLMF 19.8.5.
+    #[must_use]
     pub fn period(&self) -> f64 {
         self.period
     }
     /// Lowest and highest u over the whole motion, limits included; infinite where it escapes.
+    ///
+    /// **Error** at most 4 ulp. **Source** the roots of C(v), DLMF 1.11(iii).
+    #[must_use]
     pub fn range(&self) -> (f64, f64) {
         self.range
     }
-    /// u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6, from a sum without rounding; infinite beyond the range of doubles.
+    /// Energy u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6, from a sum without rounding; infinite beyond the range of
+    /// doubles.
+    #[must_use]
     pub fn energy(&self) -> f64 {
         (self.energy.a.to_scaled() / Scaled::from(12.0)).value()
     }
-    /// When u becomes infinite: above 0, or infinite if it never does. **Error** at most 1e-14 of it, plus
-    /// 2^-100 of its condition.
+    /// When u becomes infinite: above 0, or infinite if it never does.
+    ///
+    /// **Error** at most 1e-14 of it, plus 2^-100 of its condition. **Source** DLMF 19.29.4.
+    ///
+    /// ```
+    /// let spring = libration::CubicQuintic::new(1.0, 0.0, -1.0, 0.0, -1.0)?;
+    /// assert_eq!(format!("{:.9}", spring.escape_time()), "0.987650046");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
     pub fn escape_time(&self) -> f64 {
         self.escapes.1
     }
     /// When u came from infinity: below 0, or minus infinity if it never did. Error as for [`Self::escape_time`].
+    #[must_use]
     pub fn escape_time_backward(&self) -> f64 {
         self.escapes.0
     }
-    /// u at t = 0.
+    /// u at t = 0, as given.
+    #[must_use]
     pub fn u0(&self) -> f64 {
         self.u0
     }
-    /// u' at t = 0.
+    /// u' at t = 0, as given.
+    #[must_use]
     pub fn velocity0(&self) -> f64 {
         self.velocity0
     }
-    /// The linear stiffness.
+    /// The coefficient of u, as given.
+    #[must_use]
     pub fn alpha(&self) -> f64 {
         self.force[0]
     }
-    /// The cubic stiffness.
+    /// The coefficient of u^3, as given.
+    #[must_use]
     pub fn beta(&self) -> f64 {
         self.force[1]
     }
-    /// The quintic stiffness.
+    /// The coefficient of u^5, as given.
+    #[must_use]
     pub fn gamma(&self) -> f64 {
         self.force[2]
     }

@@ -134,6 +134,11 @@ impl DuffingForm {
     /// | `which` | one of the twelve |
     /// | `p`, `q`, `c1` | finite, where the form is real: the table above |
     /// | `c2` | finite |
+    ///
+    /// **Source** Salas 2019 for the first nine forms; the table at the top of this file.
+    ///
+    /// # Errors
+    /// A [`Domain`] that names the argument, or says where the form is real.
     pub fn new(which: Glaisher, p: f64, q: f64, c1: f64, c2: f64) -> Result<DuffingForm, Domain> {
         for (name, value) in [("p", p), ("q", q), ("c1", c1), ("c2", c2)] {
             Domain::check(name, value, value.is_finite(), "finite")?;
@@ -159,22 +164,27 @@ impl DuffingForm {
     }
 
     /// Which of the twelve.
+    #[must_use]
     pub fn which(&self) -> Glaisher {
         self.which
     }
     /// Omega.
+    #[must_use]
     pub fn rate(&self) -> f64 {
         self.rate.value()
     }
     /// m with its complement.
+    #[must_use]
     pub fn parameter(&self) -> Parameter {
         Parameter::new(self.unit.m, self.unit.mc)
     }
     /// c1.
+    #[must_use]
     pub fn c1(&self) -> f64 {
         self.c1
     }
     /// c2.
+    #[must_use]
     pub fn c2(&self) -> f64 {
         self.c2
     }
@@ -194,19 +204,25 @@ impl DuffingForm {
     ///
     /// Beyond a pole the form goes on as pq does (the motion of an oscillator ends there). NaN for t that is not finite,
     /// as 2^100 half periods away. **Error** at most 4 ulp, plus 2^-100 of the condition.
+    #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
         let [u, velocity] = self.evaluate(Once([t]));
         (u, velocity)
     }
     /// u at t, as in [`DuffingForm::motion`].
+    #[must_use]
     pub fn u(&self, t: f64) -> f64 {
         self.motion(t).0
     }
     /// u' at t, as in [`DuffingForm::motion`].
+    #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
         self.motion(t).1
     }
-    /// [`DuffingForm::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    /// [`DuffingForm::motion`] of every time, bit for bit, on the widest lanes.
+    ///
+    /// # Panics
+    /// Where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
         self.evaluate(Columns::new([t], [u, velocity]));
     }

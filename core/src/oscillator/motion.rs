@@ -88,35 +88,57 @@ impl CubicQuintic {
 
     /// u at t.
     ///
-    /// NaN at and beyond an escape, for times that are not finite (but for motions with a limit there), and more than 2^53
-    /// half periods away. **Error** at most 4 ulp of the largest |u| of a bounded orbit, of max(|u|, |u0|) else, plus
-    /// 2^-100 of the condition.
+    /// | argument | domain |
+    /// |---|---|
+    /// | `t` | any; NaN at and beyond an escape, and more than 2^53 half periods away |
+    ///
+    /// Infinite times give the limit of the motion, or NaN where it has none.
+    ///
+    /// **Error** at most 4 ulp of the largest |u| of a bounded orbit, of max(|u|, |u0|) else, plus 2^-100 of the condition.
+    /// **Source** v'^2 = 4 C(v) by Jacobi's functions: root_quotient.rs, pq_quotient.rs.
+    ///
+    /// ```
+    /// let spring = libration::CubicQuintic::new(1.0, 0.0, 1.0, 1.0, 1.0)?;
+    /// assert_eq!(format!("{:.9}", spring.u(1.0)), "0.041948934");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
     pub fn u(&self, t: f64) -> f64 {
         self.evaluate(Once([t]))[0]
     }
 
     /// u' at t; domain and error as for [`CubicQuintic::u`].
+    #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
         self.evaluate(Once([t]))[1]
     }
 
-    /// u and u' at t, bit for bit those of [`CubicQuintic::u`] and [`CubicQuintic::velocity`].
+    /// (u, u') at t, bit for bit those of [`CubicQuintic::u`] and [`CubicQuintic::velocity`].
+    #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        let [u, velocity] = self.evaluate(Once([t]));
-        (u, velocity)
+        self.evaluate(Once([t])).into()
     }
 
-    /// [`CubicQuintic::u`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    /// [`CubicQuintic::u`] of every time, bit for bit, on the widest lanes.
+    ///
+    /// # Panics
+    /// Where the lengths differ.
     pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
         self.evaluate(Columns::new([t], [u]));
     }
 
-    /// [`CubicQuintic::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    /// [`CubicQuintic::velocity`] of every time, bit for bit, on the widest lanes.
+    ///
+    /// # Panics
+    /// Where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
         self.evaluate(Second(Columns::new([t], [velocity])));
     }
 
-    /// [`CubicQuintic::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    /// [`CubicQuintic::motion`] of every time, bit for bit, on the widest lanes.
+    ///
+    /// # Panics
+    /// Where the lengths differ.
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
         self.evaluate(Columns::new([t], [u, velocity]));
     }

@@ -45,6 +45,16 @@ impl CubicQuintic {
     /// | `start`, `stop` | `start` <= `stop`; with more than 10^7 passages between them, or beyond 2^53 half periods, an error |
     ///
     /// **Error** at most 4 ulp of the largest of the period, |start| and |stop|, plus 2^-100 of the condition.
+    /// **Source** DLMF 19.29.4, 22.15(ii).
+    ///
+    /// # Errors
+    /// A [`Domain`] that names the argument, or says that the passages are too many.
+    ///
+    /// ```
+    /// let spring = libration::CubicQuintic::new(1.0, 0.0, 1.0, 1.0, 1.0)?;
+    /// assert_eq!(spring.times(0.0, 0.0, 4.0)?.len(), 2);
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     pub fn times(&self, u: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         self.times_unless(u, start, stop, &|| false)
     }

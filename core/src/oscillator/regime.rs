@@ -2,6 +2,7 @@
 
 /// What the energy and the start allow. Decided exactly, by signs of sums of products of what was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum OscillatorRegime {
     /// At an equilibrium: nothing moves.
     Rest,
@@ -20,7 +21,8 @@ pub enum OscillatorRegime {
 }
 
 impl OscillatorRegime {
-    /// `rest`, `linear`, `libration`, `well`, `homoclinic`, `heteroclinic` or `escape`.
+    /// Its name: `rest`, `linear`, `libration`, `well`, `homoclinic`, `heteroclinic` or `escape`.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             OscillatorRegime::Rest => "rest",
@@ -31,5 +33,11 @@ impl OscillatorRegime {
             OscillatorRegime::Heteroclinic => "heteroclinic",
             OscillatorRegime::Escape => "escape",
         }
+    }
+}
+
+impl core::fmt::Display for OscillatorRegime {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
     }
 }
