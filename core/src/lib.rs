@@ -25,8 +25,8 @@
 
 pub mod approx;
 pub mod elliptic;
-pub mod float;
-pub mod lanes;
+mod float;
+mod lanes;
 mod motion;
 pub mod oscillator;
 pub mod pendulum;
@@ -39,6 +39,7 @@ pub use elliptic::{
     carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,
     incomplete_pi, inverse_jacobi, nome,
 };
+pub use lanes::InstructionSet;
 pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
 pub use pendulum::{Fourier, Frequency, Jacobian, Orbit, Regime, Sensitivity, advance, advance_into};
 

@@ -2,7 +2,7 @@
 
 use crate::on_every_set;
 use crate::ruler::{bits, same};
-use libration::lanes::InstructionSet;
+use libration::InstructionSet;
 use libration::pendulum::states;
 use libration::{Frequency, Jacobi, Orbit, Parameter, advance, advance_into};
 

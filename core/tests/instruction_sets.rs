@@ -1,6 +1,6 @@
 //! A choice of the instruction set holds on its own thread, while it is open, and nowhere else.
 
-use libration::lanes::InstructionSet;
+use libration::InstructionSet;
 use std::sync::Barrier;
 use std::thread;
 

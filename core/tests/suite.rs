@@ -24,7 +24,7 @@ mod vectors_pendulum;
 mod vectors_second;
 mod vectors_sensitivity;
 
-use libration::lanes::InstructionSet;
+use libration::InstructionSet;
 
 /// Runs a test once on every instruction set of this processor, on this thread alone.
 fn on_every_set(test: impl Fn(InstructionSet)) {

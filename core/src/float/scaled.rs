@@ -59,10 +59,6 @@ impl Scaled {
     pub fn power(self) -> i32 {
         self.power
     }
-    /// The value over its power of two, in [1, 2) but for its sign; zero, infinite or NaN where the value is.
-    pub fn part(self) -> Dd {
-        self.part
-    }
     /// Absolute value.
     pub fn abs(self) -> Scaled {
         Scaled { part: self.part.abs(), power: self.power }
