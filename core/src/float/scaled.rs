@@ -110,6 +110,16 @@ impl Scaled {
     }
 }
 
+/// Most powers of two that a factor of doubles can take.
+const LARGEST_POWER: i32 = 1000;
+
+/// Values over a common power of two, and that power as far as a double holds it.
+pub fn over_common_power<const N: usize>(values: [Scaled; N]) -> ([Dd; N], f64) {
+    let powers = values.iter().filter(|value| !value.is_zero()).map(|value| value.power());
+    let power = powers.max().unwrap_or(0).clamp(-LARGEST_POWER, LARGEST_POWER);
+    (values.map(|value| value.shift(-power).to_dd()), exp2(power))
+}
+
 /// e^y of any y: 0 or infinite far beyond the range of every use.
 pub fn exp(y: Dd) -> Scaled {
     if y.hi.abs() >= END || y.hi.is_nan() {

@@ -10,8 +10,7 @@ use super::theta_motion::carried;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::elementary::{exp, quotient, saturated_sinh_cosh, sech};
-use crate::float::exponent::ldexp;
-use crate::float::scaled::Scaled;
+use crate::float::scaled::{Scaled, over_common_power};
 use crate::lanes::{Formula, Lane};
 
 /// The function that u is.
@@ -53,15 +52,6 @@ pub(super) struct Line {
 const LARGE: f64 = 40.0;
 /// Exponentials are taken in two halves, each in range.
 const HALF_END: f64 = 690.0;
-/// Powers of two that a factor can take.
-const LARGEST_POWER: i32 = 1000;
-
-/// A factor over a power of two, and that power as far as a double holds it.
-fn factor(value: Scaled) -> (Dd, f64) {
-    let power = value.power().clamp(-LARGEST_POWER, LARGEST_POWER);
-    (value.shift(-power).to_dd(), ldexp(1.0, power))
-}
-
 impl PqElementary {
     /// Of a motion without a quintic force; `None` for the straight line.
     pub fn new(given: &Elementary) -> Option<PqElementary> {
@@ -90,8 +80,8 @@ impl PqElementary {
         };
         let amplitude = (Scaled::ONE / square.sqrt()).signed(given.sign);
         let [start, rate] = given.base;
-        let (u, u_scale) = factor(amplitude);
-        let (velocity, velocity_scale) = factor(amplitude * rate);
+        let ([u], u_scale) = over_common_power([amplitude]);
+        let ([velocity], velocity_scale) = over_common_power([amplitude * rate]);
         let (rate, time) = carried(rate);
         let phase = Phase { rate, start: start.to_dd() };
         Some(PqElementary { function, phase, u, velocity, scales: [u_scale, velocity_scale], time })

@@ -23,8 +23,7 @@ use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
 use crate::float::elementary::quotient;
-use crate::float::exponent::ldexp;
-use crate::float::scaled::Scaled;
+use crate::float::scaled::{Scaled, over_common_power};
 use crate::lanes::{Formula, Lane};
 use crate::motion::escape::{Escape, Position};
 
@@ -52,16 +51,6 @@ pub(super) struct PqQuotient {
     slope: Dd,
     /// Powers of two that the factors of u and u' cannot carry, with the signs of u and u'.
     pub scales: [f64; 2],
-}
-
-/// Powers of two that a factor can take.
-const LARGEST_POWER: i32 = 1000;
-
-/// Values over a common power of two, and that power as far as a double holds it.
-fn factors<const N: usize>(values: [Scaled; N]) -> ([Dd; N], f64) {
-    let power = values.iter().filter(|value| !value.is_zero()).map(|value| value.power()).max().unwrap_or(0);
-    let power = power.clamp(-LARGEST_POWER, LARGEST_POWER);
-    (values.map(|value| value.shift(-power).to_dd()), ldexp(1.0, power))
 }
 
 impl Pq {
@@ -126,12 +115,12 @@ impl PqQuotient {
             let u = [0, 1].map(|k| amplitude * p[k] / q[k]);
             (u, [0, 1].map(|k| slope * speed * r[k] * s[k] / q[k].square()), [Scaled::ZERO; 2], one)
         };
-        let (u, u_scale) = factors(u);
+        let (u, u_scale) = over_common_power(u);
         let (velocity, slope, velocity_scale) = if pq == Pq::SnDnOverCn {
-            let ([slope], scale) = factors([slope]);
+            let ([slope], scale) = over_common_power([slope]);
             (velocity.map(Scaled::to_dd), slope, scale)
         } else {
-            let (velocity, scale) = factors(velocity);
+            let (velocity, scale) = over_common_power(velocity);
             (velocity, Dd::ONE, scale)
         };
         let Orientation { sign, direction } = orientation;

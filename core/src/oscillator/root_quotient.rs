@@ -35,8 +35,7 @@ use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
 use crate::elliptic::theta::neville::{NevilleTheta, Thetas};
 use crate::float::Dd;
 use crate::float::elementary::quotient;
-use crate::float::exponent::ldexp;
-use crate::float::scaled::Scaled;
+use crate::float::scaled::{Scaled, over_common_power};
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
 
@@ -65,9 +64,6 @@ pub(super) struct RootQuotient {
     u_scale: [f64; 2],
     velocity_scale: [f64; 2],
 }
-
-/// Powers of two that a factor can take.
-const LARGEST_POWER: i32 = 1000;
 
 fn largest_power(values: &[Scaled]) -> i32 {
     values.iter().filter(|value| !value.is_zero()).map(|value| value.power()).max().unwrap_or(0)
@@ -119,21 +115,18 @@ impl RootQuotient {
         let scaled = |pair: [Scaled; 2], step: i32| [0, 1].map(|k| pair[k].shift(step * powers[k]));
         let (l, q) = (scaled(l, -2), scaled(q, -2));
         let (n, w) = (scaled(n, -1), scaled(w.map(|factor| factor * velocity), -3));
-        let outside =
-            |pair: [Scaled; 2]| pair.map(|factor| factor.power().clamp(-LARGEST_POWER, LARGEST_POWER));
-        let (u_powers, velocity_powers) = (outside(n), outside(w));
-        let carried = |pair: [Scaled; 2], powers: [i32; 2]| [0, 1].map(|k| pair[k].shift(-powers[k]).to_dd());
+        let [n, w] = [n, w].map(|pair| pair.map(|factor| over_common_power([factor])));
         let Orientation { sign, direction } = orientation;
         RootQuotient {
             case,
-            n: carried(n, u_powers),
+            n: n.map(|([factor], _)| factor),
             l: l.map(Scaled::to_dd),
             m: q.map(Scaled::to_dd),
-            w: carried(w, velocity_powers),
+            w: w.map(|([factor], _)| factor),
             fourth,
             mc: mc.to_dd(),
-            u_scale: u_powers.map(|power| sign * ldexp(1.0, power)),
-            velocity_scale: velocity_powers.map(|power| sign * direction * ldexp(1.0, power)),
+            u_scale: n.map(|(_, power)| sign * power),
+            velocity_scale: w.map(|(_, power)| sign * direction * power),
         }
     }
 
