@@ -3,7 +3,9 @@
 //! Both are one kernel each for one formula. A motion chooses its formula outside of the kernel and hands it to an
 //! [`Evaluation`]; so a formula is compiled once for every lane type, whatever chooses it.
 
-use super::{InstructionSet, Kernel, Lane, WIDEST, single, wide};
+use super::dispatch::{single, wide};
+use super::instruction_set::InstructionSet;
+use super::lane::{Kernel, Lane, WIDEST};
 
 /// A function of A numbers with N results that serves every lane.
 pub trait Formula<const A: usize, const N: usize> {

@@ -1,6 +1,6 @@
 //! The lane of width one on a processor with fused multiplication.
 
-use super::Lane;
+use super::lane::Lane;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One double on a processor with fused multiplication.

@@ -2,8 +2,8 @@
 //!
 //! SAFETY of every intrinsic here: NEON belongs to the target.
 
-use super::Kernel;
 use super::fused::Fused;
+use super::lane::Kernel;
 use super::pair::Pair;
 use super::vector::vector;
 use core::arch::aarch64::*;

@@ -1,6 +1,6 @@
 //! Two lanes side by side: their operations interleave, which hides the latency of one behind the other.
 
-use super::Lane;
+use super::lane::Lane;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A pair of lanes as one lane of twice the width.

@@ -1,7 +1,7 @@
 //! Processors without lanes of their own here: width one, without fused multiplication; the other sets are never in
 //! use there.
 
-use super::Kernel;
+use super::lane::Kernel;
 
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {

@@ -1,6 +1,6 @@
 //! The lane of width one without fused multiplication: a plain double, on every processor.
 
-use super::Lane;
+use super::lane::Lane;
 
 /// Factors above 2^990 are scaled by 2^-56 so that splitting does not overflow, and their product back by 2^56.
 pub(super) const HUGE: f64 = 1.046_336_793_293_362_4e298;

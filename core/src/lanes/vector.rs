@@ -1,4 +1,4 @@
-//! What every vector type is: a struct over the processor's register and its [`Lane`](super::Lane), from one table.
+//! What every vector type is: a struct over the processor's register and its [`Lane`](super::lane::Lane), from one table.
 //!
 //! A row of the table names an operation and the expression that does it, in the registers `a`, `b`, `c` (the names
 //! are the table's to choose), which stand for the arguments of the operation in their order. Where they do not:
@@ -48,7 +48,7 @@ macro_rules! vector {
         }
 
         #[allow(unused_unsafe, reason = "as above")]
-        impl super::Lane for $vector {
+        impl super::lane::Lane for $vector {
             type Mask = $flags;
             const WIDTH: usize = $width;
 

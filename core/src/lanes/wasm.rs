@@ -2,7 +2,7 @@
 //!
 //! SAFETY of every intrinsic here: this file is compiled only where the module asks for simd128 as a whole.
 
-use super::Lane;
+use super::lane::Lane;
 use super::scalar::{DOWN, HUGE, UP, product_error};
 use super::vector::vector;
 use core::arch::wasm32::*;

@@ -3,8 +3,8 @@
 //! SAFETY of every intrinsic here: the lane types are made only inside `wide_fused` and `wide_avx512`, which are
 //! entered only where `InstructionSet::available` has seen the features on this processor.
 
-use super::Kernel;
 use super::fused::Fused;
+use super::lane::Kernel;
 use super::pair::Pair;
 use super::vector::vector;
 use core::arch::x86_64::*;

@@ -27,7 +27,7 @@ impl LazyInterpolant {
 
     /// The polynomials; the first call makes them.
     #[inline(always)]
-    pub fn get_or_make(&self, make: impl FnOnce() -> Option<Interpolant>) -> Option<&Interpolant> {
+    pub fn or_make(&self, make: impl FnOnce() -> Option<Interpolant>) -> Option<&Interpolant> {
         self.interpolant.get_or_init(make).as_ref()
     }
 }

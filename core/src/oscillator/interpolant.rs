@@ -80,7 +80,7 @@ impl ThetaMotion {
     /// The polynomials, where few enough terms serve.
     #[inline(always)]
     pub fn interpolant(&self) -> Option<&Interpolant> {
-        self.interpolant.get_or_make(|| {
+        self.interpolant.or_make(|| {
             if self.neville.hyperbolic() {
                 self.new_interpolant::<true>()
             } else {
@@ -110,7 +110,7 @@ impl ThetaMotion {
                 let values = RootValues::<HYPERBOLIC> {
                     quotient,
                     neville: &self.neville,
-                    whole: self.poles.as_ref().map(|poles| poles.at.scale(2.0)),
+                    whole: self.clock.poles.as_ref().map(|poles| poles.at.scale(2.0)),
                     steps: steps.map(|step| [1.0, step]),
                 };
                 self.through(values, map)

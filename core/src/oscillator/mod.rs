@@ -5,6 +5,7 @@
 //! relation to the pendulum ([`Companion`]).
 
 pub mod batch;
+mod clock;
 pub mod companion;
 pub mod cubic_quintic;
 pub mod duffing;
@@ -18,6 +19,7 @@ mod nonzero_energy;
 pub mod passages;
 mod pq_elementary;
 mod pq_quotient;
+mod quotient_factors;
 pub mod regime;
 mod root_quotient;
 mod roots;

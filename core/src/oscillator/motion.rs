@@ -55,6 +55,7 @@ impl CubicQuintic {
     fn theta<E: Evaluation<1, 2>>(&self, motion: &ThetaMotion, evaluation: E) -> E::Output {
         let kind = &motion.interpolant.kind;
         let hyperbolic = motion.neville.hyperbolic();
+        let (clock, neville) = (&motion.clock, &motion.neville);
         match (motion.interpolant(), kind, &motion.quotient) {
             (Some(interpolant), InterpolantKind::Bounded(bounded), _) => {
                 self.from_start(evaluation, bounded::ByInterpolant(bounded, interpolant))
@@ -62,25 +63,25 @@ impl CubicQuintic {
             (Some(interpolant), InterpolantKind::Escape(escape), _) => {
                 self.from_start(evaluation, escape::ByInterpolant(escape, interpolant))
             }
-            (_, InterpolantKind::Bounded(_), Quotient::Pq(pq)) => {
+            (_, InterpolantKind::Bounded(_), Quotient::Pq(quotient)) => {
                 if hyperbolic {
-                    self.from_start(evaluation, BoundedFormula::<true>(motion, pq))
+                    self.from_start(evaluation, BoundedFormula::<true> { clock, neville, quotient })
                 } else {
-                    self.from_start(evaluation, BoundedFormula::<false>(motion, pq))
+                    self.from_start(evaluation, BoundedFormula::<false> { clock, neville, quotient })
                 }
             }
-            (_, InterpolantKind::Escape(escape), Quotient::Pq(pq)) => {
+            (_, InterpolantKind::Escape(escape), Quotient::Pq(quotient)) => {
                 if hyperbolic {
-                    self.from_start(evaluation, EscapeFormula::<true>(motion, pq, escape))
+                    self.from_start(evaluation, EscapeFormula::<true> { escape, neville, quotient })
                 } else {
-                    self.from_start(evaluation, EscapeFormula::<false>(motion, pq, escape))
+                    self.from_start(evaluation, EscapeFormula::<false> { escape, neville, quotient })
                 }
             }
-            (_, _, Quotient::Root(root, _)) => {
+            (_, _, Quotient::Root(quotient, _)) => {
                 if hyperbolic {
-                    self.from_start(evaluation, RootFormula::<true>(motion, root))
+                    self.from_start(evaluation, RootFormula::<true> { clock, neville, quotient })
                 } else {
-                    self.from_start(evaluation, RootFormula::<false>(motion, root))
+                    self.from_start(evaluation, RootFormula::<false> { clock, neville, quotient })
                 }
             }
         }

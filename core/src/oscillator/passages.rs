@@ -76,7 +76,7 @@ impl CubicQuintic {
             Solution::Equilibrium => Vec::new(),
             Solution::Theta(theta) if theta.repeats() => {
                 let at = theta.in_half_periods(argument).base.to_dd();
-                let Phase { rate, start } = theta.phase;
+                let Phase { rate, start } = theta.clock.phase;
                 // The count of repetitions rises with time.
                 let falls = rate.hi < 0.0;
                 let (rate, start) = if falls { (-rate, -start) } else { (rate, start) };
@@ -86,7 +86,7 @@ impl CubicQuintic {
                 let (spacing, other) = if crosses { (2.0, middle - at) } else { (1.0, -at) };
                 let phases = [at, other].map(|at| at - start);
                 let different = if turns { 1 } else { 2 };
-                return interval.repeated(rate, theta.time, &phases[..different], spacing);
+                return interval.repeated(rate, theta.clock.time, &phases[..different], spacing);
             }
             Solution::Theta(theta) => {
                 passages(theta.in_half_periods(argument), crosses, mirrored, turns, theta.rates())

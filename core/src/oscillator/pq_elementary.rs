@@ -4,9 +4,9 @@
 //! straight line u0 + velocity0 t. They are what M = l C^2 + m S^2 (elementary.rs) leaves where v = 0 is a root of C(v).
 //! Source: DLMF 4.34.
 
+use super::clock::carried;
 use super::elementary::{Elementary, Functions, Sum};
 use super::hyperbolic_lanes::held_argument;
-use super::theta_motion::carried;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::elementary::{exp, quotient, saturated_sinh_cosh, sech};

@@ -15,10 +15,10 @@
 //!
 //! Source: DLMF 20.2, 22.2.10, 22.13(i); the forms of Salas 2019.
 
+use super::clock::Clock;
 use super::energy::Orientation;
 use super::nonzero_energy::{NonzeroEnergy, RootCase};
 use super::roots::Distances;
-use super::theta_motion::ThetaMotion;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
@@ -175,14 +175,18 @@ fn pick<L: Lane>(folded: L::Mask, pair: &[Dd; 2], near: usize) -> Dd<L> {
 }
 
 /// A libration or a well, at any time.
-pub(super) struct BoundedFormula<'a, const HYPERBOLIC: bool>(pub &'a ThetaMotion, pub &'a PqQuotient);
+pub(super) struct BoundedFormula<'a, const HYPERBOLIC: bool> {
+    pub clock: &'a Clock,
+    pub neville: &'a NevilleTheta,
+    pub quotient: &'a PqQuotient,
+}
 
 /// An escape, at any time; NaN beyond the poles.
-pub(super) struct EscapeFormula<'a, const HYPERBOLIC: bool>(
-    pub &'a ThetaMotion,
-    pub &'a PqQuotient,
-    pub &'a Escape,
-);
+pub(super) struct EscapeFormula<'a, const HYPERBOLIC: bool> {
+    pub escape: &'a Escape,
+    pub neville: &'a NevilleTheta,
+    pub quotient: &'a PqQuotient,
+}
 
 /// a b but for the product of the low words, as hi + lo not normalised.
 #[inline(always)]
@@ -194,11 +198,11 @@ fn product<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
 impl<const HYPERBOLIC: bool> Formula<1, 2> for BoundedFormula<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let BoundedFormula(motion, quotient) = self;
-        let (n, f) = motion.phase.spread::<L>().count(t * L::splat(motion.time), LAST_HALF_PERIOD);
+        let BoundedFormula { clock, neville, quotient } = self;
+        let (n, f) = clock.phase.spread::<L>().count(t * L::splat(clock.time), LAST_HALF_PERIOD);
         let one = L::splat(1.0);
         let sign = one.copysign(f.hi);
-        let thetas = motion.neville.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
+        let thetas = neville.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
         let folded = thetas.folded;
         let [s, c, d, n_theta] = thetas.theta;
         let [p, q, r, s] = quotient.pq.letters([
@@ -231,14 +235,14 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for BoundedFormula<'_, HYPERBOLIC> {
 impl<const HYPERBOLIC: bool> Formula<1, 2> for EscapeFormula<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let EscapeFormula(motion, pq, escape) = self;
+        let EscapeFormula { escape, neville, quotient: pq } = self;
         let Position { sign, size, rest, .. } = escape.position(t);
         // False for NaN as well.
         let inside = L::splat(0.0).less(rest.hi);
         let distance = if escape.from_pole { rest } else { size };
         let distance = Dd::select(inside, distance, Dd::from_double(L::splat(0.25)));
         let [[above, below], [rising, square]] =
-            pq.quotients::<HYPERBOLIC, L>(&motion.neville, distance, escape.from_pole);
+            pq.quotients::<HYPERBOLIC, L>(neville, distance, escape.from_pole);
         let one = L::splat(1.0);
         let (u_sign, velocity_sign) = if pq.pq.odd() { (sign, one) } else { (one, sign) };
         let u = quotient(above, below).value() * (u_sign * L::splat(pq.scales[0]));

@@ -27,10 +27,10 @@
 //!
 //! Source: derived from v'^2 = 4 C(v) of nonzero_energy.rs; DLMF 20.2, 22.2, 22.8, 22.13(i).
 
+use super::clock::Clock;
 use super::energy::Orientation;
 use super::nonzero_energy::{NonzeroEnergy, RootCase};
 use super::roots::Distances;
-use super::theta_motion::ThetaMotion;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
 use crate::elliptic::theta::neville::{NevilleTheta, Thetas};
 use crate::float::Dd;
@@ -244,18 +244,22 @@ impl RootQuotient {
 }
 
 /// A motion at any time; NaN beyond a pole and 2^53 half periods away.
-pub(super) struct RootFormula<'a, const HYPERBOLIC: bool>(pub &'a ThetaMotion, pub &'a RootQuotient);
+pub(super) struct RootFormula<'a, const HYPERBOLIC: bool> {
+    pub clock: &'a Clock,
+    pub neville: &'a NevilleTheta,
+    pub quotient: &'a RootQuotient,
+}
 
 impl<const HYPERBOLIC: bool> Formula<1, 2> for RootFormula<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let RootFormula(motion, quotient) = self;
-        let scaled = t * L::splat(motion.time);
+        let RootFormula { clock, neville, quotient } = self;
+        let scaled = t * L::splat(clock.time);
         let one = L::splat(1.0);
         let zero = Dd::from_double(L::splat(0.0));
-        let (f, [ahead, behind], u_sign, velocity_sign) = match &motion.poles {
+        let (f, [ahead, behind], u_sign, velocity_sign) = match &clock.poles {
             None => {
-                let (n, f) = motion.phase.spread::<L>().count(scaled, LAST_HALF_PERIOD);
+                let (n, f) = clock.phase.spread::<L>().count(scaled, LAST_HALF_PERIOD);
                 let sign = one.copysign(f.hi);
                 let parity = alternating(n);
                 let (u_sign, velocity_sign) =
@@ -263,7 +267,7 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for RootFormula<'_, HYPERBOLIC> {
                 (f.scale(sign), [zero; 2], u_sign, velocity_sign)
             }
             Some(poles) => {
-                let f = motion.phase.counted(scaled);
+                let f = clock.phase.counted(scaled);
                 let ahead = poles.rest.counted(scaled);
                 let at = Dd::splat(poles.at);
                 // Each from what is nearer, and so with the digits of the start.
@@ -274,9 +278,8 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for RootFormula<'_, HYPERBOLIC> {
                 (f.scale(sign), [within(ahead), within(at + f)], u_sign, velocity_sign)
             }
         };
-        let escapes = motion.poles.is_some();
-        let (u, velocity, folded) =
-            quotient.quotients::<HYPERBOLIC, L>(&motion.neville, [f, ahead, behind], escapes);
+        let escapes = clock.poles.is_some();
+        let (u, velocity, folded) = quotient.quotients::<HYPERBOLIC, L>(neville, [f, ahead, behind], escapes);
         [
             (u.hi + u.lo) * (u_sign * pick_double(folded, &quotient.u_scale)),
             (velocity.hi + velocity.lo) * (velocity_sign * pick_double(folded, &quotient.velocity_scale)),

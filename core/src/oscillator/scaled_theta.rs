@@ -9,8 +9,8 @@ use super::elementary::sinh_cosh;
 use super::energy::{Orientation, Outline};
 use super::nonzero_energy::{Argument, RootCase};
 use super::pq_quotient::Pq;
+use super::quotient_factors::QuotientFactors;
 use super::root_quotient::Squares;
-use super::theta_motion::QuotientFactors;
 use crate::elliptic::phase::LAST_HALF_PERIOD;
 use crate::float::scaled::Scaled;
 

@@ -20,10 +20,10 @@
 //!
 //! with F(sin^2, m). Two digits of it are enough. Source: Byrd & Friedman 232, 235, 236, 238, 243.
 
+use super::clock::carried;
 use super::nonzero_energy::RootCase;
 use super::pq_quotient::Pq;
 use super::root_quotient::Squares;
-use super::theta_motion::carried;
 use crate::elliptic::carlson_rf;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;

@@ -1,24 +1,17 @@
 //! A motion by theta functions: its phase, its poles, and the quotient that u is.
 
+use super::clock::{Clock, Poles, carried};
 use super::energy::{Orientation, Outline};
 use super::nonzero_energy::Argument;
-use super::pq_quotient::{Pq, PqQuotient};
-use super::root_quotient::{RootQuotient, Squares};
+use super::pq_quotient::PqQuotient;
+use super::quotient_factors::QuotientFactors;
+use super::root_quotient::RootQuotient;
 use super::scaled_theta::ScaledTheta;
 use super::singularities::{RootSingularities, bounded, escape, pq_bounded, pq_escape};
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::Dd;
-use crate::float::exponent::ldexp;
 use crate::float::scaled::Scaled;
 use crate::motion::samples::{InterpolantKind, LazyInterpolant};
-
-/// The poles of an escape: argument to the one ahead at any time, and of both, in half periods.
-#[derive(Clone, Debug)]
-pub(super) struct Poles {
-    pub rest: Phase,
-    pub at: Dd,
-}
 
 /// What u is.
 #[derive(Clone, Debug)]
@@ -29,23 +22,11 @@ pub(super) enum Quotient {
     Pq(PqQuotient),
 }
 
-/// What a quotient is made from.
-#[derive(Clone, Debug)]
-pub(super) enum QuotientFactors {
-    Root(Squares),
-    /// The quotient and its amplitude, the parameter and its complement.
-    Pq((Pq, Scaled), [Scaled; 2]),
-}
-
 /// A motion by theta functions, set up once.
 #[derive(Clone, Debug)]
 pub(super) struct ThetaMotion {
     pub neville: NevilleTheta,
-    /// Half periods 2K from the base.
-    pub phase: Phase,
-    pub poles: Option<Poles>,
-    /// Power of two that times take.
-    pub time: f64,
+    pub clock: Clock,
     pub quotient: Quotient,
     /// The polynomials of the motion.
     pub interpolant: LazyInterpolant,
@@ -53,25 +34,6 @@ pub(super) struct ThetaMotion {
     pub scaled: Option<Box<ScaledTheta>>,
     /// 2K.
     half: Scaled,
-}
-
-/// Powers of two that a double-double can carry beside its digits.
-const CARRIED: i32 = 300;
-
-/// A rate in the range that a double-double carries, and the power of two that times take for it.
-pub(super) fn carried(rate: Scaled) -> (Dd, f64) {
-    let time = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
-    (rate.shift(-time).to_dd(), ldexp(1.0, time))
-}
-
-impl QuotientFactors {
-    /// The parameter and its complement.
-    pub fn parameter(&self) -> [Scaled; 2] {
-        match self {
-            QuotientFactors::Root(squares) => [squares.m, squares.mc],
-            QuotientFactors::Pq(_, parameter) => *parameter,
-        }
-    }
 }
 
 impl ThetaMotion {
@@ -133,9 +95,7 @@ impl ThetaMotion {
         let scaled = ScaledTheta::new(factors, half, outline, start, orientation).map(Box::new);
         ThetaMotion {
             neville,
-            phase,
-            poles,
-            time,
+            clock: Clock { phase, poles, time },
             quotient,
             interpolant: LazyInterpolant::new(kind),
             scaled,
@@ -149,12 +109,12 @@ impl ThetaMotion {
     }
     /// Whether the motion has no poles.
     pub fn repeats(&self) -> bool {
-        self.poles.is_none()
+        self.clock.poles.is_none()
     }
     /// Half periods at the start and per time, from the base and to the pole.
     pub fn rates(&self) -> [[Scaled; 2]; 2] {
-        let of = |phase: &Phase| [Scaled::from(phase.start), Scaled::from(phase.rate) * self.time];
-        [of(&self.phase), self.poles.as_ref().map_or([Scaled::ZERO; 2], |poles| of(&poles.rest))]
+        let of = |phase: &Phase| [Scaled::from(phase.start), Scaled::from(phase.rate) * self.clock.time];
+        [of(&self.clock.phase), self.clock.poles.as_ref().map_or([Scaled::ZERO; 2], |poles| of(&poles.rest))]
     }
     /// An argument in half periods.
     pub fn in_half_periods(&self, Argument { base, pole }: Argument) -> Argument {

@@ -1,0 +1,38 @@
+//! Runs a kernel on the lanes of the instruction set in use.
+
+use super::host;
+use super::instruction_set::InstructionSet;
+use super::lane::{Kernel, Lane};
+#[cfg(target_feature = "simd128")]
+use super::{pair, wasm};
+
+/// The widest lane of `Plain`. WebAssembly cannot be asked what it has: its lanes are there if compiled for.
+#[cfg(target_feature = "simd128")]
+type WidePlain = pair::Pair<wasm::F64x2>;
+#[cfg(not(target_feature = "simd128"))]
+type WidePlain = f64;
+
+/// Runs the kernel without fused multiplication: compiled once where both widths are the same.
+#[inline(never)]
+fn plain<L: Lane, K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<L>()
+}
+
+/// Runs the kernel on lanes of width one of the instruction set in use.
+#[inline]
+pub fn single<K: Kernel>(kernel: K) -> K::Output {
+    match InstructionSet::in_use() {
+        InstructionSet::Plain => plain::<f64, K>(kernel),
+        InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
+    }
+}
+
+/// Runs the kernel on the widest lanes of the instruction set in use.
+#[inline]
+pub fn wide<K: Kernel>(kernel: K) -> K::Output {
+    match InstructionSet::in_use() {
+        InstructionSet::Plain => plain::<WidePlain, K>(kernel),
+        InstructionSet::Fused => host::wide_fused(kernel),
+        InstructionSet::Avx512 => host::wide_avx512(kernel),
+    }
+}

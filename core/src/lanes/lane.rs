@@ -1,0 +1,59 @@
+//! A vector of doubles, and a computation over any of them.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Doubles side by side, with the operations the kernels use.
+pub trait Lane:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// The answer of a comparison, one flag per double.
+    type Mask: Copy;
+    /// How many doubles.
+    const WIDTH: usize;
+
+    /// The first WIDTH doubles of a slice that has them.
+    fn load(from: &[f64]) -> Self;
+    /// Into the first WIDTH doubles of a slice that has them.
+    fn store(self, to: &mut [f64]);
+    /// The first double.
+    #[inline(always)]
+    fn first(self) -> f64 {
+        let mut places = [0.0; WIDEST];
+        self.store(&mut places);
+        places[0]
+    }
+
+    /// The same value in every place.
+    fn splat(value: f64) -> Self;
+    /// `self * factor + term`, fused where the processor fuses.
+    fn mul_add(self, factor: Self, term: Self) -> Self;
+    /// Product and its exact error.
+    fn two_product(self, factor: Self) -> (Self, Self);
+    /// Nearest integer, ties to even.
+    fn round(self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// Magnitude of `self`, sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
+    /// 2 to the power `self`, an integer in [-1022, 1023].
+    fn exp2_integer(self) -> Self;
+    /// `self < other`.
+    fn less(self, other: Self) -> Self::Mask;
+    /// `self == other`.
+    fn equal(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask holds, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+}
+
+/// A computation over any lane type, handed to `single` or `wide` of dispatch.rs.
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+    /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
+    fn run<L: Lane>(self) -> Self::Output;
+}
+
+/// Widest lane.
+pub const WIDEST: usize = 16;

@@ -1,0 +1,32 @@
+//! The phase of a motion by theta functions, in half periods, and that of its poles.
+
+use crate::elliptic::phase::Phase;
+use crate::float::Dd;
+use crate::float::exponent::ldexp;
+use crate::float::scaled::Scaled;
+
+/// The poles of an escape: argument to the one ahead at any time, and of both, in half periods.
+#[derive(Clone, Debug)]
+pub(super) struct Poles {
+    pub rest: Phase,
+    pub at: Dd,
+}
+
+/// Where a time is.
+#[derive(Clone, Debug)]
+pub(super) struct Clock {
+    /// Half periods 2K from the base.
+    pub phase: Phase,
+    pub poles: Option<Poles>,
+    /// Power of two that times take.
+    pub time: f64,
+}
+
+/// Powers of two that a double-double can carry beside its digits.
+const CARRIED: i32 = 300;
+
+/// A rate in the range that a double-double carries, and the power of two that times take for it.
+pub(super) fn carried(rate: Scaled) -> (Dd, f64) {
+    let time = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
+    (rate.shift(-time).to_dd(), ldexp(1.0, time))
+}
