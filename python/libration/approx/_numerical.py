@@ -28,7 +28,7 @@ INSTANTS = 1000
 # A fixed step beyond this count is refused: the arrays would fill the memory.
 MOST_STEPS = 5_000_000
 MOST_PERIODS = 10_000
-NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 SCIPY = {
     "solve_ivp": "Dormand-Prince 5(4) at rtol 1e-3 and atol 1e-6, the defaults of scipy.integrate.solve_ivp",
     "odeint": "LSODA at rtol and atol 1.49e-8, the defaults of scipy.integrate.odeint",

@@ -9,13 +9,14 @@ import re
 from dataclasses import dataclass
 from decimal import Context, Decimal, DecimalException
 
-from libration.cli.parser import refusal
+from libration.cli.parser import quoted, refusal, shown
 
 # 100 digits after the point (OEIS A000796); a quotient with a hundred digits leaves one rounding to a double.
 PI = Decimal("3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679")
-NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*((?:1/|[^0-9.,]).*?|)\s*", re.DOTALL)
-NOT_FINITE = re.compile(r"\s*[+-]?(inf|infinity|nan)\b.*", re.IGNORECASE | re.DOTALL)
-COMMA = re.compile(r"\s*([+-]?[0-9]*),([0-9]+)(?![0-9.,])", re.DOTALL)
+# Each begins a text without blanks at its ends, and can match it in one way only: the time grows with its length.
+NUMBER = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![0-9.,])")
+NOT_FINITE = re.compile(r"[+-]?(?:inf|infinity|nan)\b", re.IGNORECASE)
+COMMA = re.compile(r"([+-]?[0-9]*+),([0-9]++)(?![.,])")
 
 
 @dataclass(frozen=True)
@@ -98,34 +99,39 @@ NUMBERS = Dimension("plain numbers", {"": ONE}, {})
 
 def plain(option, text):
     """The double nearest to a plain number, or a Refusal."""
-    found = NUMBER.fullmatch(text.replace("\N{MINUS SIGN}", "-"))
-    if found and found[2]:
+    if has_unit(text):
         raise refusal(option, text, "must be a plain number, without a unit")
     return quantity(option, text, NUMBERS)
 
 
+def parts(text):
+    """The number at the start of a text, None if there is none, and what follows it."""
+    text = text.replace("\N{MINUS SIGN}", "-").strip()
+    found = NUMBER.match(text)
+    return (found[1], text[found.end() :].lstrip()) if found else (None, text)
+
+
 def split(option, text, dimension):
     """The number and the unit of a quantity, as typed, or a Refusal."""
-    plain = text.replace("\N{MINUS SIGN}", "-")
-    found = NUMBER.fullmatch(plain)
-    if comma := COMMA.match(plain):
-        raise refusal(option, text, f"has a decimal comma; write {comma[1] or '0'}.{comma[2]}")
-    if NOT_FINITE.fullmatch(plain):
+    number, unit = parts(text)
+    bare = text.replace("\N{MINUS SIGN}", "-").strip()
+    if comma := COMMA.match(bare):
+        raise refusal(option, text, f"has a decimal comma; write {shown(f'{comma[1]}.{comma[2]}' if comma[1] else f'0.{comma[2]}')}")
+    if NOT_FINITE.match(bare):
         raise refusal(option, text, "must be a finite number")
     first, *others = dimension.units
-    if not found:
+    if number is None:
         raise refusal(option, text, f"is not a number with a unit; {dimension.plural} look like 1.5 or 1.5{first}")
-    unit = found[2]
     if unit and dimension.factor(unit) is None:
         takes = ", ".join([first, *others])
-        raise refusal(option, text, f"unknown unit '{unit}'; {dimension.plural} take {takes}")
-    return found[1], unit
+        raise refusal(option, text, f"unknown unit {quoted(unit)}; {dimension.plural} take {takes}")
+    return number, unit
 
 
 def has_unit(text):
     """Whether a quantity was typed with a unit."""
-    found = NUMBER.fullmatch(text.replace("\N{MINUS SIGN}", "-"))
-    return bool(found and found[2])
+    number, unit = parts(text)
+    return number is not None and unit != ""
 
 
 def scaled(number, factor):

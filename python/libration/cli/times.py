@@ -4,8 +4,6 @@ A file is read in whole before the first number is used: `#` lines and blank lin
 be a header, the columns are separated by tab, semicolon or comma, order and repetitions are kept.
 """
 
-import csv
-import io
 import itertools
 import math
 import re
@@ -22,7 +20,10 @@ BYTES_PER_SAMPLE = 64
 BLOCK = 100_000
 # What no text file holds: control characters other than tab, line feed, vertical tab, form feed, return.
 CONTROL = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f\x7f]")
-HEADER_CELL = re.compile(r"(.*?)\s*(?:\[(.*)\]|\((.*)\)|[/_]\s*(s|ms|min|h))?")
+# Bytes of whole lines that are taken together: blank ones are passed over at once.
+CHUNK = 2**20
+BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+BRACKETS = {"]": "[", ")": "("}
 SIGNS = "+-.\N{MINUS SIGN}"
 # The cells of a row with decimal commas that is split at them, and of a row of whole numbers.
 WHOLE = re.compile(r"[+-]?[0-9]+([eE][+-]?[0-9]+)?")
@@ -108,23 +109,80 @@ def text_bytes(path):
 
 def numbered(data):
     """The lines that are not blank and not comments, with their numbers; UTF-8, or else Latin-1."""
+    encoding = encoding_of(data)
+    number = 1
+    for chunk in chunks(data.removeprefix(BYTE_ORDER_MARK) if encoding == "utf-8" else data):
+        if chunk.isspace() and b"\t" not in chunk:
+            number += chunk.count(b"\n")
+            continue
+        for line in chunk.decode(encoding).removesuffix("\n").split("\n"):
+            # Tabs at the end stay: they may separate empty cells.
+            kept = line.strip(" ")
+            if kept and not kept.isspace() and not kept.startswith("#"):
+                yield number, kept
+            number += 1
+
+
+def encoding_of(data):
+    """`utf-8` if all lines are that, else `latin-1`."""
     try:
-        data.decode()
-        encoding = "utf-8-sig"
+        for chunk in chunks(data):
+            chunk.decode()
     except UnicodeDecodeError:
-        encoding = "latin-1"
-    # Tabs at the end stay: they may separate empty cells.
-    for count, line in enumerate(io.TextIOWrapper(io.BytesIO(data), encoding=encoding), 1):
-        kept = line.strip(" \r\n")
-        if kept and not kept.isspace() and not kept.startswith("#"):
-            yield count, kept
+        return "latin-1"
+    return "utf-8"
+
+
+def chunks(data):
+    """Whole lines together, some million bytes each: a character ends before a line feed does, in both encodings."""
+    if b"\r" in data:
+        data = data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    start = 0
+    while start < len(data):
+        end = data.find(b"\n", start + CHUNK) + 1 or len(data)
+        yield data[start:end]
+        start = end
 
 
 def row(line, separator):
     """The cells of a line, stripped."""
     if '"' in line:
-        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
+        return [cell.strip() for cell in quoted_cells(line, separator)]
     return [cell.strip() for cell in line.split(separator)]
+
+
+def quoted_cells(line, separator):
+    """The cells of a line some of which are in quotes, as spreadsheets write them: a quote inside stands twice (RFC 4180).
+
+    By hand, because the csv module refuses a cell of 131,072 characters unless a setting of the whole process is changed.
+    """
+    position = 0
+    while True:
+        parts = []
+        if line.startswith('"', position):
+            position += 1
+            while (end := line.find('"', position)) >= 0 and line.startswith('"', end + 1):
+                parts.append(line[position : end + 1])
+                position = end + 2
+            end = len(line) if end < 0 else end
+            parts.append(line[position:end])
+            position = end + 1
+        end = line.find(separator, position)
+        parts.append(line[position:] if end < 0 else line[position:end])
+        yield "".join(parts)
+        if end < 0:
+            return
+        position = end + 1
+
+
+def name_and_unit(cell):
+    """`t`, `ms` for a header's cell `t [ms]`, `t (ms)`, `t/ms` or `t_ms`; the unit is None where there is none."""
+    if cell[-1:] in BRACKETS:
+        opening = cell.find(BRACKETS[cell[-1]])
+        return (cell, None) if opening < 0 else (cell[:opening].rstrip(), cell[opening + 1 : -1].strip())
+    at = max(cell.rfind("/"), cell.rfind("_"))
+    unit = cell[at + 1 :].lstrip()
+    return (cell[:at].rstrip(), unit) if at >= 0 and unit in TIME.units else (cell, None)
 
 
 def is_header(cells):
@@ -155,7 +213,7 @@ def chosen(path, column, cells, header):
         if column not in names:
             raise refusal("--column", column, f"{shown(path)} has no header; its columns are {listed(names)}")
         return names.index(column), column, ONE
-    bare = [HEADER_CELL.fullmatch(cell)[1] for cell in header]
+    bare = [name_and_unit(cell)[0] for cell in header]
     if column is None:
         index = next((k for k, each in enumerate(bare) if each.lower() in TIME_NAMES), 0)
     elif header.count(column) == 1:
@@ -165,9 +223,8 @@ def chosen(path, column, cells, header):
     else:
         several = "names several columns" if column in header + bare else "is no column"
         raise refusal("--column", column, f"{several} of {shown(path)}; it has {listed(header)}")
-    found = HEADER_CELL.fullmatch(header[index])
-    unit = found[2] or found[3] or found[4] or "s"
-    factor = TIME.factor(unit.strip())
+    unit = name_and_unit(header[index])[1] or "s"
+    factor = TIME.factor(unit)
     if factor is None:
         raise refusal(
             "--times",
