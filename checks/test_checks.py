@@ -16,16 +16,9 @@ import type_names
 
 HERE = Path(__file__).parent
 ROW = """[theta]
-summary = "angle"
-arguments = ["t"]
-domain = "any"
-outside = "NaN"
-error = "4"
 error_max_ulp = 4
-source = "DLMF 22.19.2"
 vectors = "reference/vectors/pendulum.csv"
 rust = "core/src/pendulum/motion.rs::Orbit::theta"
-python = "python/libration/__init__.py::theta"
 test = "core/tests/vectors.rs::pendulum"
 """
 
@@ -55,7 +48,8 @@ def root(tmp_path):
     }.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
-    shutil.copy(HERE.parent / "docs/generate.py", tmp_path / "docs/generate.py")
+    for name in ("generate.py", "surface.py"):
+        shutil.copy(HERE.parent / "docs" / name, tmp_path / "docs" / name)
     for block, text in pages.runpy.run_path(str(tmp_path / "docs/generate.py"))["blocks"](tmp_path).items():
         if block != "accuracy":
             page = f"<!-- generated: {block} -->\n{text}<!-- end generated -->\n"
@@ -90,11 +84,19 @@ def test_good_tree_passes(check, root):
         (names, "python/libration/pendulum.py", "x = theta0\n", "not called x"),
         (names, "python/libration/utils.py", "", "named after what it computes"),
         (names, "python/libration/__init__.py", '__all__ = ["theta", "blob"]\n', "blob: public"),
-        (functions, "python/libration/__init__.py", '__all__ = ["theta", "blob"]\ntheta = 1\n', "without a row"),
+        (
+            functions,
+            "python/libration/__init__.py",
+            '__all__ = ["theta", "blob"]\n\n\ndef theta(): ...\ndef blob(): ...\n',
+            "without a row",
+        ),
+        (functions, "python/libration/__init__.py", "__all__ = []\n", "no public member has this name"),
         (functions, "core/src/pendulum/motion.rs", "\n", "step 3, the function"),
         (functions, "core/tests/vectors.rs", "\n", "step 3, the test"),
         (functions, "functions.toml", ROW.replace("pendulum.csv", "other.csv"), "step 2, a generator"),
-        (functions, "functions.toml", ROW.replace('"DLMF 22.19.2"', '""'), "no `source`"),
+        (functions, "functions.toml", ROW + 'source = "DLMF 22.19.2"\n', "stands in the docstring"),
+        (functions, "functions.toml", ROW.replace('test = "core/tests/vectors.rs::pendulum"', ""), "no `test`"),
+        (functions, "README.md", "with eighteen period formulas\n", "typed by hand"),
         (functions, "functions.toml", ROW.replace("error_max_ulp = 4", ""), "promises no error_max_ulp"),
         (pages, "README.md", "<!-- generated: accuracy -->\n0.4\n<!-- end generated -->\n", "make docs"),
         (pages, "README.md", "\n", "stands on no page"),

@@ -1,7 +1,7 @@
 """Writes the generated blocks of the pages: nothing between two markers is typed by hand.
 
 A block stands between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from
-functions.toml, from docs/corners.toml, from a page that a run has written, or from a run of libration now.
+the docstrings and functions.toml, from docs/corners.toml, from a page that a run has written, or from a run of libration now.
 """
 
 import math
@@ -18,27 +18,73 @@ PAGES = [
 
 
 def functions(root: Path) -> str:
-    """The reference of the public functions, one section a function."""
-    sections = []
-    for name, row in tomllib.loads((root / "functions.toml").read_text(encoding="utf-8")).items():
-        places = [
-            ("Rust", row.get("rust")),
-            ("Python", row["python"]),
-            ("truth", row.get("vectors")),
-            ("test", row["test"]),
-        ]
-        links = [
-            f"{where} [{place.partition('::')[2] or place}](../{place.partition('::')[0]})"
-            for where, given in places
-            for place in ([given] if isinstance(given, str) else given or [])
-        ]
-        sections.append(
-            f"## {name}\n\n{row['summary']}.\n\n"
-            f"- Arguments: {', '.join(f'`{argument}`' for argument in row['arguments'])}\n"
-            f"- Domain: {row['domain']}\n- Outside: {row['outside']}\n- Error: {row['error']}\n"
-            f"- Source: {row['source']}\n- Stands in: {'; '.join(links)}\n"
-        )
-    return "\n" + "\n".join(sections) + "\n"
+    """The reference of the public functions, one section a member: its docstring, and its row of functions.toml."""
+    read = runpy.run_path(str(root / "docs/surface.py"))
+    surface, parts = read["surface"](root), read["sections"]
+    rows = tomllib.loads((root / "functions.toml").read_text(encoding="utf-8"))
+    homes = {member: name for name, row in rows.items() for member in [name, *row.get("members", [])]}
+    written = [
+        section(name, member, parts(member["doc"]), rows[homes[name]])
+        for name, member in surface.items()
+        if name in homes
+    ]
+    for name, row in rows.items():
+        if name.startswith("libration "):
+            run = f"python/libration/cli/{name.partition(' ')[2]}.py::run"
+            written.append(
+                f"## {name}\n\nIts options are told by `{name} --help`.\n\n- {places({'Python': run}, row)}\n"
+            )
+    return "\n" + "\n".join(written) + "\n"
+
+
+def section(name: str, member: dict, doc: dict[str, str], row: dict) -> str:
+    """One member: call, summary, arguments, results and refusals, the rest in words, and where it stands."""
+    lines = [f"## {name}", ""]
+    if member["kind"] == "function":
+        lines += [f"`{member['signature']}`", ""]
+    lines += [marked(doc["Summary"]), ""]
+    for title in ("Parameters", "Returns", "Raises"):
+        entries = items(doc.get(title, ""))
+        if entries:
+            lines += [f"{title}:", "", *entries, ""]
+    lines += [marked(doc["Notes"]), ""] if "Notes" in doc else []
+    lines += [f"- {places({'Python': member['place']}, row)}", ""]
+    return "\n".join(lines)
+
+
+def items(text: str) -> list[str]:
+    """The entries of a section of a docstring as a list; what hangs below an entry is told beside it."""
+    entries: list[str] = []
+    for line in text.splitlines():
+        if line.strip() and not line.startswith(" "):
+            what, colon, kind = line.partition(" : ")
+            entries.append(f"- `{what}` ({marked(kind)})" if colon else f"- {marked(what)}")
+        elif line.strip():
+            entries[-1] += (
+                f"{' ' if entries[-1].endswith(('.', ',', ';')) or ': ' in entries[-1] else ': '}{marked(line.strip())}"
+            )
+    return entries
+
+
+def marked(text: str) -> str:
+    """Plain text of a docstring as Markdown: code in single backticks, no star or bar that means something else."""
+    pieces = re.split(r"(``.+?``|`[^`\n]+`)", text)
+    return "".join(
+        f"`{piece.strip('`')}`" if number % 2 else piece.replace("*", r"\*").replace("|", r"\|").replace("<", r"\<")
+        for number, piece in enumerate(pieces)
+    )
+
+
+def places(python: dict[str, str], row: dict) -> str:
+    """Where a member, its truth and its tests stand."""
+    given = [*python.items(), ("Rust", row.get("rust")), ("truth", row.get("vectors")), ("test", row["test"])]
+    links = [
+        f"{where} [{place.partition('::')[2] or place}](../{place.partition('::')[0]})"
+        for where, found in given
+        for place in ([found] if isinstance(found, str) else found or [])
+    ]
+    promised = [f"{name} {row[name]}" for name in row if name.startswith("error_")]
+    return "; ".join([*links, *promised])
 
 
 def accuracy(root: Path) -> str:

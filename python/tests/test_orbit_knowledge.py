@@ -73,6 +73,26 @@ def test_action_and_phase_make_the_orbit():
         assert abs(pendulum.frequency) == pytest.approx(2 * math.pi / pendulum.period, rel=1e-15)
 
 
+# Angle from pi, velocity and turning angle by mpmath with 40 digits beyond the smallest, for omega2 = -3.
+SWINGS_ABOUT_PI = [
+    (1e-157, 0.5, 1.6291304043964061452e-79, 5.1651542598252717513e-79, 3.3980884896942449e-79),
+    (1e-31, 1.0, 2.8593928678873941735e-16, 3.1800367030274443466e-16, 3.3980884896942452e-16),
+    (1e-12, -2.0, -9.7710367395142831942e-7, -7.7453653638141562675e-7, 1.0745699318235742e-6),
+    (0.25, 2.5, 0.32531846614886524195, -0.73718025198528796156, 0.54142234484055757),
+]
+
+
+@pytest.mark.parametrize(("action", "phase", "angle", "velocity", "theta_max"), SWINGS_ABOUT_PI)
+def test_a_swing_about_pi_is_as_narrow_as_theta0_can_be(action, phase, angle, velocity, theta_max):
+    pendulum = Pendulum.from_action_phase(action, phase, omega2=-3.0)
+    ulp = math.ulp(math.pi)
+    # pi - math.pi = 1.2246467991473532e-16.
+    assert abs((pendulum.theta0 - math.pi) - 1.2246467991473532e-16 - angle) <= ulp
+    assert abs(pendulum.velocity0 - velocity) <= 4 * math.ulp(theta_max * pendulum.omega0)
+    allowed = pendulum.omega0 * (4.4e-16 * theta_max + 2e-31) + 4 * math.ulp(action)
+    assert abs(pendulum.action - action) <= allowed
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

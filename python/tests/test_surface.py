@@ -6,6 +6,8 @@ import math
 import pickle
 import subprocess
 import sys
+import weakref
+from dataclasses import is_dataclass
 from pathlib import Path
 
 import numpy as np
@@ -277,6 +279,51 @@ def test_a_pendulum_does_not_change():
             change()
     with pytest.raises(AttributeError):
         del pendulum._orbit
+
+
+MADE = [
+    Pendulum(3.0),
+    libration.Duffing(1.0, p=1.0, q=1.0),
+    libration.CubicQuintic(1.0, alpha=1.0, beta=0.0, gamma=1.0),
+    libration.DuffingForm("cn", 1.0, 0.5, p=1.0, q=1.0),
+    libration.approx.angle("fourier:3"),
+    libration.approx.angle("fourier:3").of(Pendulum(1.0)),
+    libration.approx.period("agm:2"),
+    libration.approx.sine("taylor:3"),
+    libration.approx.sine("best:3", phi_max=1.0),
+    libration.approx.numerical("rk4:0.1"),
+    libration.approx.numerical("rk4:0.1").of(Pendulum(1.0)),
+]
+
+
+@pytest.mark.parametrize("made", MADE, ids=repr)
+def test_what_does_not_change_is_one_value(made):
+    assert weakref.ref(made)() is made
+    assert weakref.WeakValueDictionary({"made": made})["made"] is made
+    for duplicate in DUPLICATES:
+        twin = duplicate(made)
+        assert (twin, hash(twin), repr(twin)) == (made, hash(made), repr(made))
+    assert [other for other in MADE if other == made] == [made]
+    assert made != object() and made != 1.0
+    assert is_dataclass(made) or all(name[0] != "_" for name in dir(made))
+    with pytest.raises(AttributeError):
+        made.new = 1
+
+
+@pytest.mark.parametrize("room", [libration, libration.elliptic, libration.approx, libration.plot, libration.papers])
+def test_dir_shows_the_public_names_and_nothing_else(room):
+    rooms = ["approx", "elliptic", "papers", "plot"] if room is libration else []
+    assert dir(room) == sorted([*room.__all__, *rooms])
+    for name in dir(room):
+        assert getattr(room, name) is not None
+
+
+def test_dir_of_an_orbit_shows_what_can_be_asked():
+    shown = dir(Pendulum(1.0))
+    assert all(name[0] != "_" for name in shown)
+    assert {"theta", "velocity0", "from_action_phase", "period", "times"} <= set(shown)
+    assert dir(libration.approx.angle) == ["names"]
+    assert "name" in dir(Named("clock"))
 
 
 def test_regime_is_its_string():

@@ -77,8 +77,10 @@ class Orbit(Immutable):
 
         Notes
         -----
-        Error promised: 4 ulp of the largest angle and velocity, plus what an ulp of the action makes of them.
-        Source: Newton's method on the action's integrals, DLMF 19.4.1, 19.4.2.
+        Error promised: 4 ulp of the largest angle and velocity, plus what an ulp of the action makes of them. Angles count
+        from theta = 0. For omega2 < 0 the bottom is at pi: there theta0 is right to an ulp of pi, 4.4e-16, and the action of
+        the orbit to omega0 (4.4e-16 theta_max + 2e-31) and 4 ulp. A narrower swing is lost. Source: Newton's method on the
+        action's integrals, DLMF 19.4.1, 19.4.2.
 
         Examples
         --------
