@@ -41,7 +41,10 @@ pub use elliptic::{
 };
 pub use lanes::InstructionSet;
 pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
-pub use pendulum::{Fourier, Frequency, Jacobian, Orbit, Regime, Sensitivity, advance, advance_into};
+pub use pendulum::{
+    Extremes, Fourier, Frequency, Hessians, Jacobian, Orbit, Regime, Sensitivity, Turns, advance,
+    advance_into,
+};
 
 /// Version of the core, and of everything built on it.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

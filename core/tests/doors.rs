@@ -3,7 +3,7 @@
 use crate::on_every_set;
 use crate::ruler::{bits, same};
 use libration::InstructionSet;
-use libration::pendulum::states;
+use libration::pendulum;
 use libration::{Frequency, Jacobi, Orbit, Parameter, advance, advance_into};
 
 /// Starts in every regime, on both sides of kappa^2 = 1/2, in turns, upside down and without force.
@@ -102,7 +102,7 @@ fn rows_are_their_scalars_on_every_instruction_set() {
             let [theta0, velocity0, t, omega0] = columns;
             let [mut a, mut b, mut c, mut d] = [(); 4].map(|()| vec![7.0; rows.len()]);
             advance_into(columns, [&mut a, &mut b]);
-            states::motion_into([t, theta0, velocity0, omega0], [&mut c, &mut d]);
+            pendulum::motion_into([t, theta0, velocity0, omega0], [&mut c, &mut d]);
             for (i, &[theta0, velocity0, t, omega0]) in rows.iter().enumerate() {
                 let frequency = Frequency::from_omega0(omega0);
                 let step = frequency.map_or((f64::NAN, f64::NAN), |f| advance(theta0, velocity0, t, f));
@@ -139,7 +139,7 @@ fn the_set_up_is_the_same_on_every_instruction_set() {
 }
 
 #[test]
-#[should_panic(expected = "another length")]
+#[should_panic(expected = "different lengths")]
 fn lengths_must_agree() {
     let orbit = Orbit::new(1.0, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
     orbit.theta_into(&[0.0, 1.0], &mut [0.0]);

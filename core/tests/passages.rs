@@ -1,6 +1,6 @@
 //! Passages: the angle at each is the angle asked for, and none is missing.
 
-use libration::{Frequency, Orbit, Regime};
+use libration::{Extremes, Frequency, Orbit, Regime, Turns};
 use std::f64::consts::{PI, TAU};
 
 use crate::ruler::ulp;
@@ -24,12 +24,12 @@ fn unit() -> Frequency {
 
 /// What the angle at t lacks to the one asked for, in the unit of the promise.
 fn error(orbit: &Orbit, theta: f64, t: f64) -> f64 {
-    let (turns, angle) = orbit.turns(t);
+    let Turns { count, angle } = orbit.turns(t);
     let found = if orbit.regime() == Regime::Libration {
         let difference = angle - theta;
         if difference.abs() < PI { difference } else { difference - TAU * (difference / TAU).round() }
     } else {
-        (TAU * (turns as f64) - theta) + angle
+        (TAU * (count as f64) - theta) + angle
     };
     let scale = if orbit.regime() == Regime::Libration { orbit.theta_max() } else { theta.abs().max(PI) };
     found.abs() / (4.0 * ulp(scale.max(theta.abs())) + orbit.velocity(t).abs() * ulp(t))
@@ -95,7 +95,7 @@ fn turning_points_count_once() {
         if orbit.regime() != Regime::Libration {
             continue;
         }
-        let (lowest, highest) = orbit.extremes();
+        let Extremes { lowest, highest } = orbit.extremes();
         assert_eq!(highest, orbit.theta_max());
         let period = orbit.period();
         let (start, stop) = (-3.25 * period, 3.25 * period);
@@ -241,7 +241,7 @@ fn turning_points_next_to_the_start() {
 fn extremes_next_to_the_top() {
     for theta0 in [1e-17, 1e-30, 1e-200, -1e-40, 0.1, -3.0] {
         let orbit = Orbit::new(theta0, 0.0, Frequency::from_omega2(-1.0).unwrap()).unwrap();
-        let (lowest, highest) = orbit.extremes();
+        let Extremes { lowest, highest } = orbit.extremes();
         let near = if theta0 > 0.0 { lowest } else { highest };
         assert_eq!(near, theta0);
         assert!((highest - lowest - 2.0 * orbit.theta_max()).abs() < 1e-15);

@@ -46,7 +46,7 @@ fn frequency(row: &Row, corners: bool) -> Frequency {
 fn scales(row: &Row, orbit: &Orbit) -> (f64, f64) {
     let theta_max = row.hex("theta_max_hi");
     let kappa = if theta_max.is_nan() { row.hex("energy_ratio_hi").sqrt() } else { (theta_max / 2.0).sin() };
-    let turn = (orbit.turns(0.0).0 as f64 * std::f64::consts::TAU).abs();
+    let turn = (orbit.turns(0.0).count as f64 * std::f64::consts::TAU).abs();
     let theta = if row.text("regime") == "libration" { theta_max + turn } else { std::f64::consts::PI };
     (theta, 2.0 * orbit.omega0() * kappa)
 }
@@ -177,7 +177,7 @@ fn spoiled_siblings_are_found() {
     // Five ulps too high, a wrong sign, a turn lost, NaN for an answer, a period in plain double.
     assert!(worst(&|orbit, t| (orbit.theta(t) * (1.0 + 5.0 * f64::EPSILON), orbit.velocity(t))) > 4.0);
     assert!(worst(&|orbit, t| (orbit.theta(t), -orbit.velocity(t))) > 4.0);
-    assert!(worst(&|orbit, t| (orbit.turns(t).1, orbit.velocity(t))) > 4.0);
+    assert!(worst(&|orbit, t| (orbit.turns(t).angle, orbit.velocity(t))) > 4.0);
     assert!(worst(&|orbit, t| (orbit.theta(t), if t > 1e6 { f64::NAN } else { orbit.velocity(t) })) > 4.0);
     assert!(worst(&|orbit, t| orbit.motion(t.rem_euclid(orbit.period()))) > 4.0);
     // One ulp more, everywhere: the median sees it.

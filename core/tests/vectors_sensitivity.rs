@@ -36,7 +36,7 @@ fn worst(rows: &[Row], values: impl Fn(&Orbit, f64) -> Jacobian) -> f64 {
         let omega2 = row.hex("omega2");
         let (theta0, velocity0, t) = (row.hex("theta0"), row.hex("velocity0"), row.hex("t"));
         let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
-        let got = values(&orbit, t);
+        let got = values(&orbit, t).rows();
         let omega0 = orbit.omega0();
         let kappa = orbit.energy_ratio().sqrt();
         // The largest angle of a libration; in rotation and on the separatrix there is none, and half a turn stands for it.
@@ -89,10 +89,10 @@ fn spoiled_derivatives_are_found() {
             slopes
         })
     };
-    assert!(spoiled(|slopes| slopes[0][0] *= 1.0 + 2e-12) > BOUND);
-    assert!(spoiled(|slopes| slopes[1][2] *= 1.0 + 2e-12) > BOUND);
-    assert!(spoiled(|slopes| slopes[0][1] = -slopes[0][1]) > BOUND);
-    assert!(spoiled(|slopes| slopes[1][1] = slopes[1][1].min(f64::MAX)) > BOUND);
+    assert!(spoiled(|slopes| slopes.theta[0] *= 1.0 + 2e-12) > BOUND);
+    assert!(spoiled(|slopes| slopes.velocity[2] *= 1.0 + 2e-12) > BOUND);
+    assert!(spoiled(|slopes| slopes.theta[1] = -slopes.theta[1]) > BOUND);
+    assert!(spoiled(|slopes| slopes.velocity[1] = slopes.velocity[1].min(f64::MAX)) > BOUND);
 }
 
 /// The flow keeps areas: the determinant by angle and velocity is 1, to 1e-13 of its two products.
@@ -101,7 +101,7 @@ fn the_wronskian_is_one() {
     for row in rows(PENDULUM, 1998) {
         let force = Frequency::from_omega2(row.hex("omega2")).unwrap();
         let orbit = Orbit::new(row.hex("theta0"), row.hex("velocity0"), force).unwrap();
-        let [[a, b, _], [c, d, _]] = Sensitivity::new(&orbit).at(row.hex("t"));
+        let [[a, b, _], [c, d, _]] = Sensitivity::new(&orbit).at(row.hex("t")).rows();
         let largest = (a * d).abs() + (b * c).abs();
         if largest.is_finite() {
             assert!(
@@ -127,9 +127,9 @@ fn parts_compose() {
         }
         let (first, second) = (4.0 * (part * 91.0).sin(), 3.0 * (part * 29.0).cos());
         let (theta, velocity) = orbit.motion(first);
-        let early = Sensitivity::new(&orbit).at(first);
-        let late = Sensitivity::new(&Orbit::new(theta, velocity, force).unwrap()).at(second);
-        let whole = Sensitivity::new(&orbit).at(first + second);
+        let early = Sensitivity::new(&orbit).at(first).rows();
+        let late = Sensitivity::new(&Orbit::new(theta, velocity, force).unwrap()).at(second).rows();
+        let whole = Sensitivity::new(&orbit).at(first + second).rows();
         for row in 0..2 {
             for column in 0..3 {
                 let own = if column == 2 { late[row][2] } else { 0.0 };
@@ -152,9 +152,9 @@ fn parts_compose() {
 fn corners() {
     let at = |theta0, velocity0, omega2, t| {
         let force = Frequency::from_omega2(omega2).unwrap();
-        Sensitivity::new(&Orbit::new(theta0, velocity0, force).unwrap()).at(t)
+        Sensitivity::new(&Orbit::new(theta0, velocity0, force).unwrap()).at(t).rows()
     };
-    let close = |got: Jacobian, expected: Jacobian| {
+    let close = |got: [[f64; 3]; 2], expected: [[f64; 3]; 2]| {
         for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
             assert!((got - expected).abs() <= 1e-15 * expected.abs().max(1e-3), "{got} {expected}");
         }
@@ -215,7 +215,7 @@ fn slices_are_their_scalars() {
                 let [a, b, c, d, e, f] = &mut columns[..] else { unreachable!() };
                 sensitivity.at_into(&times, [a, b, c, d, e, f]);
                 for (row, t) in times.iter().enumerate() {
-                    for (column, slope) in columns.iter().zip(sensitivity.at(*t).as_flattened()) {
+                    for (column, slope) in columns.iter().zip(sensitivity.at(*t).rows().as_flattened()) {
                         assert_eq!(bits(column[row]), bits(*slope), "{theta0} {velocity0} {t}");
                     }
                 }

@@ -5,8 +5,8 @@
 
 use libration::pendulum::action::state_of;
 use libration::pendulum::fourier::harmonic_distortion;
-use libration::pendulum::states;
-use libration::{Frequency, Orbit, Sensitivity};
+use libration::pendulum;
+use libration::{Frequency, Orbit, Sensitivity, Turns};
 use pyo3::prelude::*;
 
 use crate::elliptic;
@@ -24,7 +24,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "orbit_theta", orbit, whole::<[f64; 1], _>(theta))?;
     add(module, "orbit_velocity", orbit, whole::<[f64; 1], _>(velocity))?;
     add(module, "orbit_motion", orbit, whole::<[f64; 2], _>(motion))?;
-    add(module, "turns", orbit, each(|orbit: &Orbit, [t]| orbit.turns(t)))?;
+    add(module, "turns", orbit, each(turns))?;
     add(module, "orbit_phase", orbit, each(|orbit: &Orbit, [t]| [orbit.phase(t)]))?;
     add(
         module,
@@ -79,15 +79,15 @@ pub fn nothing([]: [f64; 0]) -> Option<()> {
 }
 
 fn state_theta((): &(), operands: [&[f64]; 4], rows: usize, [theta]: &mut Column) {
-    states::motion_into(operands, [&mut theta[..rows], &mut [0.0; BLOCK][..rows]]);
+    pendulum::motion_into(operands, [&mut theta[..rows], &mut [0.0; BLOCK][..rows]]);
 }
 
 fn state_velocity((): &(), operands: [&[f64]; 4], rows: usize, [velocity]: &mut Column) {
-    states::motion_into(operands, [&mut [0.0; BLOCK][..rows], &mut velocity[..rows]]);
+    pendulum::motion_into(operands, [&mut [0.0; BLOCK][..rows], &mut velocity[..rows]]);
 }
 
 fn state_motion((): &(), operands: [&[f64]; 4], rows: usize, columns: &mut Columns) {
-    states::motion_into(operands, columns.each_mut().map(|column| &mut column[..rows]));
+    pendulum::motion_into(operands, columns.each_mut().map(|column| &mut column[..rows]));
 }
 
 fn advance((): &(), states: [&[f64]; 4], rows: usize, columns: &mut Columns) {
@@ -104,6 +104,12 @@ fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
     Orbit::new(theta, velocity, frequency([omega0])?).ok()
 }
 
+/// Whole turns and the rest of the angle.
+fn turns(orbit: &Orbit, [t]: [f64; 1]) -> (i64, f64) {
+    let Turns { count, angle } = orbit.turns(t);
+    (count, angle)
+}
+
 /// Row by row of the matrix.
 fn slopes(of: &Sensitivity, [t]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 6]) {
     of.at_into(t, columns.each_mut().map(|column| &mut column[..rows]));
@@ -112,7 +118,7 @@ fn slopes(of: &Sensitivity, [t]: [&[f64]; 1], rows: usize, columns: &mut [[f64; 
 /// The upper halves of the symmetric matrices, row by row.
 fn second_slopes(orbit: &Orbit, [t]: [f64; 1]) -> [f64; 12] {
     let [angle, velocity] =
-        orbit.second_sensitivities(t).map(|[[a, b, c], [_, d, e], [_, _, f]]| [a, b, c, d, e, f]);
+        orbit.second_sensitivities(t).matrices().map(|[[a, b, c], [_, d, e], [_, _, f]]| [a, b, c, d, e, f]);
     let mut halves = [0.0; 12];
     halves[..6].copy_from_slice(&angle);
     halves[6..].copy_from_slice(&velocity);

@@ -1,6 +1,6 @@
 //! One orbit as a Python object: built strictly, answering one instant per call without NumPy's machinery.
 
-use libration::{Domain, Fourier, Frequency};
+use libration::{Domain, Extremes, Fourier, Frequency, Turns};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -58,8 +58,8 @@ impl Orbit {
 
     /// Whole turns, a NumPy int64, and the angle in [-pi, pi) at the time `t`.
     fn turns<'py>(&self, py: Python<'py>, t: f64) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        let (turns, angle) = self.orbit.turns(t);
-        Ok((int64(py, turns)?, float64(py, angle)?))
+        let Turns { count, angle } = self.orbit.turns(t);
+        Ok((int64(py, count)?, float64(py, angle)?))
     }
 
     /// Phase at the time `t`, a NumPy float64.
@@ -117,7 +117,8 @@ impl Orbit {
     /// Lowest and highest angle.
     #[getter]
     fn extremes(&self) -> (f64, f64) {
-        self.orbit.extremes()
+        let Extremes { lowest, highest } = self.orbit.extremes();
+        (lowest, highest)
     }
 
     /// Action.

@@ -11,7 +11,7 @@ use super::angle_small::{Bounded, Secular};
 use super::angle_taylor::Polynomial;
 use super::entry::{Entry, Named};
 use crate::domain::Domain;
-use crate::pendulum::orbit::Course;
+use crate::pendulum::orbit::Solution;
 use crate::pendulum::{Orbit, Regime};
 
 /// A formula for the angle over time, found by its name.
@@ -117,28 +117,28 @@ impl AngleFormula {
     pub fn of(&self, orbit: &Orbit) -> Result<AngleApproximation, Domain> {
         self.refuse(orbit)?;
         let order = self.named.order;
-        let shape = match (&orbit.course, self.kind) {
-            (Course::Still, _) => Shape::Exact,
+        let shape = match (&orbit.solution, self.kind) {
+            (Solution::Equilibrium, _) => Shape::Exact,
             (_, Kind::Linear) => Shape::Linear(Linear::new(orbit)),
-            (Course::Free, Kind::SmallM) => {
+            (Solution::ForceFree, Kind::SmallM) => {
                 let allowed = "large beside the velocity for small-m";
                 return Err(Domain::new("omega0", format!("{:?}", orbit.omega0()), allowed));
             }
-            (Course::Free, kind) if orbit.force.root().is_none() || kind == Kind::FourierTheta => {
+            (Solution::ForceFree, kind) if orbit.force.root().is_none() || kind == Kind::FourierTheta => {
                 Shape::Exact
             }
             (_, Kind::Cubic) => Shape::Model(SineModel::cubic(orbit)?),
             (_, Kind::CubicQuintic) => Shape::Model(SineModel::cubic_quintic(orbit)?),
             (_, Kind::Taylor) => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
             (_, Kind::SmallM) => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
-            (Course::Libration(e), Kind::SmallMBounded) => {
+            (Solution::Libration(e), Kind::SmallMBounded) => {
                 Bounded::new(orbit, e).map_or(Shape::Exact, Shape::Bounded)
             }
-            (Course::Libration(e), Kind::Trigonometric) => {
+            (Solution::Libration(e), Kind::Trigonometric) => {
                 Trigonometric::new(orbit, e).map_or(Shape::Exact, Shape::Trigonometric)
             }
-            (Course::Libration(_), Kind::Harmonic) => Shape::Harmonic(Harmonic::new(orbit)),
-            (Course::Libration(_), Kind::Fourier) => Shape::Arcsine(Arcsine::new(orbit, order)),
+            (Solution::Libration(_), Kind::Harmonic) => Shape::Harmonic(Harmonic::new(orbit)),
+            (Solution::Libration(_), Kind::Fourier) => Shape::Arcsine(Arcsine::new(orbit, order)),
             (_, Kind::FourierTheta) => Shape::Series(Series::new(orbit, order)),
             // Other courses of these are refused above.
             (_, Kind::Harmonic | Kind::Fourier | Kind::Trigonometric | Kind::SmallMBounded) => {

@@ -11,7 +11,8 @@ use crate::float::exponent::{exp2, ldexp};
 use crate::float::{Dd, PI, Scaled, Td};
 use crate::oscillator::{CubicQuintic, Duffing};
 use crate::pendulum::Orbit;
-use crate::pendulum::orbit::{Elliptic, carried};
+use crate::pendulum::orbit::carried;
+use crate::pendulum::theta_quotients::Elliptic;
 
 /// theta0 cos(omega0 t) + velocity0/omega0 sin(omega0 t).
 #[derive(Clone, Debug)]

@@ -42,9 +42,9 @@ pub(super) fn framed(orbit: &Orbit, canonical: Scaled) -> f64 {
 
 /// The turning angle of a libration, to all digits of a double-double.
 pub(super) fn turning_angle(orbit: &Orbit) -> Scaled {
-    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
-        Ok(State { k, power, .. }) if power != 0 => Scaled::new(k, power + 1),
-        Ok(State { k, kc, .. }) => Scaled::new(series::angle(k.into(), kc.into()).to_dd(), 1),
-        Err(_) => Scaled::ZERO,
+    match orbit.state {
+        Some(State { k, power, .. }) if power != 0 => Scaled::new(k, power + 1),
+        Some(State { k, kc, .. }) => Scaled::new(series::angle(k.into(), kc.into()).to_dd(), 1),
+        None => Scaled::ZERO,
     }
 }

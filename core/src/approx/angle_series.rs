@@ -13,8 +13,9 @@ use crate::float::elementary::arctangent;
 use crate::float::scaled::exp;
 use crate::float::{Dd, HALF_PI, Scaled, TWO_PI};
 use crate::pendulum::Orbit;
-use crate::pendulum::orbit::{Course, Elliptic};
+use crate::pendulum::orbit::Solution;
 use crate::pendulum::state::State;
+use crate::pendulum::theta_quotients::Elliptic;
 
 /// The elliptic orbit, in libration or rotation, and the point of its phase: whole half periods, rest, sine and cosine.
 struct Point<'a> {
@@ -27,9 +28,9 @@ struct Point<'a> {
 
 impl Point<'_> {
     fn new(orbit: &Orbit, t: f64) -> Option<Point<'_>> {
-        let (elliptic, turn) = match &orbit.course {
-            Course::Libration(elliptic) => (elliptic, 1.0),
-            Course::Rotation(elliptic) => (elliptic, 2.0),
+        let (elliptic, turn) = match &orbit.solution {
+            Solution::Libration(elliptic) => (elliptic, 1.0),
+            Solution::Rotation(elliptic) => (elliptic, 2.0),
             _ => return None,
         };
         let (n, f) = elliptic.phase.count(t * orbit.time_scale, LAST_HALF_PERIOD / turn);
@@ -127,9 +128,9 @@ fn decay(orbit: &Orbit) -> (Scaled, u32) {
     if let Some((decay, step)) = orbit.decay() {
         return (exp(-decay), step);
     }
-    match State::new(orbit.theta0, orbit.velocity0, orbit.force) {
+    match orbit.state {
         // The nome is m/16 to all digits.
-        Ok(State { k, power, .. }) if power != 0 => (Scaled::new(k, power - 2), 2),
+        Some(State { k, power, .. }) if power != 0 => (Scaled::new(k, power - 2), 2),
         _ => (Scaled::ZERO, 2),
     }
 }
@@ -190,7 +191,7 @@ impl Series {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = Point::new(orbit, t) else { return f64::NAN };
         let mut angle = self.cut.head.at(point.sine, point.cosine);
-        if matches!(orbit.course, Course::Rotation(_)) {
+        if matches!(orbit.solution, Solution::Rotation(_)) {
             angle = Scaled::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
         }
         framed(orbit, angle)
@@ -241,8 +242,8 @@ impl Arcsine {
     pub fn new(orbit: &Orbit, order: u32) -> Arcsine {
         let (r, step) = decay(orbit);
         let ratio = power(r, step).value();
-        let quarter = match &orbit.course {
-            Course::Libration(elliptic) => elliptic.lattice.quarter,
+        let quarter = match &orbit.solution {
+            Solution::Libration(elliptic) => elliptic.lattice.quarter,
             _ => HALF_PI,
         };
         let factor = Scaled::from(TWO_PI / quarter);

@@ -13,8 +13,8 @@ use crate::float::elementary::arctangent;
 use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, Scaled};
 use crate::pendulum::Orbit;
-use crate::pendulum::orbit::Elliptic;
 use crate::pendulum::state::{Frame, State};
+use crate::pendulum::theta_quotients::Elliptic;
 
 /// The start in units of omega0 = 1, with the velocity upwards: s and x are over 2^power.
 #[derive(Clone, Debug)]
@@ -29,8 +29,7 @@ struct Start {
 
 impl Start {
     fn new(orbit: &Orbit) -> Option<Start> {
-        let State { s, c, x, m, power, frame, .. } =
-            State::new(orbit.theta0, orbit.velocity0, orbit.force).ok()?;
+        let State { s, c, x, m, power, frame, .. } = orbit.state?;
         Some(Start { s, c, x, m: m.ldexp(2 * power), power, frame })
     }
 

@@ -8,7 +8,7 @@
 //! Source: Landau & Lifshitz, Mechanics, sections 11, 49; DLMF 19.4.1, 19.4.2.
 
 use super::frequency::Frequency;
-use super::orbit::{Course, Orbit};
+use super::orbit::{Orbit, Solution};
 use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd, complete_k_dd};
@@ -27,15 +27,14 @@ impl Orbit {
     ///
     /// **Error** at most 4 ulp, plus 2^-100 of its condition.
     pub fn action(&self) -> f64 {
-        let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else {
-            return if matches!(self.course, Course::Free) { self.velocity0.abs() } else { 0.0 };
+        let Some(State { k, m, mc, power, omega, omega_power, .. }) = self.state else {
+            return self.velocity0.abs();
         };
-        let State { k, m, mc, power, omega, omega_power, .. } = state;
-        let (ratio, more) = match self.course {
+        let (ratio, more) = match self.solution {
             // E - (1 - m) K = pi m/4 (1 + m/8 + ...), and m is too small here for the second term to count.
-            Course::Libration(_) if power != 0 => (m * PI.scale(0.25), 2 * power),
-            Course::Libration(_) => (complete_difference_dd(Parameter::new(m, mc)), 0),
-            Course::Rotation(_) => {
+            Solution::Libration(_) if power != 0 => (m * PI.scale(0.25), 2 * power),
+            Solution::Libration(_) => (complete_difference_dd(Parameter::new(m, mc)), 0),
+            Solution::Rotation(_) => {
                 let inner = Parameter::new(Dd::ONE / m, -mc / m);
                 ((k * complete_e_dd(inner)).scale(0.5), 0)
             }
@@ -54,14 +53,14 @@ impl Orbit {
 
     /// [`Orbit::frequency`] in more digits and beyond the range.
     pub(super) fn mean_frequency(&self) -> Scaled {
-        match &self.course {
-            Course::Libration(elliptic) => Scaled::from(elliptic.phase.rate * PI) * self.time_scale,
-            Course::Rotation(elliptic) => {
+        match &self.solution {
+            Solution::Libration(elliptic) => Scaled::from(elliptic.phase.rate * PI) * self.time_scale,
+            Solution::Rotation(elliptic) => {
                 Scaled::from(elliptic.phase.rate * TWO_PI) * (self.time_scale * self.frame.side)
             }
-            Course::Free => Scaled::from(self.velocity0),
-            Course::Still if self.period().is_finite() => Scaled::from(self.omega0()),
-            Course::Still | Course::Separatrix(..) => Scaled::ZERO,
+            Solution::ForceFree => Scaled::from(self.velocity0),
+            Solution::Equilibrium if self.period().is_finite() => Scaled::from(self.omega0()),
+            Solution::Equilibrium | Solution::Separatrix(_) => Scaled::ZERO,
         }
     }
 
@@ -72,8 +71,8 @@ impl Orbit {
     /// **Error** at most 4 ulp of the larger of the phase and pi.
     pub fn phase(&self, t: f64) -> f64 {
         let (frame, passed) = (&self.frame, t * self.time_scale);
-        match &self.course {
-            Course::Libration(elliptic) => {
+        match &self.solution {
+            Solution::Libration(elliptic) => {
                 let start = elliptic.phase.start;
                 let start = match (frame.side < 0.0, start.hi > 0.0) {
                     (false, _) => start,
@@ -82,14 +81,14 @@ impl Orbit {
                 };
                 ((elliptic.phase.rate * passed + start) * PI).value()
             }
-            Course::Rotation(elliptic) => {
+            Solution::Rotation(elliptic) => {
                 let turned = (elliptic.phase.rate * passed + elliptic.phase.start) * TWO_PI;
                 (frame.base + PI * frame.half_turn + turned * frame.side).value()
             }
-            Course::Free => (Dd::product(self.velocity0, t) + Dd::from(self.theta0)).value(),
-            Course::Still if t.is_finite() && self.period().is_finite() => self.omega0() * t,
-            Course::Still => 0.0 * t,
-            Course::Separatrix(..) => f64::NAN,
+            Solution::ForceFree => self.theta(t),
+            Solution::Equilibrium if t.is_finite() && self.period().is_finite() => self.omega0() * t,
+            Solution::Equilibrium => 0.0 * t,
+            Solution::Separatrix(_) => f64::NAN,
         }
     }
 

@@ -1,11 +1,11 @@
-//! The flow over lanes, every row a state of its own: the state a time later by the addition theorem, without the
-//! phase of the start.
+//! The state a time later by the addition theorem, over lanes and without the phase of the start: every row may have a
+//! state of its own.
 //!
 //! With s, c = sine and cosine of theta/2, x = velocity/2 omega0 and S, C, D = sn, cn, dn(omega0 dt | m),
 //!   g = c^2 + s^2 C,  h = s c (1 - C),  d = g^2 + h^2 = D^2 + x^2 S^2 = c^2 + s^2 C^2,
 //!   theta' = theta + 2 atan2(x S g - D h, D g + x S h),  x' = (x C - s c S D)/d
 //! in every regime: the half angle turns by atan2(x S, D) - atan2(h, g), which is continuous in dt. In rotation
-//! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted apart. S, C, D may share a factor.
+//! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted separately. S, C, D may share a factor.
 //! Source: Salas 2019 (23) by DLMF 22.8, formulas for the increment in place of the angle: docs/decisions/0010.
 
 use crate::elliptic::phase::{alternating, turned};
@@ -17,11 +17,11 @@ use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI, TWO_PI, series};
 use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 
-/// Beyond so many half periods times 1 - m a row is left apart: what double-doubles lose of the period next to the
+/// Beyond so many half periods times 1 - m a row is left to the fallback: what double-doubles lose of the period next to the
 /// separatrix adds up.
 const MANY: f64 = 1e14;
 
-/// The start of a row of one class, set up for any time after it; NaN where the row must be set apart.
+/// The start of a row of one class, set up for any time after it; NaN where the row must be left to the fallback.
 pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
     theta: L,
     velocity: L,
@@ -124,30 +124,30 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
     }
 }
 
-/// One start, many times: set up on the lanes that it is swept over.
-pub(super) struct Alike<'s, 'a, 'b, const ROTATION: bool, const HYPERBOLIC: bool> {
+/// One start, many times: set up on the lanes that it is evaluated on.
+pub(super) struct SharedState<'a, 'b, const ROTATION: bool, const HYPERBOLIC: bool> {
     pub theta: f64,
     pub velocity: f64,
-    pub omega: [f64; 2],
+    pub omega: f64,
     pub dt: &'a [f64],
-    pub results: &'s mut [&'b mut [f64]; 2],
+    pub results: [&'b mut [f64]; 2],
 }
 
-impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for Alike<'_, '_, '_, ROTATION, HYPERBOLIC> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for SharedState<'_, '_, ROTATION, HYPERBOLIC> {
     type Output = ();
     #[inline(always)]
-    fn run<L: Lane>(self) {
-        let omega = Unnormalised::new(L::splat(self.omega[0]), L::splat(self.omega[1]));
+    fn run<L: Lane>(mut self) {
+        let omega = Unnormalised::new(L::splat(self.omega), L::splat(0.0));
         let (theta, velocity) = (L::splat(self.theta), L::splat(self.velocity));
         let start = Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
-        sweep::<L, _, _, _>(&start, [self.dt], self.results)
+        sweep::<L, _, _, _>(&start, [self.dt], &mut self.results)
     }
 }
 
 /// A start of its own in every row of theta, velocity, dt, omega0; the double is what every omega0 lacks.
-pub(super) struct Own<const ROTATION: bool, const HYPERBOLIC: bool>(pub f64);
+pub(super) struct PerRow<const ROTATION: bool, const HYPERBOLIC: bool>(pub f64);
 
-impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for Own<ROTATION, HYPERBOLIC> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for PerRow<ROTATION, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
         let omega = Unnormalised::new(omega, L::splat(self.0));

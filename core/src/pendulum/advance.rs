@@ -5,7 +5,7 @@
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
 //! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
 
-use super::batch::{Rows, fill};
+use super::batch::{fill, row};
 use super::frequency::Frequency;
 use super::orbit::{Orbit, carried};
 use super::regime::Regime;
@@ -28,18 +28,10 @@ use crate::float::{Dd, PI, TWO_PI};
 /// # Ok::<(), libration::Domain>(())
 /// ```
 pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
-    let (mut next_theta, mut next_velocity) = ([f64::NAN], [f64::NAN]);
-    if let Some(omega) = frequency.downward_root() {
-        Rows {
-            arguments: [&[theta], &[velocity], &[dt], &[omega.hi]],
-            omega_rest: omega.lo,
-            results: [&mut next_theta, &mut next_velocity],
-        }
-        .run::<false>();
-    }
-    match (next_theta[0], next_velocity[0]) {
-        (theta, velocity) if !(theta.is_nan() || velocity.is_nan()) => (theta, velocity),
-        _ => careful(theta, velocity, dt, frequency),
+    let by_lanes = frequency.downward_root().and_then(|omega| row([theta, velocity, dt, omega.hi], omega.lo));
+    match by_lanes {
+        Some([theta, velocity]) if !(theta.is_nan() || velocity.is_nan()) => (theta, velocity),
+        _ => accurate(theta, velocity, dt, frequency),
     }
 }
 
@@ -48,7 +40,7 @@ pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64
 pub fn advance_into(rows: [&[f64]; 4], [theta, velocity]: [&mut [f64]; 2]) {
     fill(rows, [theta, velocity], |[theta, velocity, dt, omega0]| {
         Frequency::from_omega0(omega0)
-            .map_or((f64::NAN, f64::NAN), |frequency| careful(theta, velocity, dt, frequency))
+            .map_or((f64::NAN, f64::NAN), |frequency| accurate(theta, velocity, dt, frequency))
     });
 }
 
@@ -60,15 +52,15 @@ struct Step {
     turns: f64,
 }
 
-/// A step to double-double throughout, for the rows that the lanes leave apart.
-fn careful(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
+/// A step to double-double throughout, for the rows that the lanes leave out.
+fn accurate(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
     if !(theta.is_finite() && velocity.is_finite()) || dt.is_nan() {
         return (f64::NAN, f64::NAN);
     }
     if dt == 0.0 {
         return (theta, velocity);
     }
-    let Ok(state) = State::new(theta, velocity, frequency) else {
+    let Some(state) = State::new(theta, velocity, frequency) else {
         return Orbit::new(theta, velocity, frequency).map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(dt));
     };
     let State { s, c, x, power, frame, omega, omega_power, .. } = state;

@@ -1,16 +1,20 @@
-//! Rows with states of their own: a block of them sorted by the formula they ask for, and each class swept over lanes.
+//! Rows of (theta, velocity, time, omega0), each a state of its own: a block of them is sorted by the formula they ask
+//! for, and every class is evaluated over lanes by the addition theorem (addition_theorem.rs). Rows that the lanes leave
+//! out, next to the separatrix and at the ends of the range, are evaluated one by one.
 
-use super::addition_theorem::{Alike, Own};
+use super::addition_theorem::{PerRow, SharedState};
+use super::frequency::Frequency;
+use super::orbit::Orbit;
 use crate::elliptic::phase::alternating;
 use crate::elliptic::theta::neville_lanes::LEAST_COMPLEMENT;
 use crate::float::angle_reduction::{FAR, half_turns};
 use crate::float::elementary::sin_cos;
-use crate::lanes::{Formula, Lane, tabulate, wide};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, wide};
 
 /// The formula that a row asks for.
 mod class {
     /// None of the lanes': next to the separatrix, out of range, or not finite.
-    pub const APART: usize = 0;
+    pub const FALLBACK: usize = 0;
     /// Libration with m <= 1/2.
     pub const GENTLE_LIBRATION: usize = 1;
     /// Libration with m > 1/2.
@@ -23,8 +27,8 @@ mod class {
     pub const COUNT: usize = 5;
 }
 
-/// Amplitudes below are left apart, and so are velocities (over 2 omega0) and omega0 itself outside of what a product of
-/// two of them, with its error, can stand.
+/// Amplitudes below are left to the fallback, and so are velocities (over 2 omega0) and omega0 itself where a product of
+/// two of them, with its error, would leave the range.
 const TINY: f64 = 1e-180;
 const SMALL: f64 = 1e-100;
 const LARGE: f64 = 1e100;
@@ -49,31 +53,23 @@ impl Formula<3, 1> for Classify {
         let libration = L::select(mc.less(half), code(class::STEEP_LIBRATION), code(class::GENTLE_LIBRATION));
         let rotation =
             L::select(m.less(L::splat(2.0)), code(class::SLOW_ROTATION), code(class::FAST_ROTATION));
-        let apart = code(class::APART);
-        let found = L::select(least.less(mc), libration, L::select(mc.less(-least), rotation, apart));
+        let fallback = code(class::FALLBACK);
+        let found = L::select(least.less(mc), libration, L::select(mc.less(-least), rotation, fallback));
         // Every comparison is false for NaN.
-        let found = L::select(theta.abs().less(L::splat(FAR)), found, apart);
-        let found = L::select(x.less(L::splat(LARGE)), found, apart);
-        let found = L::select(L::splat(SMALL).less(omega), found, apart);
-        let found = L::select(omega.less(L::splat(LARGE)), found, apart);
+        let found = L::select(theta.abs().less(L::splat(FAR)), found, fallback);
+        let found = L::select(x.less(L::splat(LARGE)), found, fallback);
+        let found = L::select(L::splat(SMALL).less(omega), found, fallback);
+        let found = L::select(omega.less(L::splat(LARGE)), found, fallback);
         let amplitude = rest.hi.abs() + x;
         let still = amplitude.equal(zero);
         let tiny = L::select(still, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
-        let found = L::select(tiny, L::select(still, found, apart), found);
+        let found = L::select(tiny, L::select(still, found, fallback), found);
         [found]
     }
 }
 
 /// Rows classed at a time.
 const BLOCK: usize = 512;
-
-/// Rows of theta, velocity, dt, omega0 to rows of theta and velocity.
-pub(super) struct Rows<'a, 'b> {
-    pub arguments: [&'a [f64]; 4],
-    /// What omega0 as a double lacks, in every row.
-    pub omega_rest: f64,
-    pub results: [&'b mut [f64]; 2],
-}
 
 /// The rows of each class in a block, and their columns side by side.
 struct Sorted {
@@ -112,109 +108,124 @@ fn repeats(column: &[f64]) -> bool {
     column.iter().all(|value| value.to_bits() == column[0].to_bits())
 }
 
-impl Rows<'_, '_> {
-    /// All rows by the formula of one class; `alike` where they have one start.
-    fn sweep_class<const WIDE: bool>(
-        class: usize,
-        alike: bool,
-        omega_rest: f64,
-        arguments: [&[f64]; 4],
-        results: &mut [&mut [f64]; 2],
-    ) {
-        let [theta, velocity, dt, omega] = arguments;
-        macro_rules! flow {
-            ($rotation:literal, $hyperbolic:literal) => {{
-                if alike {
-                    let omega = [omega[0], omega_rest];
-                    let (theta, velocity) = (theta[0], velocity[0]);
-                    wide(Alike::<$rotation, $hyperbolic> { theta, velocity, omega, dt, results })
-                } else {
-                    tabulate::<WIDE, _, _, _, _>(
-                        &Own::<$rotation, $hyperbolic>(omega_rest),
-                        arguments,
-                        results,
-                    )
-                }
-            }};
-        }
-        match class {
-            class::GENTLE_LIBRATION => flow!(false, false),
-            class::STEEP_LIBRATION => flow!(false, true),
-            class::FAST_ROTATION => flow!(true, false),
-            class::SLOW_ROTATION => flow!(true, true),
-            _ => {
-                for result in results {
-                    result.fill(f64::NAN);
-                }
-            }
-        }
-    }
+/// The answer of the formula of a class; `None` for the fallback. `omega_rest` is what every omega0 as a double lacks.
+fn evaluated<E: Evaluation<4, 2>>(class: usize, omega_rest: f64, evaluation: E) -> Option<E::Output> {
+    Some(match class {
+        class::GENTLE_LIBRATION => evaluation.of(&PerRow::<false, false>(omega_rest)),
+        class::STEEP_LIBRATION => evaluation.of(&PerRow::<false, true>(omega_rest)),
+        class::FAST_ROTATION => evaluation.of(&PerRow::<true, false>(omega_rest)),
+        class::SLOW_ROTATION => evaluation.of(&PerRow::<true, true>(omega_rest)),
+        _ => return None,
+    })
+}
 
-    /// Up to a block of rows, by their classes.
-    fn block<const WIDE: bool>(omega_rest: f64, arguments: [&[f64]; 4], results: &mut [&mut [f64]; 2]) {
-        let rows = arguments[0].len();
-        let mut codes = [0.0; BLOCK];
-        let [theta, velocity, _, omega] = arguments;
-        tabulate::<WIDE, _, _, _, _>(&Classify, [theta, velocity, omega], &mut [&mut codes[..rows]]);
-        let codes = &codes[..rows];
-        if codes.iter().all(|code| *code == codes[0]) {
-            let alike = rows > ENOUGH && [theta, velocity, omega].iter().all(|column| repeats(column));
-            return Self::sweep_class::<WIDE>(codes[0] as usize, alike, omega_rest, arguments, results);
-        }
-        let mut sorted = Sorted::new(codes);
-        for (class, members) in sorted.members.iter().enumerate() {
-            let members = &members[..sorted.counts[class]];
-            for (column, argument) in sorted.arguments.iter_mut().zip(arguments) {
-                for (place, row) in column.iter_mut().zip(members) {
-                    *place = argument[usize::from(*row)];
-                }
-            }
-            let mut places = sorted.results.each_mut().map(|column| &mut column[..members.len()]);
-            let gathered = first_rows(&sorted.arguments, members.len());
-            Self::sweep_class::<WIDE>(class, false, omega_rest, gathered, &mut places);
-            for (result, column) in results.iter_mut().zip(&sorted.results) {
-                for (value, row) in column.iter().zip(members) {
-                    result[usize::from(*row)] = *value;
-                }
-            }
-        }
+/// All rows by the formula of a class that is not the fallback, from the state of the first.
+fn from_shared_state(class: usize, [theta, velocity, dt, omega]: [&[f64]; 4], results: [&mut [f64]; 2]) {
+    let (theta, velocity, omega) = (theta[0], velocity[0], omega[0]);
+    match class {
+        class::GENTLE_LIBRATION => wide(SharedState::<false, false> { theta, velocity, omega, dt, results }),
+        class::STEEP_LIBRATION => wide(SharedState::<false, true> { theta, velocity, omega, dt, results }),
+        class::FAST_ROTATION => wide(SharedState::<true, false> { theta, velocity, omega, dt, results }),
+        _ => wide(SharedState::<true, true> { theta, velocity, omega, dt, results }),
     }
+}
+
+/// One row of (theta, velocity, dt, omega0 + omega_rest), as the lanes answer it in a column; `None` for the fallback.
+pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Option<[f64; 2]> {
+    let [class] = Once([theta, velocity, omega]).of(&Classify);
+    evaluated(class as usize, omega_rest, Once([theta, velocity, dt, omega]))
 }
 
 /// More rows than a lane: a set-up in common pays.
 const ENOUGH: usize = 16;
 
-impl Rows<'_, '_> {
-    pub fn run<const WIDE: bool>(mut self) {
-        let rows = self.arguments[0].len();
-        let mut from = 0;
-        while from < rows {
-            let to = rows.min(from + BLOCK);
-            let mut arguments = self.arguments;
-            for argument in &mut arguments {
-                *argument = &argument[from..to];
+/// Up to a block of rows, by their classes; NaN for the fallback.
+fn block(arguments: [&[f64]; 4], [theta_later, velocity_later]: [&mut [f64]; 2]) {
+    let rows = arguments[0].len();
+    let mut codes = [0.0; BLOCK];
+    let [theta, velocity, _, omega] = arguments;
+    Columns::new([theta, velocity, omega], [&mut codes[..rows]]).of(&Classify);
+    let codes = &codes[..rows];
+    if codes.iter().all(|code| *code == codes[0]) {
+        let class = codes[0] as usize;
+        let results = [&mut *theta_later, &mut *velocity_later];
+        if class == class::FALLBACK {
+            results.into_iter().for_each(|result| result.fill(f64::NAN));
+        } else if rows > ENOUGH && [theta, velocity, omega].into_iter().all(repeats) {
+            from_shared_state(class, arguments, results);
+        } else {
+            evaluated(class, 0.0, Columns::new(arguments, results));
+        }
+        return;
+    }
+    let mut sorted = Sorted::new(codes);
+    for (class, members) in sorted.members.iter().enumerate() {
+        let members = &members[..sorted.counts[class]];
+        for (column, argument) in sorted.arguments.iter_mut().zip(arguments) {
+            for (place, row) in column.iter_mut().zip(members) {
+                *place = argument[usize::from(*row)];
             }
-            let mut results = self.results.each_mut().map(|result| &mut result[from..to]);
-            Self::block::<WIDE>(self.omega_rest, arguments, &mut results);
-            from = to;
+        }
+        let gathered = first_rows(&sorted.arguments, members.len());
+        let places = sorted.results.each_mut().map(|column| &mut column[..members.len()]);
+        if evaluated(class, 0.0, Columns::new(gathered, places)).is_none() {
+            for column in &mut sorted.results {
+                column[..members.len()].fill(f64::NAN);
+            }
+        }
+        for (result, column) in [&mut *theta_later, &mut *velocity_later].into_iter().zip(&sorted.results) {
+            for (value, row) in column.iter().zip(members) {
+                result[usize::from(*row)] = *value;
+            }
         }
     }
 }
 
-/// Rows of (theta, velocity, dt, omega0) to rows of theta and velocity, on the widest lanes; what the lanes leave apart is
-/// asked of `apart`, row by row. Panics where the lengths differ.
+/// Rows of (theta, velocity, dt, omega0) to rows of theta and velocity, on the widest lanes; what the lanes leave out is
+/// asked of `fallback`, row by row. Panics where the lengths differ.
 pub(super) fn fill(
     arguments: [&[f64]; 4],
     [theta, velocity]: [&mut [f64]; 2],
-    mut apart: impl FnMut([f64; 4]) -> (f64, f64),
+    mut fallback: impl FnMut([f64; 4]) -> (f64, f64),
 ) {
     let rows = arguments[0].len();
     let fits = arguments.iter().all(|column| column.len() == rows);
-    assert!(fits && theta.len() == rows && velocity.len() == rows, "rows of another length than the first");
-    Rows { arguments, omega_rest: 0.0, results: [&mut *theta, &mut *velocity] }.run::<true>();
+    assert!(fits && theta.len() == rows && velocity.len() == rows, "columns of different lengths");
+    let mut from = 0;
+    while from < rows {
+        let to = rows.min(from + BLOCK);
+        let arguments = arguments.map(|argument| &argument[from..to]);
+        block(arguments, [&mut theta[from..to], &mut velocity[from..to]]);
+        from = to;
+    }
     for row in 0..rows {
         if theta[row].is_nan() || velocity[row].is_nan() {
-            (theta[row], velocity[row]) = apart(arguments.map(|column| column[row]));
+            (theta[row], velocity[row]) = fallback(arguments.map(|column| column[row]));
         }
     }
+}
+
+/// Angle and velocity of rows of (t, theta0, velocity0, omega0): every row an orbit of its own.
+///
+/// NaN where an argument is out of the domain of [`Orbit`]; panics where the lengths differ. Next to the separatrix and
+/// at the ends of the range by an [`Orbit`] of the row, kept while the state repeats. **Error** at most 8 ulp of the
+/// largest angle and velocity of the orbit. Source: Salas 2019 (23) by DLMF 22.8.
+///
+/// ```
+/// let (mut theta, mut velocity) = ([0.0; 2], [0.0; 2]);
+/// let rows = [&[2.0, 2.0], &[1.0, 3.0], &[0.0, 0.0], &[1.0, 1.0]].map(|column| column.as_slice());
+/// libration::pendulum::motion_into(rows, [&mut theta, &mut velocity]);
+/// assert_eq!(format!("{:.9} {:.9}", theta[0], velocity[1]), "-0.306200958 -0.502884034");
+/// ```
+pub fn motion_into([t, theta0, velocity0, omega0]: [&[f64]; 4], results: [&mut [f64]; 2]) {
+    let mut kept: Option<([u64; 3], Option<Orbit>)> = None;
+    fill([theta0, velocity0, t, omega0], results, |[theta, velocity, t, omega0]| {
+        let key = [theta, velocity, omega0].map(f64::to_bits);
+        if kept.as_ref().is_none_or(|(last, _)| *last != key) {
+            let frequency = Frequency::from_omega0(omega0).ok();
+            kept = Some((key, frequency.and_then(|frequency| Orbit::new(theta, velocity, frequency).ok())));
+        }
+        let orbit = kept.as_ref().and_then(|(_, orbit)| orbit.as_ref());
+        orbit.map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t))
+    });
 }

@@ -7,7 +7,7 @@
 //! arXiv:2504.16816.
 
 use super::frequency::Frequency;
-use super::orbit::{Course, Orbit};
+use super::orbit::{Orbit, Solution};
 use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
@@ -64,10 +64,10 @@ impl Orbit {
     /// pi K'/2K of a libration and pi K'/K of a rotation, of its inner parameter, where the motion has a series that is not
     /// a straight line or a single term; and which harmonics it has, every second one or all.
     pub(crate) fn decay(&self) -> Option<(Dd, u32)> {
-        let State { k, kc, power, .. } = State::new(self.theta0, self.velocity0, self.force).ok()?;
-        match self.course {
-            Course::Libration(_) if power == 0 => Some((HALF_PI * agm(kc) / agm(k), 2)),
-            Course::Rotation(_) => Some((PI * agm(kc / k) / agm(Dd::ONE / k), 1)),
+        let State { k, kc, power, .. } = self.state?;
+        match self.solution {
+            Solution::Libration(_) if power == 0 => Some((HALF_PI * agm(kc) / agm(k), 2)),
+            Solution::Rotation(_) => Some((PI * agm(kc / k) / agm(Dd::ONE / k), 1)),
             _ => None,
         }
     }
@@ -106,8 +106,8 @@ impl Orbit {
             }
             return Ok(Fourier { theta, velocity });
         }
-        match self.course {
-            Course::Libration(_) => {
+        match self.solution {
+            Solution::Libration(_) => {
                 // Of a swing of next to nothing a_3 = theta_max^3/192 is the last that a double may hold.
                 let first = Scaled::from(self.theta_max());
                 put(1, first);
@@ -115,7 +115,7 @@ impl Orbit {
                     put(3, first * self.tiny_distortion());
                 }
             }
-            Course::Separatrix(..) => {
+            Solution::Separatrix(_) => {
                 theta.fill(f64::NAN);
                 velocity.fill(f64::NAN);
             }
@@ -135,9 +135,9 @@ impl Orbit {
     /// **Error** at most 4 ulp, plus 2^-100 of its condition.
     pub fn distortion(&self) -> f64 {
         let Some(series) = self.series() else {
-            return match self.course {
-                Course::Libration(_) => self.tiny_distortion(),
-                Course::Separatrix(..) => f64::NAN,
+            return match self.solution {
+                Solution::Libration(_) => self.tiny_distortion(),
+                Solution::Separatrix(_) => f64::NAN,
                 _ => 0.0,
             };
         };

@@ -1,69 +1,116 @@
-//! Half a period of a libration, or a turn of a rotation, as polynomials (elliptic/arc.rs): no sine, no arctangent.
+//! Half a period of a libration, or a turn of a rotation, as polynomials (motion/interpolant.rs): no sine, no arctangent.
 //!
 //! With f in [-1/2, 1/2] half periods from the bottom and x = f^2,
 //!   angle = f P,  velocity = (1/4 - x) R in libration and R in rotation.
-//! The nearest pole of both is f = i K'/2K.
+//! The nearest pole of both is f = i K'/2K. Method: docs/decisions/0011.
 
-use super::orbit::Elliptic;
-use super::theta_quotients::{speed, tangent};
+use super::canonical::{Canonical, CanonicalMotion, last_count, turns_and_sign};
+use super::theta_quotients::{Elliptic, speed, tangent};
+use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
-use crate::float::elementary::arctangent;
+use crate::float::elementary::{arctangent, quotient};
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::Lane;
-use crate::motion::interpolant::{self, EvenFunctions, Node, rounded_product, to_ends};
+use crate::motion::interpolant::{ConformalMap, EvenFunctions, Interpolant, Node, rounded_product, to_ends};
+use std::sync::OnceLock;
 
-pub(crate) use crate::motion::interpolant::ConformalMap;
-
-/// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to keep its digits.
+/// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to be accurate.
 const MOST_OF_VELOCITY: usize = 24;
 
 /// The polynomials of one orbit: of its angle and of its velocity.
 #[derive(Clone, Debug)]
-pub(crate) struct OrbitInterpolant(interpolant::Interpolant);
+pub(super) struct OrbitInterpolant(Interpolant);
+
+/// The polynomials of an orbit where they serve, made when the first sample is asked for.
+#[derive(Clone, Debug)]
+pub(super) struct LazyInterpolant {
+    map: Option<ConformalMap>,
+    made: OnceLock<OrbitInterpolant>,
+}
+
+impl LazyInterpolant {
+    /// For a motion that no polynomials serve.
+    pub fn none() -> Self {
+        LazyInterpolant { map: None, made: OnceLock::new() }
+    }
+
+    /// For functions of this lattice, if few enough terms serve.
+    pub fn of(lattice: &NevilleTheta) -> Self {
+        LazyInterpolant { map: ConformalMap::of(lattice), made: OnceLock::new() }
+    }
+
+    /// The polynomials of the orbit that it was made for.
+    #[inline]
+    pub fn get<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&OrbitInterpolant> {
+        let map = self.map?;
+        Some(self.made.get_or_init(|| OrbitInterpolant::new::<ROTATION>(elliptic, map)))
+    }
+}
 
 impl OrbitInterpolant {
-    /// Of an orbit and its layout.
-    pub fn new<const ROTATION: bool>(elliptic: &Elliptic, layout: ConformalMap) -> OrbitInterpolant {
+    fn new<const ROTATION: bool>(elliptic: &Elliptic, map: ConformalMap) -> OrbitInterpolant {
         OrbitInterpolant(if elliptic.lattice.hyperbolic() {
-            interpolant::Interpolant::new(layout, &Motion::<ROTATION, true>(elliptic))
+            Interpolant::new(map, &EvenParts::<ROTATION, true>(elliptic))
         } else {
-            interpolant::Interpolant::new(layout, &Motion::<ROTATION, false>(elliptic))
+            Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic))
         })
     }
 
-    /// Whether the velocity is good as well.
+    /// Whether the velocity is accurate as well.
     #[inline(always)]
-    pub fn has_velocity(&self) -> bool {
+    fn has_velocity(&self) -> bool {
         self.0.count() <= MOST_OF_VELOCITY
     }
 
-    /// The angle.
     #[inline(always)]
-    pub fn angle<L: Lane>(&self, f: Dd<L>) -> Dd<L> {
+    fn angle<L: Lane>(&self, f: Dd<L>) -> Dd<L> {
         let Unnormalised { hi, lo } = self.0.first(f) * f.into();
         Dd::new(hi, lo)
     }
 
-    /// The velocity.
     #[inline(always)]
-    pub fn velocity<const ROTATION: bool, L: Lane>(&self, f: Dd<L>) -> L {
+    fn velocity<const ROTATION: bool, L: Lane>(&self, f: Dd<L>) -> L {
         let velocity = self.0.second(f);
         if ROTATION { velocity.hi + velocity.lo } else { rounded_product(velocity, to_ends(f)) }
     }
 }
 
 /// P and R on one side of the theta functions.
-struct Motion<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Elliptic);
+struct EvenParts<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Elliptic);
 
-impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for Motion<'_, ROTATION, HYPERBOLIC> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for EvenParts<'_, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, Node { f, to_ends }: Node<L>) -> [Unnormalised<L>; 2] {
-        let Motion(elliptic) = self;
+        let EvenParts(elliptic) = self;
         let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.tight());
         let [opposite, adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
         let angle = Unnormalised::from(arctangent(opposite, adjacent)).scale(L::splat(2.0)).over(f);
         let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
         let velocity = Unnormalised::from(numerator).over(Unnormalised::from(denominator));
         [angle, if ROTATION { velocity } else { velocity.over(to_ends) }]
+    }
+}
+
+/// A libration or a rotation that is not next to the separatrix, by polynomials.
+pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a OrbitInterpolant);
+
+impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
+    const TURNS: bool = ROTATION;
+    const DIRECT: bool = true;
+    #[inline(always)]
+    fn at<L: Lane>(&self, t: L) -> Canonical<L> {
+        let ByInterpolant(elliptic, interpolant) = self;
+        let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
+        let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
+        let velocity = if interpolant.has_velocity() {
+            interpolant.velocity::<ROTATION, L>(f) * sign
+        } else {
+            let size = f.scale(L::splat(1.0).copysign(f.hi));
+            let thetas = elliptic.lattice.thetas_on::<true, L>(size);
+            let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
+            quotient(numerator, denominator).value() * sign
+        };
+        let adjacent = Dd::from_double(L::splat(1.0));
+        Canonical { turns, sign, opposite: interpolant.angle(f), adjacent, velocity }
     }
 }

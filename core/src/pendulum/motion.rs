@@ -1,256 +1,162 @@
-//! Angle and velocity of an orbit at any time, over lanes: the canonical motion (canonical.rs) in the frame of the
-//! orbit, its side, turns and start.
+//! Angle and velocity of an orbit at any time: the canonical motion (canonical.rs) in the frame of the orbit.
+//!
+//! The formula is chosen once, outside of the kernels; every formula gives angle, velocity and turns, and what a call
+//! does not ask for is not computed.
 
-use super::interpolant::OrbitInterpolant;
-use super::orbit::{Course, Orbit};
-use super::theta_quotients::{AngleOnly, Both, Path, Ridge, Spin, Sway, Swing, VelocityOnly, Wanted};
+use super::canonical::{CanonicalMotion, RESULTS};
+use super::force_free::{AtEquilibrium, ForceFree};
+use super::interpolant::ByInterpolant;
+use super::orbit::{Orbit, Solution};
+use super::theta_quotients::{ByThetaFunctions, Elliptic};
 use crate::float::elementary::arctangent;
-use crate::float::{Dd, PI, TWO_PI, angle_reduction};
-use crate::lanes::{Formula, Kernel, Lane, single, tabulate};
-use core::marker::PhantomData;
+use crate::float::{Dd, TWO_PI};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
-/// An angle 2 pi (frame.turns + turns) + local, with local in [-pi, pi].
-struct Angle<L: Lane> {
-    turns: L,
-    local: Dd<L>,
-}
+/// A canonical motion in the frame of an orbit.
+struct InFrame<'a, M>(&'a Orbit, M);
 
-/// An orbit on its path, wanted in part: the samplers that fill slices.
-struct Along<'a, P, W>(&'a Orbit, P, PhantomData<W>);
-
-impl<P: Path, W: Wanted> Along<'_, P, W> {
-    /// The angle in the frame of the orbit, and the velocity.
+impl<M: CanonicalMotion> Formula<1, RESULTS> for InFrame<'_, M> {
     #[inline(always)]
-    fn framed<L: Lane>(&self, t: L) -> (Angle<L>, L) {
-        let Along(orbit, path, _) = self;
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
+        let InFrame(orbit, motion) = self;
         let frame = &orbit.frame;
-        let motion = path.at::<W, L>(t * L::splat(orbit.time_scale));
-        let side = L::splat(frame.side);
-        let (turns, sign) = (motion.turns * side, motion.sign * side);
-        let velocity = motion.velocity * L::splat(orbit.velocity_scale);
-        let two = L::splat(2.0);
-        if !W::ANGLE {
-            return (Angle { turns, local: motion.opposite }, velocity);
-        }
-        let angle = if P::DIRECT {
-            Angle { turns, local: motion.opposite.scale(sign) }
+        let canonical = motion.at(t * L::splat(orbit.time_scale));
+        let (side, two) = (L::splat(frame.side), L::splat(2.0));
+        let (turns, sign) = (canonical.turns * side, canonical.sign * side);
+        let (turns, local) = if M::DIRECT {
+            (turns, canonical.opposite.scale(sign))
         } else if frame.half_turn == 0.0 {
-            Angle { turns, local: arctangent(motion.opposite, motion.adjacent).scale(sign * two) }
+            (turns, arctangent(canonical.opposite, canonical.adjacent).scale(sign * two))
         } else {
             // Seen from the other equilibrium, half a turn on: whole turns again, and its own small angles.
             let turns = turns + (sign + L::splat(frame.half_turn)) * L::splat(0.5);
-            Angle { turns, local: arctangent(motion.adjacent, motion.opposite).scale(-sign * two) }
+            (turns, arctangent(canonical.adjacent, canonical.opposite).scale(-sign * two))
         };
-        (angle, velocity)
-    }
-
-    #[inline(always)]
-    fn sample<L: Lane>(&self, t: L) -> (L, L) {
-        let orbit = self.0;
-        let (angle, velocity) = self.framed(t);
-        let turned = if P::TURNS || orbit.frame.shifted() {
-            (Dd::splat(TWO_PI) * angle.turns).plain_sum(angle.local)
-        } else {
-            angle.local
-        };
-        let theta = if orbit.frame.base.hi == 0.0 {
+        let turned =
+            if M::TURNS || frame.shifted() { (Dd::splat(TWO_PI) * turns).plain_sum(local) } else { local };
+        let theta = if frame.base.hi == 0.0 {
             turned.value()
         } else {
-            Dd::splat(orbit.frame.base).plain_sum(turned).value()
+            Dd::splat(frame.base).plain_sum(turned).value()
         };
+        let velocity = canonical.velocity * L::splat(orbit.velocity_scale);
         // The start is returned as it was given.
         let start = t.equal(L::splat(0.0));
-        (
-            L::select(start, L::splat(orbit.theta0), theta),
-            L::select(start, L::splat(orbit.velocity0), velocity),
-        )
+        let theta = L::select(start, L::splat(orbit.theta0), theta);
+        let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
+        [theta, velocity, turns, local.hi, local.lo]
     }
 }
 
-impl<P: Path, W: Wanted> Formula<1, 2> for Along<'_, P, W> {
+/// The evaluation of the results from the FROM-th on, as many as it takes.
+struct Part<const FROM: usize, const COUNT: usize, E>(E);
+
+/// A formula cut down to these results.
+struct Cut<'a, const FROM: usize, F>(&'a F);
+
+impl<const FROM: usize, const COUNT: usize, E: Evaluation<1, COUNT>> Evaluation<1, RESULTS>
+    for Part<FROM, COUNT, E>
+{
+    type Output = E::Output;
+    fn of<F: Formula<1, RESULTS>>(self, formula: &F) -> E::Output {
+        self.0.of(&Cut::<FROM, F>(formula))
+    }
+}
+
+impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, COUNT> for Cut<'_, FROM, F> {
     #[inline(always)]
-    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let (theta, velocity) = self.sample(t);
-        W::first(theta, velocity)
-    }
-}
-
-/// No force that counts: theta0 + velocity0 t.
-struct Straight<'a, W>(&'a Orbit, PhantomData<W>);
-
-impl<W> Straight<'_, W> {
-    /// What is added to theta0, and the velocity.
-    #[inline(always)]
-    fn passed<L: Lane>(&self, t: L) -> (Dd<L>, L) {
-        let orbit = self.0;
-        let zero = L::splat(0.0);
-        if matches!(orbit.course, Course::Still) {
-            let nothing = L::select(t.equal(t), zero, t);
-            return (Dd::from_double(nothing), nothing + L::splat(orbit.velocity0));
-        }
-        // Zero, and NaN for times that are not finite.
-        let nothing = t * zero;
-        let (passed, error) = t.two_product(L::splat(orbit.velocity0));
-        (Dd::new(passed + nothing, error), nothing + L::splat(orbit.velocity0))
-    }
-
-    #[inline(always)]
-    fn sample<L: Lane>(&self, t: L) -> (L, L) {
-        let (local, velocity) = self.passed(t);
-        ((Dd::splat(self.0.frame.base) + local).value(), velocity)
-    }
-}
-
-impl<W: Wanted> Formula<1, 2> for Straight<'_, W> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let (theta, velocity) = self.sample(t);
-        W::first(theta, velocity)
-    }
-}
-
-/// Times into slices of the R results wanted, each of the length of the times.
-struct Fill<'a, 'b, W, const R: usize> {
-    orbit: &'a Orbit,
-    t: &'a [f64],
-    results: [&'b mut [f64]; R],
-    wanted: PhantomData<W>,
-}
-
-/// Evaluates `$do` with the path of the orbit's course, or `$straight` without one: one compilation for each.
-macro_rules! on_path {
-    ($orbit:expr, $path:ident => $do:expr, straight => $straight:expr) => {
-        match &$orbit.course {
-            Course::Libration(e) => match (e.layout, e.lattice.hyperbolic()) {
-                (Some(layout), _) => on_path!(layout, e, false, $path => $do),
-                (None, true) => on_path!(@ $path, Swing::<true>(e), $do),
-                (None, false) => on_path!(@ $path, Swing::<false>(e), $do),
-            },
-            Course::Rotation(e) => match (e.layout, e.lattice.hyperbolic()) {
-                (Some(layout), _) => on_path!(layout, e, true, $path => $do),
-                (None, true) => on_path!(@ $path, Spin::<true>(e), $do),
-                (None, false) => on_path!(@ $path, Spin::<false>(e), $do),
-            },
-            Course::Separatrix(phase, speed) => on_path!(@ $path, Ridge(phase, *speed), $do),
-            Course::Still | Course::Free => $straight,
-        }
-    };
-    ($layout:ident, $elliptic:ident, $rotation:literal, $path:ident => $do:expr) => {{
-        let arc = $elliptic.arc.get_or_init(|| OrbitInterpolant::new::<$rotation>($elliptic, $layout));
-        on_path!(@ $path, Sway::<$rotation>($elliptic, arc), $do)
-    }};
-    (@ $path:ident, $formula:expr, $do:expr) => {{
-        let $path = $formula;
-        $do
-    }};
-}
-
-impl<W: Wanted, const R: usize> Fill<'_, '_, W, R> {
-    fn run<const WIDE: bool>(mut self) {
-        let (orbit, t, results, wanted) = (self.orbit, [self.t], &mut self.results, self.wanted);
-        on_path!(orbit,
-            path => tabulate::<WIDE, _, _, _, _>(&Along(orbit, path, wanted), t, results),
-            straight => tabulate::<WIDE, _, _, _, _>(&Straight(orbit, wanted), t, results)
-        )
+    fn at<L: Lane>(&self, arguments: [L; 1]) -> [L; COUNT] {
+        let all = self.0.at(arguments);
+        let mut part = [L::splat(0.0); COUNT];
+        part.copy_from_slice(&all[FROM..FROM + COUNT]);
+        part
     }
 }
 
 impl Orbit {
-    fn fill<'a, 'b, W, const R: usize>(
-        &'a self,
-        t: &'a [f64],
-        results: [&'b mut [f64]; R],
-    ) -> Fill<'a, 'b, W, R> {
-        assert!(
-            results.iter().all(|result| result.len() == t.len()),
-            "results of another length than the times"
-        );
-        Fill { orbit: self, t, results, wanted: PhantomData }
+    /// The angle at t as whole turns from those of the frame, and a rest; without a force no turns are taken out.
+    pub(super) fn turned(&self, t: f64) -> (f64, Dd) {
+        let [turns, hi, lo] = self.evaluated(Part::<2, 3, _>(Once([t])));
+        (turns, Dd::new(hi, lo))
+    }
+
+    /// The answer of the formula of this orbit.
+    fn evaluated<E: Evaluation<1, RESULTS>>(&self, evaluation: E) -> E::Output {
+        match &self.solution {
+            Solution::Equilibrium => evaluation.of(&AtEquilibrium::new(self)),
+            Solution::ForceFree => evaluation.of(&ForceFree::new(self)),
+            Solution::Libration(elliptic) => self.elliptic::<false, E>(elliptic, evaluation),
+            Solution::Rotation(elliptic) => self.elliptic::<true, E>(elliptic, evaluation),
+            Solution::Separatrix(separatrix) => evaluation.of(&InFrame(self, separatrix)),
+        }
+    }
+
+    fn elliptic<const ROTATION: bool, E: Evaluation<1, RESULTS>>(
+        &self,
+        elliptic: &Elliptic,
+        evaluation: E,
+    ) -> E::Output {
+        if let Some(interpolant) = self.interpolant.get::<ROTATION>(elliptic) {
+            evaluation.of(&InFrame(self, ByInterpolant::<ROTATION>(elliptic, interpolant)))
+        } else if elliptic.lattice.hyperbolic() {
+            evaluation.of(&InFrame(self, ByThetaFunctions::<ROTATION, true>(elliptic)))
+        } else {
+            evaluation.of(&InFrame(self, ByThetaFunctions::<ROTATION, false>(elliptic)))
+        }
     }
 
     /// Angle at t (in s), continuous through the turns.
     ///
-    /// NaN for times that are not finite (but for the separatrix: its limits) or more than 2^53 half periods
-    /// away. **Error** at most 4 ulp of max(|theta|, 2^-30 of the largest), plus 2^-100 of the condition.
+    /// NaN for times that are not finite (but for the separatrix: its limits; and at rest: the start) or more than 2^53
+    /// half periods away; infinite where the angle is beyond the doubles. **Error** at most 4 ulp of
+    /// max(|theta|, 2^-30 of the largest), plus 2^-100 of the condition. Source: Salas 2019 (23); DLMF 22.19.2, 22.19.3.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// assert_eq!(format!("{:.9}", orbit.theta(1.0)), "1.530313552");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
     pub fn theta(&self, t: f64) -> f64 {
-        let mut theta = [0.0];
-        self.fill::<AngleOnly, 1>(&[t], [&mut theta]).run::<false>();
-        theta[0]
+        let [theta] = self.evaluated(Part::<0, 1, _>(Once([t])));
+        theta
     }
 
     /// Angular velocity at t; domain and error as for [`Orbit::theta`].
+    ///
+    /// Source: derivative of DLMF 22.19.2, 22.19.3 by 22.13.2, 22.16.3.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// assert_eq!(format!("{:.9}", orbit.velocity(1.0)), "-0.954744826");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
-        let mut velocity = [0.0];
-        self.fill::<VelocityOnly, 1>(&[t], [&mut velocity]).run::<false>();
-        velocity[0]
+        let [velocity] = self.evaluated(Part::<1, 1, _>(Once([t])));
+        velocity
     }
 
     /// Angle and angular velocity at t, bit for bit those of [`Orbit::theta`] and [`Orbit::velocity`].
+    #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        let (mut theta, mut velocity) = ([0.0], [0.0]);
-        self.fill::<Both, 2>(&[t], [&mut theta, &mut velocity]).run::<false>();
-        (theta[0], velocity[0])
+        self.evaluated(Part::<0, 2, _>(Once([t]))).into()
     }
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        self.fill::<AngleOnly, 1>(t, [theta]).run::<true>();
+        self.evaluated(Part::<0, 1, _>(Columns::new([t], [theta])));
     }
 
     /// [`Orbit::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        self.fill::<VelocityOnly, 1>(t, [velocity]).run::<true>();
+        self.evaluated(Part::<1, 1, _>(Columns::new([t], [velocity])));
     }
 
     /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
-        self.fill::<Both, 2>(t, [theta, velocity]).run::<true>();
-    }
-
-    /// Whole turns n and the angle in [-pi, pi) with theta = 2 pi n + angle.
-    ///
-    /// The bounds are those of doubles: pi rounded to a double is given as minus itself, one turn on. Where theta is
-    /// NaN the angle is NaN and n is 0; n stays within the range of its type.
-    pub fn turns(&self, t: f64) -> (i64, f64) {
-        struct Turns<'a>(&'a Orbit, f64);
-        impl Kernel for Turns<'_> {
-            type Output = (f64, Dd);
-            #[inline(always)]
-            fn run<L: Lane>(self) -> (f64, Dd) {
-                let Turns(orbit, t) = self;
-                let t = L::splat(t);
-                const W: PhantomData<AngleOnly> = PhantomData;
-                let Angle { turns, local } = on_path!(orbit,
-                    path => Along(orbit, path, W).framed(t).0,
-                    straight => Angle { turns: L::splat(0.0), local: Straight(orbit, W).passed(t).0 }
-                );
-                (turns.first(), Dd::new(local.hi.first(), local.lo.first()))
-            }
-        }
-        let (turns, local) = single(Turns(self, t));
-        self.wrapped(turns, local)
-    }
-
-    fn wrapped(&self, turns: f64, local: Dd) -> (i64, f64) {
-        if local.hi.is_nan() {
-            return (0, f64::NAN);
-        }
-        let (n, angle) = match self.course {
-            Course::Still | Course::Free => {
-                // Far out the second word has turns of its own.
-                let total = self.frame.base + local;
-                let [hi, lo] = [total.hi, total.lo].map(angle_reduction::reduce);
-                let rest = (hi.from_bottom * hi.side + lo.from_bottom * lo.side).to_dd();
-                let shift = (rest.hi / TWO_PI.hi).round();
-                (hi.turns + lo.turns + shift, rest - TWO_PI * shift)
-            }
-            _ => (self.frame.turns + turns, local),
-        };
-        // The half-open interval in doubles: its upper end is the lower end one turn on.
-        match angle.value() {
-            value if value >= PI.hi => (n as i64 + 1, (angle - TWO_PI).value().max(-PI.hi)),
-            value if value < -PI.hi => (n as i64 - 1, (angle + TWO_PI).value()),
-            value => (n as i64, value),
-        }
+        self.evaluated(Part::<0, 2, _>(Columns::new([t], [theta, velocity])));
     }
 }

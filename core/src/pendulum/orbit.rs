@@ -6,9 +6,11 @@
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
 use super::frequency::Frequency;
-use super::interpolant::{ConformalMap, OrbitInterpolant};
+use super::interpolant::LazyInterpolant;
 use super::regime::Regime;
-use super::state::{Frame, Plain, State};
+use super::separatrix::Separatrix;
+use super::state::{Frame, State};
+use super::theta_quotients::Elliptic;
 use crate::domain::Domain;
 use crate::elliptic::integrals::carlson_duplication::rf_of_roots;
 use crate::elliptic::phase::Phase;
@@ -16,31 +18,17 @@ use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
 use crate::float::exponent::ldexp;
 use crate::float::{Dd, TWO_PI};
-use std::sync::OnceLock;
 
-/// An orbit that theta functions describe.
+/// The formula of the motion.
 #[derive(Clone, Debug)]
-pub(crate) struct Elliptic {
-    pub lattice: NevilleTheta,
-    pub phase: Phase,
-    /// Factors of tan of the half angle, counted from the bottom and from the quarter period.
-    pub tangent: [Dd; 2],
-    /// Factors of the velocity, likewise.
-    pub velocity: [Dd; 2],
-    /// The polynomials of the motion, where they serve; made when the first sample is asked for.
-    pub layout: Option<ConformalMap>,
-    pub arc: OnceLock<OrbitInterpolant>,
-}
-
-/// The formula that the regime asks for.
-#[derive(Clone, Debug)]
-pub(crate) enum Course {
-    Still,
-    Free,
+pub(crate) enum Solution {
+    /// At rest, at either equilibrium or without a force.
+    Equilibrium,
+    /// theta0 + velocity0 t.
+    ForceFree,
     Libration(Elliptic),
     Rotation(Elliptic),
-    /// Hyperbolic phase, and twice omega0.
-    Separatrix(Phase, Dd),
+    Separatrix(Separatrix),
 }
 
 /// One orbit of theta'' + omega0^2 sin theta = 0, set up once for many times.
@@ -56,7 +44,10 @@ pub struct Orbit {
     pub(crate) theta0: f64,
     pub(crate) velocity0: f64,
     pub(crate) frame: Frame,
-    pub(crate) course: Course,
+    pub(crate) solution: Solution,
+    pub(super) interpolant: LazyInterpolant,
+    /// The start in units of omega0, where the force shapes the motion.
+    pub(crate) state: Option<State>,
     /// Factor that brings t into the range where the phase is formed: a power of two, 1 for ordinary omega0.
     pub(crate) time_scale: f64,
     /// Factor of the velocity: its side, and the powers of two that its other factors cannot carry.
@@ -84,68 +75,63 @@ fn divisor(kc: Dd) -> Dd {
     if kc.hi < 1e-290 { Dd::from(1e-290) } else { kc }
 }
 
-/// The frame of a straight motion: its own start.
-fn unturned(theta0: f64) -> Frame {
-    Frame { base: Dd::from(theta0), turns: 0.0, half_turn: 0.0, side: 1.0 }
-}
-
 impl Orbit {
     /// Sets up the orbit of an initial angle in rad (any turn) and angular velocity in rad/s.
+    ///
+    /// Source: Salas 2019 (23); docs/decisions/0001 for the regime.
+    ///
+    /// # Errors
+    /// Where the angle or the velocity is not finite.
     pub fn new(theta0: f64, velocity0: f64, frequency: Frequency) -> Result<Orbit, Domain> {
         Domain::check("theta0", theta0, theta0.is_finite(), "finite")?;
         Domain::check("velocity0", velocity0, velocity0.is_finite(), "finite")?;
         Ok(match State::new(theta0, velocity0, frequency) {
-            Ok(state) => Orbit::shaped(theta0, velocity0, frequency, &state),
-            Err(plain) => Orbit::plain(theta0, velocity0, frequency, plain),
+            Some(state) => Orbit::shaped(theta0, velocity0, frequency, state),
+            None => Orbit::not_shaped(theta0, velocity0, frequency),
         })
     }
 
-    fn plain(theta0: f64, velocity0: f64, frequency: Frequency, plain: Plain) -> Orbit {
+    /// At rest, or theta0 + velocity0 t.
+    fn not_shaped(theta0: f64, velocity0: f64, frequency: Frequency) -> Orbit {
         let omega = frequency.root();
-        let swing =
-            omega.map_or(f64::INFINITY, |(root, power)| ldexp((TWO_PI / root.to_dd()).value(), -power));
-        let (course, regime, period, theta_max) = match plain {
-            Plain::Still => (Course::Still, Regime::Rest, swing, 0.0),
-            Plain::Free => (Course::Free, Regime::Rotation, TWO_PI.hi / velocity0.abs(), f64::NAN),
-        };
-        let (energy_ratio, energy_ratio_c) = match (plain, omega) {
-            (Plain::Free, Some((root, power))) => {
+        let moving = velocity0 != 0.0;
+        let (energy_ratio, energy_ratio_c) = match omega {
+            Some((root, power)) if moving => {
                 let x = ldexp(velocity0.abs() / root.hi, -1 - power);
                 (x * x, -(x * x))
             }
-            (Plain::Free, None) => (f64::INFINITY, f64::NEG_INFINITY),
-            (Plain::Still, _) => (0.0, 1.0),
+            None if moving => (f64::INFINITY, f64::NEG_INFINITY),
+            _ => (0.0, 1.0),
         };
-        let frame = unturned(theta0);
-        let energy = 0.5 * velocity0 * velocity0;
+        let of_small_swings =
+            omega.map_or(f64::INFINITY, |(root, power)| ldexp((TWO_PI / root.to_dd()).value(), -power));
         Orbit {
             theta0,
             velocity0,
-            frame,
-            course,
+            frame: Frame::of_start(theta0),
+            solution: if moving { Solution::ForceFree } else { Solution::Equilibrium },
+            interpolant: LazyInterpolant::none(),
+            state: None,
             time_scale: 1.0,
             velocity_scale: 1.0,
-            regime,
-            period,
-            theta_max,
+            regime: if moving { Regime::Rotation } else { Regime::Rest },
+            period: if moving { TWO_PI.hi / velocity0.abs() } else { of_small_swings },
+            theta_max: if moving { f64::NAN } else { 0.0 },
             energy_ratio,
             energy_ratio_c,
-            energy,
+            energy: 0.5 * velocity0 * velocity0,
             force: frequency,
         }
     }
 
-    fn shaped(theta0: f64, velocity0: f64, frequency: Frequency, state: &State) -> Orbit {
-        let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = *state;
+    fn shaped(theta0: f64, velocity0: f64, frequency: Frequency, state: State) -> Orbit {
+        let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = state;
         let (rate_power, time_power) = carried(omega_power);
         let (speed_power, velocity_power) = carried(power + omega_power);
         let rate = omega.ldexp(rate_power);
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
         let start = || (s / k) * rf_of_roots(x / k, c);
-        // Small angles from the other equilibrium, and amplitudes next to nothing, keep their digits by thetas only.
-        let layout =
-            |lattice| if frame.half_turn == 0.0 && power == 0 { ConformalMap::of(lattice) } else { None };
-        let (course, period, theta_max) = match regime {
+        let (solution, period, theta_max) = match regime {
             Regime::Libration => {
                 let lattice = NevilleTheta::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);
                 let halves = lattice.quarter.scale(2.0);
@@ -157,13 +143,11 @@ impl Orbit {
                     phase: Phase { rate, start },
                     tangent: [tangent.ldexp(power), (k / divisor(kc)).ldexp(power)],
                     velocity: [speed, speed * kc * lattice.theta1_factor].map(|v| v.ldexp(speed_power)),
-                    layout: layout(&lattice),
-                    arc: OnceLock::new(),
                     lattice,
                 };
                 let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
                 let theta_max = ldexp(arctangent(k.ldexp(power), kc).value(), 1);
-                (Course::Libration(elliptic), period, theta_max)
+                (Solution::Libration(elliptic), period, theta_max)
             }
             Regime::Rotation => {
                 // The parameter is 1/m, its modulus 1/k, its complementary modulus kc/k.
@@ -176,27 +160,38 @@ impl Orbit {
                     phase: Phase { rate, start: k * start() / halves },
                     tangent: [lattice.theta1_factor, Dd::ONE / (divisor(inner_c) * lattice.theta1_factor)],
                     velocity: [speed, speed * inner_c].map(|v| v.ldexp(speed_power)),
-                    layout: layout(&lattice),
-                    arc: OnceLock::new(),
                     lattice,
                 };
                 let period = ldexp((halves / (omega * k)).value(), -omega_power);
-                (Course::Rotation(elliptic), period, f64::NAN)
+                (Solution::Rotation(elliptic), period, f64::NAN)
             }
-            _ if c.hi == 0.0 && x.hi == 0.0 => (Course::Still, f64::INFINITY, core::f64::consts::PI),
+            _ if c.hi == 0.0 && x.hi == 0.0 => (Solution::Equilibrium, f64::INFINITY, core::f64::consts::PI),
             _ => {
                 let phase = Phase { rate, start: start() };
                 let speed = omega.scale(2.0).ldexp(speed_power);
-                (Course::Separatrix(phase, speed), f64::INFINITY, core::f64::consts::PI)
+                (Solution::Separatrix(Separatrix { phase, speed }), f64::INFINITY, core::f64::consts::PI)
             }
         };
-        let frame = if matches!(course, Course::Still) { unturned(theta0) } else { frame };
+        // Only polynomials of the angle from the bottom that is near serve, and for amplitudes that are not next to nothing:
+        // theta functions keep the digits of the others.
+        let interpolant = match &solution {
+            Solution::Libration(elliptic) | Solution::Rotation(elliptic)
+                if frame.half_turn == 0.0 && power == 0 =>
+            {
+                LazyInterpolant::of(&elliptic.lattice)
+            }
+            _ => LazyInterpolant::none(),
+        };
+        let at_equilibrium = matches!(solution, Solution::Equilibrium);
+        let frame = if at_equilibrium { Frame::of_start(theta0) } else { frame };
         let energy = ldexp((omega.square() * m).value(), 2 * (omega_power + power) + 1);
         Orbit {
             theta0,
             velocity0,
             frame,
-            course,
+            solution,
+            interpolant,
+            state: Some(state),
             time_scale: ldexp(1.0, time_power),
             velocity_scale: ldexp(frame.side, velocity_power),
             regime,

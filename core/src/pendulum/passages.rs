@@ -5,8 +5,10 @@
 //! bottom. x1^2 is c1^2 - (1 - kappa^2) away from the turning points and x0^2 + s0^2 - s1^2 next to them, in
 //! triple-double, so nothing cancels. Source: DLMF 19.25.5, 22.15(ii).
 
-use super::orbit::{Course, Elliptic, Orbit};
+use super::orbit::{Orbit, Solution};
+use super::separatrix::Separatrix;
 use super::state::{State, half_angle};
+use super::theta_quotients::Elliptic;
 use crate::domain::Domain;
 use crate::elliptic::integrals::carlson_duplication::{rf, rf_of_roots};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
@@ -18,8 +20,17 @@ use crate::motion::passages::Interval;
 
 pub use crate::motion::passages::MOST_TIMES;
 
+/// The angles between which a motion stays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// In rad.
+    pub lowest: f64,
+    /// In rad.
+    pub highest: f64,
+}
+
 /// An angle in the canonical motion: whole turns, and sine and cosine of its amplitude with the cosine of half of it.
-struct Place {
+struct Passage {
     turns: f64,
     sine: Dd,
     cosine: Dd,
@@ -49,8 +60,8 @@ fn near_turning(orbit: &Orbit, state: &State, sine: Td, cosine: Td) -> Dd {
 }
 
 impl Orbit {
-    /// The place of an angle, or `None` where the motion does not get.
-    fn place(&self, state: &State, theta: f64) -> Option<Place> {
+    /// Where the canonical motion passes an angle, or `None` where it does not.
+    fn passage(&self, state: &State, theta: f64) -> Option<Passage> {
         let State { k, mc, power, frame, .. } = *state;
         let upside_down = self.force.upside_down();
         let reduced: ReducedAngle = angle_reduction::reduce(theta);
@@ -58,7 +69,7 @@ impl Orbit {
         let sine = scaled(sine, own_power - power);
         let side = frame.side * if upside_down { -reduced.side } else { reduced.side };
         let half_turns = if upside_down { 0.5 * (reduced.side - frame.half_turn) } else { 0.0 };
-        let turns = frame.side * (reduced.turns - frame.turns + half_turns);
+        let turns = frame.side * (reduced.whole_turns() - frame.turns + Dd::from(half_turns)).value();
         let libration = mc.hi > 0.0;
         let half_cosine = cosine.to_dd();
         let (sine, cosine) = if libration && self.turns_at(theta, &reduced) {
@@ -77,47 +88,58 @@ impl Orbit {
             }
             (sine.to_dd() * side / k, speed.sqrt() / k)
         };
-        Some(Place { turns, sine, cosine, half_cosine })
+        Some(Passage { turns, sine, cosine, half_cosine })
     }
 
     /// Whether an angle is a turning angle as this orbit rounds it.
     fn turns_at(&self, theta: f64, reduced: &ReducedAngle) -> bool {
         let distance = if self.force.upside_down() { reduced.from_top } else { reduced.from_bottom };
-        let (lowest, highest) = self.extremes();
+        let Extremes { lowest, highest } = self.extremes();
         distance.to_dd().value() == self.theta_max() || theta == lowest || theta == highest
     }
 
     /// Lowest and highest angle in rad: the turning angles, the limits on the separatrix, infinite in rotation.
-    pub fn extremes(&self) -> (f64, f64) {
+    ///
+    /// **Error** at most 4 ulp. Source: kappa = sin(theta_max/2), Landau & Lifshitz, Mechanics, section 11.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(0.0, 1.0, Frequency::from_omega0(1.0)?)?;
+    /// let extremes = orbit.extremes();
+    /// assert_eq!(format!("{:.9} {:.9}", extremes.lowest, extremes.highest), "-1.047197551 1.047197551");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
+    pub fn extremes(&self) -> Extremes {
         let frame = &self.frame;
-        let around = |reach: Dd| ((frame.base - reach).value(), (frame.base + reach).value());
-        match &self.course {
-            Course::Still => (self.theta0, self.theta0),
-            Course::Free | Course::Rotation(_) => (f64::NEG_INFINITY, f64::INFINITY),
-            Course::Separatrix(..) if frame.half_turn == 0.0 => around(PI),
-            Course::Libration(_) if !frame.shifted() => (-self.theta_max(), self.theta_max()),
-            Course::Libration(elliptic) if frame.half_turn == 0.0 => {
+        let between = |lowest: f64, highest: f64| Extremes { lowest, highest };
+        let around = |reach: Dd| between((frame.base - reach).value(), (frame.base + reach).value());
+        match &self.solution {
+            Solution::Equilibrium => between(self.theta0, self.theta0),
+            Solution::ForceFree | Solution::Rotation(_) => between(f64::NEG_INFINITY, f64::INFINITY),
+            Solution::Separatrix(_) if frame.half_turn == 0.0 => around(PI),
+            Solution::Libration(_) if !frame.shifted() => between(-self.theta_max(), self.theta_max()),
+            Solution::Libration(elliptic) if frame.half_turn == 0.0 => {
                 around(arctangent(self.kappa(), elliptic.lattice.kc).scale(2.0))
             }
-            course => {
+            solution => {
                 // From the other equilibrium the near end is the distance from the top, and the far end a turn on.
-                let gap = match course {
-                    Course::Libration(elliptic) => {
+                let gap = match solution {
+                    Solution::Libration(elliptic) => {
                         arctangent(elliptic.lattice.kc, self.kappa()).scale(2.0 * frame.half_turn)
                     }
                     _ => Dd::ZERO,
                 };
                 let near = (frame.base + gap).value();
                 let far = (frame.base + (TWO_PI * frame.half_turn - gap)).value();
-                if near < far { (near, far) } else { (far, near) }
+                if near < far { between(near, far) } else { between(far, near) }
             }
         }
     }
 
     /// kappa of a libration.
     fn kappa(&self) -> Dd {
-        let state = State::new(self.theta0, self.velocity0, self.force);
-        state.map_or(Dd::ZERO, |state| state.k.ldexp(state.power))
+        self.state.map_or(Dd::ZERO, |state| state.k.ldexp(state.power))
     }
 
     /// Half periods from the start to the nearest turning point, signed: its quarter period less the time since the
@@ -154,16 +176,16 @@ impl Orbit {
     ) -> Result<Vec<f64>, Domain> {
         Domain::check("theta", theta, theta.is_finite(), "finite")?;
         let interval = Interval::new(start, stop, ended)?;
-        let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else {
-            return Ok(match self.course {
-                Course::Free => within(interval, self.straight_time(theta)),
+        let Some(state) = self.state else {
+            return Ok(match self.solution {
+                Solution::ForceFree => within(interval, self.force_free_time(theta)),
                 _ => Vec::new(),
             });
         };
-        let Some(place) = self.place(&state, theta) else { return Ok(Vec::new()) };
+        let Some(place) = self.passage(&state, theta) else { return Ok(Vec::new()) };
         let since_bottom = || place.sine * rf_of_roots(place.cosine, place.half_cosine);
-        match &self.course {
-            Course::Libration(elliptic) => {
+        match &self.solution {
+            Solution::Libration(elliptic) => {
                 let began = elliptic.phase.start;
                 if place.cosine.hi == 0.0 {
                     let nearest = self.to_turning(elliptic, &state);
@@ -179,13 +201,15 @@ impl Orbit {
                     2.0,
                 )
             }
-            Course::Rotation(elliptic) => {
+            Solution::Rotation(elliptic) => {
                 let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
                 let far = place.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
                 Domain::check("theta", theta, !far, "within 2^52 turns of theta0")?;
                 Ok(within(interval, self.time_of(&elliptic.phase, rest + Dd::from(place.turns))))
             }
-            Course::Separatrix(phase, _) if place.turns == 0.0 && place.half_cosine.hi > 0.0 => {
+            Solution::Separatrix(Separatrix { phase, .. })
+                if place.turns == 0.0 && place.half_cosine.hi > 0.0 =>
+            {
                 Ok(within(interval, self.time_of(phase, since_bottom())))
             }
             _ => Ok(Vec::new()),
@@ -199,7 +223,11 @@ impl Orbit {
         self.turning_times_unless(start, stop, &|| false)
     }
 
-    /// [`Orbit::turning_times`], where `ended` is asked now and then: once it is true, the times are cut short and mean nothing.
+    /// [`Orbit::turning_times`], where `ended` is asked now and then: once it is true, the times are cut short and mean
+    /// nothing.
+    ///
+    /// # Errors
+    /// As for [`Orbit::times`].
     pub fn turning_times_unless(
         &self,
         start: f64,
@@ -207,8 +235,8 @@ impl Orbit {
         ended: &dyn Fn() -> bool,
     ) -> Result<Vec<f64>, Domain> {
         let interval = Interval::new(start, stop, ended)?;
-        match (&self.course, State::new(self.theta0, self.velocity0, self.force)) {
-            (Course::Libration(elliptic), Ok(state)) => interval.repeated(
+        match (&self.solution, self.state) {
+            (Solution::Libration(elliptic), Some(state)) => interval.repeated(
                 elliptic.phase.rate,
                 self.time_scale,
                 &[self.to_turning(elliptic, &state)],
@@ -224,7 +252,7 @@ impl Orbit {
     }
 
     /// Time of an angle without force.
-    fn straight_time(&self, theta: f64) -> f64 {
+    fn force_free_time(&self, theta: f64) -> f64 {
         (Dd::sum(0.5 * theta, -0.5 * self.theta0) / Dd::from(0.5 * self.velocity0)).value()
     }
 }

@@ -8,18 +8,37 @@
 //! 1/(m mc^2) times larger than their sum, so there is no closed form to be had next to rest or the separatrix.
 //! Source: DLMF 22.13(i), 22.16(ii), 19.4(ii) for the derivatives of am and of the integral by the parameter.
 
-use super::orbit::{Course, Elliptic, Orbit};
-use super::sensitivity::cosine_integral;
+use super::orbit::{Orbit, Solution};
 use super::state::State;
+use super::theta_quotients::Elliptic;
+use super::variational::cosine_integral;
 use crate::elliptic::integrals::complete::complete_difference_dd;
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, ReducedPhase};
 use crate::float::Dd;
 
-/// First index: angle, velocity. The other two: initial angle, initial velocity, omega0.
-pub type Hessians = [[[f64; 3]; 3]; 2];
+/// The second derivatives of angle and velocity: symmetric, by the initial angle, the initial velocity and omega0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hessians {
+    /// Of the angle.
+    pub theta: [[f64; 3]; 3],
+    /// Of the velocity.
+    pub velocity: [[f64; 3]; 3],
+}
 
-const UNDEFINED: Hessians = [[[f64::NAN; 3]; 3]; 2];
+impl Hessians {
+    const UNDEFINED: Hessians = Hessians::filled(f64::NAN);
+
+    const fn filled(value: f64) -> Hessians {
+        Hessians { theta: [[value; 3]; 3], velocity: [[value; 3]; 3] }
+    }
+
+    /// First of the angle, then of the velocity.
+    #[must_use]
+    pub fn matrices(&self) -> [[[f64; 3]; 3]; 2] {
+        [self.theta, self.velocity]
+    }
+}
 
 /// Least and most kappa^2, and least |1 - kappa^2|, with digits left.
 const LEAST_RATIO: f64 = 1e-10;
@@ -135,33 +154,34 @@ impl Orbit {
     /// [`Sensitivity::at`](super::Sensitivity::at). **Error** at most 1e-12 of the largest change of a matrix: its
     /// elements times the largest angle, the largest velocity and omega0. Next to t = 0, where all of them vanish, that
     /// holds for |omega0 t| >= 1e-3 only.
+    #[must_use]
     pub fn second_sensitivities(&self, t: f64) -> Hessians {
-        let Ok(state) = State::new(self.theta0, self.velocity0, self.force) else { return UNDEFINED };
+        let Some(state) = self.state else { return Hessians::UNDEFINED };
         let State { s, c, x, k, m, mc, omega, omega_power, frame, power, .. } = state;
         let lost = !(LEAST_RATIO..MOST_RATIO).contains(&m.hi) || mc.hi.abs() < LEAST_COMPLEMENT;
         if lost || power != 0 || omega_power.abs() > 332 || !t.is_finite() {
-            return UNDEFINED;
+            return Hessians::UNDEFINED;
         }
         let omega = omega.ldexp(omega_power);
-        let (set, start) = match &self.course {
-            Course::Libration(elliptic) => {
+        let (set, start) = match &self.solution {
+            Solution::Libration(elliptic) => {
                 let set = Set { elliptic, rotation: false, k, parameter: Parameter::new(m, mc) };
                 (set, [s / k, x / k, c])
             }
-            Course::Rotation(elliptic) => {
+            Solution::Rotation(elliptic) => {
                 let parameter = Parameter::new(Dd::ONE / m, -mc / m);
                 (Set { elliptic, rotation: true, k, parameter }, [s, c, x / k])
             }
-            _ => return UNDEFINED,
+            _ => return Hessians::UNDEFINED,
         };
         let phase = &set.elliptic.phase;
         let at = phase.reduce(t);
         let half_periods = if set.rotation { 2.0 * at.n.hi } else { at.n.hi };
         if half_periods.is_nan() || half_periods.abs() >= LAST_HALF_PERIOD {
-            return UNDEFINED;
+            return Hessians::UNDEFINED;
         }
         if t == 0.0 {
-            return [[[0.0; 3]; 3]; 2];
+            return Hessians::filled(0.0);
         }
         let began = phase.start * set.elliptic.lattice.quarter.scale(2.0);
         let from = set.jet(&set.place(start, Dd::ZERO, began));
@@ -215,9 +235,10 @@ fn assembled(from: &Jet, to: &Jet, omega: Dd, w: Dd, s: Dd, side: f64) -> Hessia
         (two * s * pull + s.square() * pull_s - two * s * w * pull_w + w.square() * gww) / omega,
     ];
     // The side of the canonical motion is on the angle and on both of the start, and squares away where it meets itself.
-    [theta, velocity].map(|[aa, ab, ac, bb, bc, cc]| {
+    let matrix = |[aa, ab, ac, bb, bc, cc]: [Dd; 6]| {
         let odd = |value: Dd| side * value.value();
         let even = |value: Dd| value.value();
         [[odd(aa), odd(ab), even(ac)], [odd(ab), odd(bb), even(bc)], [even(ac), even(bc), odd(cc)]]
-    })
+    };
+    Hessians { theta: matrix(theta), velocity: matrix(velocity) }
 }

@@ -1,18 +1,18 @@
-//! The derivatives of one orbit over lanes, in double: for all but the neighbours of the separatrix and the extremes of range.
+//! The derivatives of one orbit over lanes, in double: for all but the neighbours of the separatrix and the ends of range.
 //!
-//! The two solutions of sensitivity.rs from the integral g = m int cn^2 = u (E/K - mc) + Z(u), with Jacobi's zeta as the slope
+//! The two solutions of variational.rs from the integral g = m int cn^2 = u (E/K - mc) + Z(u), with Jacobi's zeta as the slope
 //! of ln theta4:
 //!   libration  p = (sn dn - cn g)/mc,              q = (sn dn g + cn (mc - m sn^2))/mc,
 //!   rotation   p = (dn (mc u + g) - m sn cn)/mc,   q = (1 - b p)/a.
 //! What cancels is 1/mc times larger than the result, so mc is bounded below. Source: DLMF 22.16(ii), 22.16.32, 20.2.
 
-use super::sensitivity::{Periodic, Sensitivity, Solutions};
+use super::variational::{Periodic, Solutions, Start};
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::{HALF_PI, PI, Scaled};
-use crate::lanes::{Formula, Lane, tabulate};
+use crate::lanes::{Evaluation, Formula, Lane};
 
 /// Least 1 - m: below, too many of a double's digits cancel.
 const LEAST_COMPLEMENT: f64 = 1e-3;
@@ -22,7 +22,7 @@ const ORDINARY_RATIO: f64 = 1e15;
 
 /// What the samples of one orbit share, in double.
 #[derive(Clone, Debug)]
-pub(super) struct Slopes {
+pub(super) struct SensitivityLanes {
     rotation: bool,
     lattice: NevilleTheta,
     phase: Phase,
@@ -48,11 +48,11 @@ pub(super) struct Slopes {
     side: f64,
 }
 
-impl Slopes {
+impl SensitivityLanes {
     /// `None` next to the separatrix, and for orbits of extreme size.
-    pub fn new(sensitivity: &Sensitivity, periodic: &Periodic) -> Option<Slopes> {
+    pub fn new(start: &Start, periodic: &Periodic) -> Option<SensitivityLanes> {
         let &Periodic { rotation, parameter, ref lattice, .. } = periodic;
-        let &Sensitivity { k, x, power, stretch, omega, omega_power, .. } = sensitivity;
+        let &Start { k, x, power, stretch, omega, omega_power, .. } = start;
         let Parameter { m, mc, .. } = parameter;
         let ordinary = power == 0 && omega_power.abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
         if mc.hi < LEAST_COMPLEMENT || !ordinary {
@@ -71,12 +71,12 @@ impl Slopes {
             (mean, -mean, HALF_PI / quarter)
         };
         let shift = if rotation { complete_e_dd(parameter) } else { -whole }.scale(2.0) / mc;
-        let Solutions { a, b, p, q } = sensitivity.start;
-        Some(Slopes {
+        let Solutions { a, b, p, q } = start.solutions;
+        Some(SensitivityLanes {
             rotation,
             lattice: lattice.clone(),
-            phase: sensitivity.phase,
-            time_scale: sensitivity.time_scale,
+            phase: start.phase,
+            time_scale: start.time_scale,
             last: if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
             m: m.hi,
             mc: mc.hi,
@@ -91,8 +91,18 @@ impl Slopes {
             x: x.hi,
             stretch: stretch.hi,
             omega: omega.ldexp(omega_power).hi,
-            side: sensitivity.side,
+            side: start.side,
         })
+    }
+
+    /// The answer of the formula of this orbit: the derivatives row by row.
+    pub fn evaluated<E: Evaluation<1, 6>>(&self, evaluation: E) -> E::Output {
+        match (self.rotation, self.lattice.hyperbolic()) {
+            (false, false) => evaluation.of(&Derivatives::<false, false>(self)),
+            (false, true) => evaluation.of(&Derivatives::<false, true>(self)),
+            (true, false) => evaluation.of(&Derivatives::<true, false>(self)),
+            (true, true) => evaluation.of(&Derivatives::<true, true>(self)),
+        }
     }
 
     #[inline(always)]
@@ -144,38 +154,20 @@ impl Slopes {
             twice * (ka - stretch * k * b * turned - x * rate_by_velocity),
         ];
         let start = t.equal(constant(0.0));
-        let mut slopes = [constant(0.0); 6];
-        for (i, (slope, value)) in slopes.iter_mut().zip(values).enumerate() {
-            *slope = L::select(start, constant(if i == 0 || i == 4 { 1.0 } else { 0.0 }), value);
+        let mut derivatives = [constant(0.0); 6];
+        for (i, (derivative, value)) in derivatives.iter_mut().zip(values).enumerate() {
+            *derivative = L::select(start, constant(if i == 0 || i == 4 { 1.0 } else { 0.0 }), value);
         }
-        slopes
+        derivatives
     }
 }
 
-struct On<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Slopes);
+/// The derivatives of a libration or a rotation, on the circular or the hyperbolic side of the theta functions.
+struct Derivatives<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a SensitivityLanes);
 
-impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<1, 6> for On<'_, ROTATION, HYPERBOLIC> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<1, 6> for Derivatives<'_, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 6] {
         self.0.at::<ROTATION, HYPERBOLIC, L>(t)
-    }
-}
-
-/// Times into six slices of the same length.
-pub(super) struct Fill<'a, 'b> {
-    pub slopes: &'a Slopes,
-    pub t: &'a [f64],
-    pub results: [&'b mut [f64]; 6],
-}
-
-impl Fill<'_, '_> {
-    pub(super) fn run<const WIDE: bool>(mut self) {
-        let (slopes, t, results) = (self.slopes, [self.t], &mut self.results);
-        match (slopes.rotation, slopes.lattice.hyperbolic()) {
-            (false, false) => tabulate::<WIDE, _, _, _, _>(&On::<false, false>(slopes), t, results),
-            (false, true) => tabulate::<WIDE, _, _, _, _>(&On::<false, true>(slopes), t, results),
-            (true, false) => tabulate::<WIDE, _, _, _, _>(&On::<true, false>(slopes), t, results),
-            (true, true) => tabulate::<WIDE, _, _, _, _>(&On::<true, true>(slopes), t, results),
-        }
     }
 }

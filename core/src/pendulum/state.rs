@@ -20,7 +20,7 @@ pub struct Frame {
     /// 2 pi turns.
     pub base: Dd,
     /// Whole turns nearest to the start.
-    pub turns: f64,
+    pub turns: Dd,
     /// Its half turn: 0, or +1 or -1 when the pendulum hangs from the other side.
     pub half_turn: f64,
     /// Direction in which the canonical motion goes upwards through 0: the sign of the velocity.
@@ -28,6 +28,11 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// Of a motion that is counted from its start.
+    pub fn of_start(theta0: f64) -> Frame {
+        Frame { base: Dd::from(theta0), turns: Dd::ZERO, half_turn: 0.0, side: 1.0 }
+    }
+
     /// Whether the canonical angle is not the angle itself, but for its side.
     #[inline(always)]
     pub fn shifted(&self) -> bool {
@@ -64,29 +69,20 @@ pub struct State {
     pub omega_power: i32,
 }
 
-/// A motion that the force does not shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Plain {
-    /// No motion.
-    Still,
-    /// theta0 + velocity0 t: no force, or a velocity 2^100 times what the force could change.
-    Free,
-}
-
 /// Below 2^-200 the sine is the angle and the cosine 1, to triple-double.
 const TINY: f64 = 6.2e-61;
 /// x above 2^100: the force changes no digit.
 const FAST: i32 = 100;
 
 impl State {
-    /// From finite theta and velocity.
-    pub fn new(theta: f64, velocity: f64, frequency: Frequency) -> Result<State, Plain> {
-        let plain = if velocity == 0.0 { Plain::Still } else { Plain::Free };
-        let (omega, omega_power) = frequency.root().ok_or(plain)?;
+    /// From finite theta and velocity. `None` where the force shapes no motion: at rest at the stable equilibrium,
+    /// without a force, and for a velocity 2^100 times what the force could change.
+    pub fn new(theta: f64, velocity: f64, frequency: Frequency) -> Option<State> {
+        let (omega, omega_power) = frequency.root()?;
         let reduced = angle_reduction::reduce(theta);
         let x_power = if velocity == 0.0 { i32::MIN / 2 } else { exponent(velocity) - 1 - omega_power };
         if x_power > FAST {
-            return Err(Plain::Free);
+            return None;
         }
         let upside_down = frequency.upside_down();
         let (sine, cosine, power) = half_angle(&reduced, upside_down, x_power);
@@ -103,14 +99,14 @@ impl State {
             )
         };
         if sine.hi == 0.0 && x.hi == 0.0 {
-            return Err(Plain::Still);
+            return None;
         }
         let (regime, mc, kc) = complement(velocity, frequency, x_power, sine, cosine, x, power);
         let side = if velocity < 0.0 { -1.0 } else { 1.0 };
         let start_side = if upside_down { -reduced.side } else { reduced.side };
         let s = sine.to_dd() * (side * start_side);
         let m = (sine.square() + x.square()).to_dd();
-        Ok(State {
+        Some(State {
             regime,
             frame: frame(theta, &reduced, upside_down, side),
             s,
@@ -131,7 +127,7 @@ fn frame(theta: f64, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Fr
     let distance = reduced.from_bottom * reduced.side;
     let base = if reduced.turns == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
     let half_turn = if upside_down { reduced.side } else { 0.0 };
-    Frame { base, turns: reduced.turns, half_turn, side }
+    Frame { base, turns: reduced.whole_turns(), half_turn, side }
 }
 
 /// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.

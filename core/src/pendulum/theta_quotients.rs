@@ -1,76 +1,31 @@
-//! The canonical motion over lanes: upwards through 0 at phase 0, in units that the orbit has set up.
+//! The canonical motion by quotients of theta functions.
 //!
 //! With theta functions t1 (without its factor A) to t4 at the phase, k and k' of the lattice:
 //!   libration: tan(theta/2) = k sn/dn,  velocity = 2 omega0 kappa cn,
-//!   rotation:  tan(theta/2) = sn/cn,    velocity = 2 omega0 kappa dn,
-//!   separatrix: tan(theta/2) = sinh,    velocity = 2 omega0 sech,
-//! the tangent as a point of two double-doubles, so the angle keeps its digits at the turning points and
-//! near the top. Source: Salas 2019 (23), with 2 atan2 and turns in place of the arctangent.
+//!   rotation:  tan(theta/2) = sn/cn,    velocity = 2 omega0 kappa dn.
+//! The tangent is a point of two double-doubles, so the angle is accurate at the turning points and near the top.
+//! Source: Salas 2019 (23), with 2 atan2 and turns in place of the arctangent; DLMF 22.2.4 to 22.2.9.
 
-use super::interpolant::OrbitInterpolant;
-use super::orbit::Elliptic;
-use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
-use crate::elliptic::theta::neville::Thetas;
+use super::canonical::{Canonical, CanonicalMotion, last_count, turns_and_sign};
+use crate::elliptic::phase::Phase;
+use crate::elliptic::theta::neville::{NevilleTheta, Thetas};
 use crate::float::Dd;
-use crate::float::double_double::two_sum;
-use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
+use crate::float::elementary::quotient;
 use crate::lanes::Lane;
 
-/// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
-pub(super) struct Canonical<L: Lane> {
-    pub turns: L,
-    pub sign: L,
-    pub opposite: Dd<L>,
-    pub adjacent: Dd<L>,
-    pub velocity: L,
+/// A libration or a rotation in terms of theta functions.
+#[derive(Clone, Debug)]
+pub(crate) struct Elliptic {
+    pub lattice: NevilleTheta,
+    pub phase: Phase,
+    /// Factors of tan of the half angle, counted from the bottom and from the quarter period.
+    pub tangent: [Dd; 2],
+    /// Factors of the velocity, likewise.
+    pub velocity: [Dd; 2],
 }
 
-/// What an evaluation may leave out.
-pub(super) trait Wanted {
-    const ANGLE: bool;
-    const VELOCITY: bool;
-    /// What is wanted, first.
-    #[inline(always)]
-    fn first<L: Lane>(theta: L, velocity: L) -> [L; 2] {
-        if Self::ANGLE { [theta, velocity] } else { [velocity, theta] }
-    }
-}
-pub(super) struct AngleOnly;
-pub(super) struct VelocityOnly;
-pub(super) struct Both;
-impl Wanted for AngleOnly {
-    const ANGLE: bool = true;
-    const VELOCITY: bool = false;
-}
-impl Wanted for VelocityOnly {
-    const ANGLE: bool = false;
-    const VELOCITY: bool = true;
-}
-impl Wanted for Both {
-    const ANGLE: bool = true;
-    const VELOCITY: bool = true;
-}
-
-/// A formula for the canonical motion.
-pub(super) trait Path {
-    /// Whether it makes whole turns.
-    const TURNS: bool;
-    /// Whether `opposite` is the angle itself.
-    const DIRECT: bool = false;
-    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L>;
-}
-
-/// Libration, on the circular or the hyperbolic side of the theta functions.
-pub(super) struct Swing<'a, const HYPERBOLIC: bool>(pub &'a Elliptic);
-
-/// Rotation, likewise.
-pub(super) struct Spin<'a, const HYPERBOLIC: bool>(pub &'a Elliptic);
-
-/// Libration or rotation not next to the separatrix, by polynomials.
-pub(super) struct Sway<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a OrbitInterpolant);
-
-/// The separatrix: hyperbolic phase, and twice omega0.
-pub(super) struct Ridge<'a>(pub &'a Phase, pub Dd);
+/// A libration or a rotation by theta functions, on the circular or the hyperbolic side of them.
+pub(super) struct ByThetaFunctions<'a, const ROTATION: bool, const HYPERBOLIC: bool>(pub &'a Elliptic);
 
 /// Picks numerator and denominator by fold, and the factor with them.
 #[inline(always)]
@@ -96,115 +51,20 @@ pub(super) fn speed<const ROTATION: bool, L: Lane>(elliptic: &Elliptic, thetas: 
     ratio(folded, plain, turned, &elliptic.velocity)
 }
 
-/// 2^52 turns are 2^53 half periods.
-const fn last_count(rotation: bool) -> f64 {
-    if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD }
-}
-
-/// What a whole count means: turns of a rotation, or the side of a libration.
-#[inline(always)]
-fn split<const ROTATION: bool, L: Lane>(n: L) -> (L, L) {
-    if ROTATION { (n, L::splat(1.0)) } else { (L::splat(0.0), alternating(n)) }
-}
-
-/// The motion by theta functions, at a whole count and a rest.
-#[inline(always)]
-fn by_thetas<W: Wanted, const ROTATION: bool, const HYPERBOLIC: bool, L: Lane>(
-    elliptic: &Elliptic,
-    t: L,
-) -> Canonical<L> {
-    let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
-    let sign = L::splat(1.0).copysign(f.hi);
-    let (turns, parity) = split::<ROTATION, L>(n);
-    let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
-    let mut motion = Canonical { turns, ..Canonical::at(sign * parity) };
-    if W::ANGLE {
-        [motion.opposite, motion.adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
-    }
-    if W::VELOCITY {
-        let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
-        motion.velocity = quotient(numerator, denominator).value() * parity;
-    }
-    motion
-}
-
-impl<const HYPERBOLIC: bool> Path for Swing<'_, HYPERBOLIC> {
-    const TURNS: bool = false;
-    #[inline(always)]
-    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        by_thetas::<W, false, HYPERBOLIC, L>(self.0, t)
-    }
-}
-
-impl<const HYPERBOLIC: bool> Path for Spin<'_, HYPERBOLIC> {
-    const TURNS: bool = true;
-    #[inline(always)]
-    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        by_thetas::<W, true, HYPERBOLIC, L>(self.0, t)
-    }
-}
-
-impl<const ROTATION: bool> Path for Sway<'_, ROTATION> {
+impl<const ROTATION: bool, const HYPERBOLIC: bool> CanonicalMotion
+    for ByThetaFunctions<'_, ROTATION, HYPERBOLIC>
+{
     const TURNS: bool = ROTATION;
-    const DIRECT: bool = true;
     #[inline(always)]
-    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Sway(elliptic, arc) = self;
+    fn at<L: Lane>(&self, t: L) -> Canonical<L> {
+        let elliptic = self.0;
         let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
-        let (turns, parity) = split::<ROTATION, L>(n);
-        let mut motion = Canonical { turns, ..Canonical::at(parity) };
-        if W::ANGLE {
-            motion.opposite = arc.angle(f);
-        }
-        if W::VELOCITY {
-            motion.velocity = if arc.has_velocity() {
-                arc.velocity::<ROTATION, L>(f) * parity
-            } else {
-                let size = f.scale(L::splat(1.0).copysign(f.hi));
-                let thetas = elliptic.lattice.thetas_on::<true, L>(size);
-                let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
-                quotient(numerator, denominator).value() * parity
-            };
-        }
-        motion
-    }
-}
-
-impl<L: Lane> Canonical<L> {
-    #[inline(always)]
-    fn at(sign: L) -> Self {
-        let zero = L::splat(0.0);
-        let (nothing, one) = (Dd::from_double(zero), Dd::from_double(L::splat(1.0)));
-        Canonical { turns: zero, sign, opposite: nothing, adjacent: one, velocity: zero }
-    }
-}
-
-/// Beyond this hyperbolic phase the angle is pi and the velocity 0.
-const FAR: f64 = 1e6;
-
-impl Path for Ridge<'_> {
-    const TURNS: bool = false;
-    #[inline(always)]
-    fn at<W: Wanted, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Ridge(Phase { rate, start }, speed) = self;
-        let (passed, error) = t.two_product(L::splat(rate.hi));
-        let error = t.mul_add(L::splat(rate.lo), error);
-        let near = passed.abs().less(L::splat(FAR));
-        let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
-        let passed = L::select(near, passed, far);
-        let error = L::select(near, error, L::splat(0.0));
-        let (y, rest) = two_sum(passed, L::splat(start.hi));
-        let y = Dd::ordered_sum(y, rest + (error + L::splat(start.lo)));
-        let sign = L::splat(1.0).copysign(y.hi);
-        let y = y.scale(sign);
-        let mut motion = Canonical::at(sign);
-        if W::ANGLE {
-            motion.opposite = saturated_sinh_cosh(y).0;
-        }
-        if W::VELOCITY {
-            let (factor, power) = sech(y);
-            motion.velocity = (factor * Dd::splat(*speed)).value() * power;
-        }
-        motion
+        let sign = L::splat(1.0).copysign(f.hi);
+        let (turns, parity) = turns_and_sign::<ROTATION, L>(n);
+        let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
+        let [opposite, adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
+        let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
+        let velocity = quotient(numerator, denominator).value() * parity;
+        Canonical { turns, sign: sign * parity, opposite, adjacent, velocity }
     }
 }

@@ -1,0 +1,43 @@
+//! The canonical motion: upwards through 0 at phase 0, in the units that the orbit has set up.
+//!
+//! Every solution of the pendulum gives it in its own way: by theta functions (theta_quotients.rs), by polynomials
+//! (interpolant.rs), or by hyperbolic functions (separatrix.rs).
+
+use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
+use crate::float::Dd;
+use crate::lanes::Lane;
+
+/// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
+pub(super) struct Canonical<L: Lane> {
+    pub turns: L,
+    pub sign: L,
+    pub opposite: Dd<L>,
+    pub adjacent: Dd<L>,
+    pub velocity: L,
+}
+
+/// A formula for the canonical motion.
+pub(super) trait CanonicalMotion {
+    /// Whether it makes whole turns.
+    const TURNS: bool;
+    /// Whether `opposite` is the angle itself.
+    const DIRECT: bool = false;
+    /// At one lane of times; `#[inline(always)]`, so that what is not asked for is not computed.
+    fn at<L: Lane>(&self, t: L) -> Canonical<L>;
+}
+
+/// Where whole half periods of a libration, or whole turns of a rotation, can no longer be told apart: 2^52 turns are
+/// 2^53 half periods.
+pub(super) const fn last_count(rotation: bool) -> f64 {
+    if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD }
+}
+
+/// Turns and sign of a whole count: turns of a rotation, or the side of a libration.
+#[inline(always)]
+pub(super) fn turns_and_sign<const ROTATION: bool, L: Lane>(n: L) -> (L, L) {
+    if ROTATION { (n, L::splat(1.0)) } else { (L::splat(0.0), alternating(n)) }
+}
+
+/// Results of a formula of the motion: the angle; the velocity; and the angle again as whole turns from those of the
+/// frame and a rest as hi and lo, in [-pi, pi], or without a force from 0.
+pub(super) const RESULTS: usize = 5;

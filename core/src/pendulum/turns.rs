@@ -1,0 +1,68 @@
+//! The angle as whole turns and a rest.
+
+use super::orbit::{Orbit, Solution};
+use crate::float::{Dd, PI, TWO_PI, angle_reduction};
+
+/// An angle theta = 2 pi count + angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turns {
+    /// Whole turns.
+    pub count: i64,
+    /// The rest, in [-pi, pi).
+    pub angle: f64,
+}
+
+impl Turns {
+    /// Where there is no answer.
+    const NONE: Turns = Turns { count: 0, angle: f64::NAN };
+}
+
+impl Orbit {
+    /// The angle at t (in s) as whole turns and a rest, theta = 2 pi count + angle.
+    ///
+    /// The bounds of the rest are those of doubles: pi rounded to a double is given as minus itself, one turn on. The
+    /// angle is NaN and the count 0 where theta is NaN, and where the count would be 2^63 or more (|theta| above
+    /// 5.79e19). **Error** of the rest: 4 ulp of pi, plus 2^-100 of the condition. Source: as [`Orbit::theta`], without
+    /// the last sum.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(0.0, 3.0, Frequency::from_omega0(1.0)?)?;
+    /// let turns = orbit.turns(100.0);
+    /// assert_eq!(format!("{} {:.9}", turns.count, turns.angle), "41 -2.197024846");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
+    pub fn turns(&self, t: f64) -> Turns {
+        let (turns, local) = self.turned(t);
+        if !local.hi.is_finite() {
+            return Turns::NONE;
+        }
+        let (count, rest) = match self.solution {
+            Solution::Equilibrium | Solution::ForceFree => {
+                // Far out the second word has turns of its own.
+                let [hi, lo] = [local.hi, local.lo].map(angle_reduction::reduce);
+                let rest = (hi.from_bottom * hi.side + lo.from_bottom * lo.side).to_dd();
+                let shift = (rest.hi / TWO_PI.hi).round();
+                (hi.whole_turns() + lo.whole_turns() + Dd::from(shift), rest - TWO_PI * shift)
+            }
+            _ => (self.frame.turns + Dd::from(turns), local),
+        };
+        // The half-open interval in doubles: its upper end is the lower end one turn on.
+        let (shift, angle) = match rest.value() {
+            value if value >= PI.hi => (1.0, (rest - TWO_PI).value().max(-PI.hi)),
+            value if value < -PI.hi => (-1.0, (rest + TWO_PI).value()),
+            value => (0.0, value),
+        };
+        match whole(count + Dd::from(shift)) {
+            Some(count) => Turns { count, angle },
+            None => Turns::NONE,
+        }
+    }
+}
+
+/// A whole number as an integer, if it fits.
+fn whole(count: Dd) -> Option<i64> {
+    // Both words are whole numbers; a conversion that does not fit gives the largest integer, which is refused.
+    i64::try_from((count.hi as i128).saturating_add(count.lo as i128)).ok()
+}
