@@ -3,9 +3,9 @@
 //! Two paths. `orbit_*` takes an orbit by its exact factors and is meant for one orbit and many times; `state_*` and
 //! `advance` take rows with states of their own. The elliptic functions are in elliptic.rs, the springs in oscillator.rs.
 
+use libration::pendulum;
 use libration::pendulum::action::state_of;
 use libration::pendulum::fourier::harmonic_distortion;
-use libration::pendulum;
 use libration::{Frequency, Orbit, Sensitivity, Turns};
 use pyo3::prelude::*;
 
