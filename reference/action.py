@@ -1,4 +1,4 @@
-"""Truth for action, mean frequency, phase and Fourier amplitudes; writes vectors/action.csv.
+"""Reference values for action, mean frequency, phase and Fourier amplitudes; writes vectors/action.csv.
 
 Every sixth row of inputs/pendulum.csv. The action is a difference of Legendre's integrals (Landau & Lifshitz, section 49; DLMF 19.5),
 the amplitudes come from the nome (DLMF 22.11) and the phase from Carlson's R_F (orbit.py); the condition numbers are
@@ -11,7 +11,7 @@ from fractions import Fraction
 import exact
 import mpmath as mp
 import orbit
-from exact import decimal, hi_lo, mpf, real, settled
+from exact import agreed, decimal, hi_lo, mpf, real
 
 NAME = "action.csv"
 INPUTS = "id stratum theta0 velocity0 omega2 t".split()
@@ -105,7 +105,7 @@ def row(inputs):
         regime, leads = values(*given)
         return regime, leads, []
 
-    regime, leads, _ = settled(evaluate, orbit.first_digits(*given))
+    regime, leads, _ = agreed(evaluate, orbit.first_digits(*given))
     with mp.workdps(orbit.first_digits(*given) + 60):
         slopes = [mpf(0)] * len(OUTPUTS) if regime in ("separatrix", "rest") else conditions(given)
     with mp.workdps(60):

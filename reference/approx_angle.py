@@ -1,9 +1,8 @@
-"""Truth for the approximations of the angle; writes vectors/approx_angle.csv.
+"""Reference values for the approximations of the angle; writes vectors/approx_angle.csv.
 
-Each formula as its author writes it, with the phase of the exact orbit from Carlson's R_F (orbit.py): series summed from the
-nome, Taylor coefficients from derivatives
-worked out as polynomials, the motions of polynomial sines by the closed form
-of a release from rest, shifted in time to the start. `difference` is the approximation minus the exact angle; `scale` is the
+Each formula as its author writes it, with the phase of the exact orbit from Carlson's R_F (orbit.py). Series are summed from
+the nome. Taylor coefficients come from derivatives computed as polynomials. The motions of polynomial sines are the closed form of
+a release from rest, shifted in time to the start. `difference` is the approximation minus the exact angle; `scale` is the
 size of the angle that its error is measured by; conditions are central differences at many more digits. NaN where a
 formula has no value. Run: python approx_angle.py (a minute).
 """
@@ -14,7 +13,7 @@ from fractions import Fraction
 import exact
 import mpmath as mp
 import orbit
-from exact import decimal, hi_lo, mpf, real, settled
+from exact import agreed, decimal, hi_lo, mpf, real
 from oscillator_inputs import Draw
 
 NAME = "approx_angle.csv"
@@ -130,7 +129,7 @@ class Released:
         energy = v * v / (2 * self.w**2) + self.potential(u * u)
         self.escapes = False
         if gamma == 0:
-            # Over the barrier, or beyond it, there is no way back.
+            # Over the barrier, or beyond it, the orbit does not return.
             barrier = -1 / self.beta
             self.escapes = u * u >= barrier or energy >= self.potential(barrier)
         if not self.escapes:
@@ -274,7 +273,7 @@ def row(inputs):
     formula = inputs["formula"]
     given = [Fraction(float.fromhex(inputs[name])) for name in INPUTS[3:]]
     digits = orbit.first_digits(*given) + 40
-    _, leads, _ = settled(lambda: (formula, values(formula, *given), []), digits)
+    _, leads, _ = agreed(lambda: (formula, values(formula, *given), []), digits)
     with mp.workdps(digits + 60):
         slopes = conditions(formula, given)
         size = scale(formula, given, leads[0])

@@ -1,8 +1,8 @@
-"""Second route for vectors/approx_angle.csv: what the formulas are made of, found another way.
+"""Another method for vectors/approx_angle.csv: the parts of the formulas, computed by other formulas.
 
 Amplitudes of the series by the trapezoidal rule from the exact motion; the motions of polynomial sines by their equation and
 start; Taylor coefficients by numerical differentiation of the exact angle; the formula of small m by numerical
-differentiation of the exact one by m. For rows where that converges; the rest is left to the tests.
+differentiation of the exact one by m. Only for rows where this converges; the tests check the others.
 """
 
 from collections import Counter
@@ -89,10 +89,10 @@ def wrong(row):
         value = measured(row)
         if value is None:
             return None
-        truth = mpf(float.fromhex(row["theta_hi"])) + mpf(float.fromhex(row["theta_lo"]))
-        if mp.isnan(value) or mp.isnan(truth):
-            return not (mp.isnan(value) and mp.isnan(truth))
-        return abs(value - truth) > AGREE * (mpf(row["scale"]) + mpf(row["cond_theta"]))
+        stored = mpf(float.fromhex(row["theta_hi"])) + mpf(float.fromhex(row["theta_lo"]))
+        if mp.isnan(value) or mp.isnan(stored):
+            return not (mp.isnan(value) and mp.isnan(stored))
+        return abs(value - stored) > AGREE * (mpf(row["scale"]) + mpf(row["cond_theta"]))
 
 
 KINDS = ("fourier", "fourier-theta", "small-m", "cubic", "cubic-quintic", "taylor")
@@ -100,7 +100,7 @@ EACH = 2
 
 
 def main(fail, rows, everything):
-    """Fails at the first contradiction; every kind of formula must have been seen, and a spoiled row must fail."""
+    """Fails at the first contradiction; every kind of formula must have been seen, and a mutated row must fail."""
     seen = Counter()
     for row in rows:
         kind = row["formula"].partition(":")[0]
@@ -113,7 +113,7 @@ def main(fail, rows, everything):
             continue
         moved = float.fromhex(row["theta_hi"]) * (1 + 2.0**-45)
         if not seen[kind] and not wrong({**row, "theta_hi": moved.hex()}):
-            fail("approx_angle.csv: a spoiled row passes", row)
+            fail("approx_angle.csv: a mutated row passes", row)
         seen[kind] += 1
     if any(seen[kind] < EACH for kind in KINDS):
         fail("approx_angle.csv: too few rows for the second route", dict(seen))

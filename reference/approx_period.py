@@ -1,4 +1,4 @@
-"""Truth for the formulas of the period; writes vectors/approx_period.csv. Run: python approx_period.py (ten seconds).
+"""Reference values for the formulas of the period; writes vectors/approx_period.csv. Run: python approx_period.py (ten seconds).
 
 T/T0 by each formula as its source prints it, and its relative error against 2K(m)/pi, with mpmath's K at 120 digits.
 The series in theta_max are the hypergeometric series of K in m with the powers of m = sin^2(theta_max/2) put in.

@@ -1,8 +1,8 @@
-"""Truth for the polynomials in place of the sine; writes vectors/approx_sine.csv. Run: python approx_sine.py.
+"""Reference values for the polynomials in place of the sine; writes vectors/approx_sine.csv. Run: python approx_sine.py.
 
 The best polynomial solves, with its peaks, the equations of Chebyshev's alternation: error +-E and slope 0 at every
-inner peak, by Newton's method in all unknowns at once, from a short range to the wanted one; that no error between is
-larger, which proves it, is then seen on a grid. Largest errors are the zeros of slopes, by bisection.
+inner peak. Newton's method solves for all unknowns at once, from a short range up to the wanted one. A grid then confirms that
+no error between the peaks is larger, which proves that the polynomial is best. Largest errors are zeros of the slope, by bisection.
 Columns: quantity (`coefficient` of phi^argument, `value` at phi = argument, the largest errors `absolute` and
 `relative` for |phi| <= argument and where they are, `at` and `relative_at`), formula, the range of a best one
 (phi_max), argument, value as hi + lo.

@@ -1,8 +1,8 @@
-"""The same numbers a second time, in Arb ball arithmetic (python-flint) and by other formulas.
+"""The same values in Arb ball arithmetic (python-flint), by other formulas.
 
 Jacobi: theta quotients (DLMF 22.2.4-6) with the nome of the parameter itself, negative for m < 0.
-Integrals: Arb's own. Pendulum: the flow map, sin and cos of theta/2 from sn, cn, dn of omega t. A row passes
-if hi + lo lies within 2^-104 of a ball that is narrower still; the precision rises until it is.
+Integrals: Arb's own. Pendulum: the addition theorem, sin and cos of theta/2 from sn, cn, dn of omega t. A row passes
+if hi + lo is within 2^-104 of the ball. The precision doubles until the ball is narrower than that.
 """
 
 import math
@@ -84,7 +84,7 @@ def incomplete_values(given, parameter, phi):
 
 
 def pendulum_values(theta0, velocity0, omega2, t):
-    """The flow map for rational inputs; equilibria, free rotation and the exact separatrix on their own."""
+    """The state after the time t, for rational inputs; equilibria, free rotation and the exact separatrix separately."""
     angle, v, time = ball(theta0), ball(velocity0), ball(t)
     if omega2 == 0:
         values = {"theta": angle + v * time, "velocity": v, "energy": v * v / 2}
@@ -152,7 +152,7 @@ def narrow(x):
     return x.is_finite() and x.rad() <= abs(x.mid()) * arb(2) ** -112 + arb(2) ** -1085
 
 
-def rising(evaluate, first=300):
+def narrowed(evaluate, first=300):
     """Values as narrow balls: the precision doubles until they are."""
     ctx.prec = first
     while ctx.prec < 400_000:
@@ -182,7 +182,7 @@ def wrong(name, row):
     inputs = arguments(name, row)
     if inputs is None:
         return []
-    values = rising(lambda: VALUES[name](*inputs))
+    values = narrowed(lambda: VALUES[name](*inputs))
     found = [] if "theta0" in row else unexplained(row, values)
     for output, x in values.items():
         hi, lo = (float.fromhex(row[f"{output}_{part}"]) for part in ("hi", "lo"))

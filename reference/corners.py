@@ -1,4 +1,4 @@
-"""Writes vectors/pendulum_corners.csv: the pendulum where others break, with omega2 = a b / c exactly.
+"""Writes vectors/pendulum_corners.csv: the pendulum at inputs where other programs fail, with omega2 = a b / c exactly.
 
 Strata: omega0 given, gravity and length given, omega2 < 0, omega2 = 0, subnormal amplitudes, huge angles,
 extreme frequencies, states tuned to the separatrix, 1e6 to 1e9 periods, starts next to n pi.

@@ -1,4 +1,4 @@
-"""The motion of duffing.csv and cubic_quintic.csv a second time: addition on an elliptic curve, in balls.
+"""The motion of duffing.csv and cubic_quintic.csv by another method: addition on an elliptic curve, in balls.
 
 x'^2 = f(x) with f of degree 4 (x = u, or x = u^2 where there is a fifth power) has, for any start and any f,
   x = x0 + [-x0' P' + f' (P - f''/24) / 2 + f f'''/24] / [2 (P - f''/24)^2 - f f''''/48],  f at x0,
@@ -29,7 +29,7 @@ def quartic(start, force):
 
 
 def wp(t, g2, g3):
-    """wp and wp' of a ball t != 0; None if the ball is too wide on the way."""
+    """wp and wp' of a ball t != 0; None if the ball is too wide at one of the steps."""
     # halve until the Laurent series, whose radius exceeds 1 / max(|g2|^(1/4), |g3|^(1/6)), converges by 2^-8 a term
     sizes = [(abs(g) ** (arb(1) / k) * abs(t)).upper() for g, k in ((g2, 4), (g3, 6))]
     halves = 5
@@ -96,30 +96,30 @@ def motion(start, force, t):
     return x, d_numerator / denominator - numerator * (4 * over * dP) / (denominator * denominator)
 
 
-def inside(evaluate, truth, scale=0):
-    """Whether the ball of evaluate() meets truth within 2^-104 of itself, the precision raised until it could tell."""
+def inside(evaluate, value, scale=0):
+    """Whether the ball of evaluate() agrees with the value within 2^-104 of itself, the precision raised until it could tell."""
     bits = 256
     while bits < 1 << 15:
         with ctx.workprec(bits):
             found = evaluate()
             if found is not None and found.is_finite():
-                room = max(abs(truth), scale) * TOLERANCE
+                room = max(abs(value), scale) * TOLERANCE
                 if ball(room / 4) > found.rad():
-                    return abs(found - ball(truth)) < ball(room)
+                    return abs(found - ball(value)) < ball(room)
         bits *= 2
-    raise ArithmeticError("a ball does not narrow")
+    raise ArithmeticError("no precision makes the ball narrow")
 
 
-def changes_sign(evaluate, truth):
-    """Whether evaluate(x) has different signs at truth (1 - 2^-102) and truth (1 + 2^-102)."""
+def changes_sign(evaluate, value):
+    """Whether evaluate(x) has different signs at value (1 - 2^-102) and value (1 + 2^-102)."""
     bits = 512
     while bits < 1 << 15:
         with ctx.workprec(bits):
-            ends = [evaluate(truth * (1 + side * Fraction(1, 2**102))) for side in (-1, 1)]
+            ends = [evaluate(value * (1 + side * Fraction(1, 2**102))) for side in (-1, 1)]
             if all(e is not None and (e > 0 or e < 0) for e in ends):
                 return bool(ends[0] > 0) != bool(ends[1] > 0)
         bits *= 2
-    raise ArithmeticError("a sign does not settle")
+    raise ArithmeticError("no precision decides the sign")
 
 
 def parts(row):
@@ -129,7 +129,7 @@ def parts(row):
     return start, (*force, Fraction(0))[:3], Fraction(float.fromhex(row["t"]))
 
 
-def truth(row, name):
+def stored(row, name):
     """hi + lo as a rational, or a float where it is infinite or NaN."""
     hi, lo = (float.fromhex(row[f"{name}_{part}"]) for part in ("hi", "lo"))
     return Fraction(hi) + Fraction(lo) if math.isfinite(hi) else hi
@@ -142,10 +142,10 @@ def wrong(row):
     a, b, c = force
     found = []
     energy = v0**2 / 2 + a * u0**2 / 2 + b * u0**4 / 4 + c * u0**6 / 6
-    if abs(truth(row, "energy") - energy) > abs(energy) * TOLERANCE:
+    if abs(stored(row, "energy") - energy) > abs(energy) * TOLERANCE:
         found.append("energy")
-    u, v = truth(row, "u"), truth(row, "velocity")
-    period, ahead, behind = (truth(row, name) for name in ("period", "escape", "escape_backward"))
+    u, v = stored(row, "u"), stored(row, "velocity")
+    period, ahead, behind = (stored(row, name) for name in ("period", "escape", "escape_backward"))
     still = row["regime"] == "rest"
     if not isinstance(u, Fraction):
         if not (math.isnan(u) and math.isnan(v) and not behind < t < ahead):
@@ -184,16 +184,16 @@ def wrong(row):
 
 
 def scales(row, start, force, energy):
-    """The scales: ends of the range and the largest of many velocities on it, or truth and start."""
+    """The scales: ends of the range and the largest of many velocities on it, or value and start."""
     a, b, c = force
     told = [Fraction(row[name]) for name in ("scale_u", "scale_velocity")]
-    low, high = truth(row, "low"), truth(row, "high")
+    low, high = stored(row, "low"), stored(row, "high")
     if isinstance(low, Fraction) and isinstance(high, Fraction):
         squares = [(low + (high - low) * Fraction(k, 500)) ** 2 for k in range(501)]
         fastest = mid_root(max(2 * energy - a * y - b * y**2 / 2 - c * y**3 / 3 for y in squares)) if told[1] else 0
         ranges = (max(abs(low), abs(high)), 10**-15), (fastest, 10**-4 if row["regime"] != "rest" else 0)
     else:
-        known = [truth(row, name) for name in ("u", "velocity")]
+        known = [stored(row, name) for name in ("u", "velocity")]
         known = [x if isinstance(x, Fraction) else 0 for x in known]
         ranges = [(max(abs(x), abs(y)), 10**-15) for x, y in zip(known, start, strict=True)]
     names = zip(("scale_u", "scale_velocity"), told, ranges, strict=True)
@@ -202,7 +202,7 @@ def scales(row, start, force, energy):
 
 def expected_side(row, u, v):
     """Sign of u where only u^2 is known: followed in a libration, kept beside 0, told by u' where that keeps its."""
-    low, high = truth(row, "low"), truth(row, "high")
+    low, high = stored(row, "low"), stored(row, "high")
     u0, v0 = (float.fromhex(row[name]) for name in ("u0", "velocity0"))
     if row["regime"] == "libration":
         return side(row)
@@ -238,7 +238,7 @@ def bounds(row, start, force, energy):
     found = []
     a, b, c = force
     if row["regime"] == "rest":
-        return [name for name in ("low", "high") if truth(row, name) != start[0]]
+        return [name for name in ("low", "high") if stored(row, name) != start[0]]
 
     def kinetic(u):
         return ball(2 * energy - a * u**2 - b * u**4 / 2 - c * u**6 / 3)
@@ -247,7 +247,7 @@ def bounds(row, start, force, energy):
         return ball(a + b * u**2 + c * u**4)
 
     for name, side in (("low", -1), ("high", 1)):
-        end = truth(row, name)
+        end = stored(row, name)
         if not isinstance(end, Fraction):
             if end != side * math.inf:
                 found.append(name)
@@ -276,7 +276,7 @@ def slopes_wrong(row):
     (u0, v0), (a, b, c), t = parts(row)
     numbers = [u0, v0, a, b, *([] if "p" in row else [c]), t]
     found = []
-    u = truth(row, "u")
+    u = stored(row, "u")
     plain, place = c == 0, by_place((u0, v0), (a, b, c))
 
     def whole(values):
@@ -311,7 +311,7 @@ def slopes_wrong(row):
     elif t != 0 and (row["cond_u"], row["cond_velocity"]) != ("0", "0") and u != 0:
         found.append("cond_u")
     for name in ("period", "escape", "escape_backward"):
-        end = truth(row, name)
+        end = stored(row, name)
         if isinstance(end, Fraction) and row["regime"] != "rest":
             if not near(turned(name, end)[0], row["cond_" + name]):
                 found.append("cond_" + name)
@@ -350,7 +350,7 @@ def total(function, numbers, quotient=False):
                 if all(s.is_finite() and (s.rad() == 0 or s.rel_accuracy_bits() > 40 or s < 2**-1000) for s in sums):
                     return sums
         bits *= 2
-    raise ArithmeticError("differences do not settle")
+    raise ArithmeticError("no precision is enough for the differences")
 
 
 def mid_root(square):
@@ -362,10 +362,10 @@ def mid_root(square):
 def side(row):
     """Sign of u by following u = +-sqrt(y) through its zeros, for a libration of the quintic equation."""
     (u0, v0), (a, b, c), t = parts(row)
-    period = truth(row, "period")
+    period = stored(row, "period")
     left = t - period * math.floor(t / period)
     with ctx.workprec(400):
-        top = truth(row, "high")
+        top = stored(row, "high")
         rate = mid_root(abs(a) + 3 * abs(b) * top**2 + 5 * abs(c) * top**4)
         most = 1 / (3 * rate)
         now, u, v, step = Fraction(0), ball(u0), ball(v0), most

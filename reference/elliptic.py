@@ -1,4 +1,4 @@
-"""Truth for Jacobi functions, complete and incomplete elliptic integrals; writes four CSV files.
+"""Reference values for Jacobi functions, complete and incomplete elliptic integrals; writes four CSV files.
 
 A real parameter is given as m, as mc = 1 - m or as k (m = k^2), a double taken as an exact rational, so m and
 mc are both exact. Jacobi: descending Landen chain for the amplitude (DLMF 22.20.6), reciprocal parameter for
@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import exact
 import mpmath as mp
-from exact import decimal, hi_lo, mpf, real, settled
+from exact import agreed, decimal, hi_lo, mpf, real
 
 JACOBI = (
     "stratum given parameter u sn_hi sn_lo cn_hi cn_lo dn_hi dn_lo am_hi am_lo cond_sn cond_cn cond_dn cond_am"
@@ -40,7 +40,7 @@ def by_given(given, parameter, m):
 
 
 def digits(m, mc, *arguments):
-    """Working digits that nearly always settle at once."""
+    """Working digits at which the first two precisions nearly always agree."""
     sizes = [abs(x) for x in arguments if x] + [max(1, abs(m))]
     large = sum(max(0, math.log10(size.numerator) - math.log10(size.denominator)) for size in sizes)
     close = max(0, math.log10(mc.denominator) - math.log10(abs(mc.numerator))) if mc else 0
@@ -79,10 +79,10 @@ def jacobi_evaluate(u, m, mc):
 
 
 def jacobi(given, parameter, u):
-    """sn, cn, dn, am and |u d/du| of each, settled."""
+    """sn, cn, dn, am and |u d/du| of each, accepted at two precisions."""
     m, mc = parameters(given, parameter)
     x = Fraction(u)
-    _, leads, _ = settled(lambda: (None, jacobi_evaluate(x, m, mc), ()), digits(m, mc, x))
+    _, leads, _ = agreed(lambda: (None, jacobi_evaluate(x, m, mc), ()), digits(m, mc, x))
     with mp.workdps(60):
         sn, cn, dn, _ = (+value for value in leads)
         conditions = [abs(real(x) * d) for d in (cn * dn, sn * dn, real(m) * sn * cn, dn)]
@@ -135,7 +135,7 @@ def complete(given, parameter):
         return [mp.nan] * 3, [mpf(0)] * 3
     if m == 1:
         return [mp.inf, mpf(1), mpf(1)], [mpf(0)] * 3
-    _, leads, slopes = settled(lambda: (None, *complete_evaluate(m, mc)), digits(m, mc))
+    _, leads, slopes = agreed(lambda: (None, *complete_evaluate(m, mc)), digits(m, mc))
     with mp.workdps(60):
         return leads, [abs(real(by_given(given, parameter, m)) * slope) for slope in slopes]
 
@@ -196,7 +196,7 @@ def incomplete(given, parameter, phi):
         scale = real(by_given(given, parameter, m))
         return None, leads, [abs(real(x) * f_phi) + abs(scale * f_m), abs(real(x) * e_phi) + abs(scale * e_m)]
 
-    return settled(evaluate, digits(m, mc, x))[1:]
+    return agreed(evaluate, digits(m, mc, x))[1:]
 
 
 def incomplete_row(inputs):

@@ -1,4 +1,4 @@
-"""The inputs of the elliptic vectors: parameters in every range, arguments at the hard places.
+"""The inputs of the elliptic vectors: parameters in every range, arguments where the functions are hard to compute.
 
 Parameters: m < 0, both sides of 1/2 and 1, mc and m down to 1e-300, m > 1, moduli of both signs.
 Arguments: |u| and |phi| from 1e-300 to 1e15, signed zeros, the doubles nearest to n K and n pi/2 and their

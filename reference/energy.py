@@ -1,8 +1,8 @@
 """The energy equation u'^2 = G(u^2) of u'' + a u + b u^3 + c u^5 = 0: regime, range, period and escape times.
 
-G(y) = 2E - a y - b y^2 / 2 - c y^3 / 3 has rational coefficients: multiple roots by the Euclidean algorithm, real
-roots isolated in balls and compared until they part. Periods and escape times are integrals in balls (Arb) with the
-ends taken out by u = A sin, A sec, tan.
+G(y) = 2E - a y - b y^2 / 2 - c y^3 / 3 has rational coefficients. Multiple roots come from the Euclidean algorithm. Real
+roots are isolated in balls, and compared at rising precision until they are separate. Periods and escape times are integrals
+in balls (Arb); the substitutions u = A sin, A sec and tan remove the singular ends.
 """
 
 from fractions import Fraction
@@ -237,7 +237,7 @@ class Orbit:
 
         return narrow(through if self.lower.side < 0 < self.upper.side else one_sided, goal)
 
-    def flight(self, backward, goal):
+    def escape_time(self, backward, goal):
         """Time to infinity, positive, or inf."""
         direction = -sign(self.v0) if backward else sign(self.v0)
         direction = direction or sign(self.acceleration)
@@ -267,7 +267,7 @@ class Orbit:
             return narrow(outward, goal)
 
         def straight():
-            # no turning point on the way; the unit of length is 1 in the scaled orbit
+            # no turning point before infinity; the unit of length is 1 in the scaled orbit
             total = [arb(0)]
             for j, g in enumerate(self.G):
                 part = times(power([arb(0), arb(1)], j), power([arb(1), arb(-1)], degree - j))
@@ -285,7 +285,7 @@ class Orbit:
         )
 
     def fastest(self):
-        """The largest |u'| of a bounded orbit: at the start, at u = 0 or at an equilibrium on the way."""
+        """The largest |u'| of a bounded orbit: at the start, at u = 0 or at an equilibrium between the turning points."""
         if self.regime == "rest":
             return mpf(0)
         low, high = (real(rational(b)) for b in self.bounds(120))
@@ -329,7 +329,7 @@ def integral(P, start, cosines):
     ddP = [k * p for k, p in enumerate(dP)][1:] or [arb(0)]
 
     def under(phi):
-        """P(sin^2 phi) on a ball by Taylor's formula: next to a double root the plain value loses its sign."""
+        """P(sin^2 phi) on a ball by Taylor's formula: next to a double root direct evaluation loses the sign."""
         centre = acb(phi.real.mid(), phi.imag.mid())
         s2 = centre.sin() ** 2
         here = acb(value(P, s2))

@@ -1,8 +1,8 @@
-"""Exact conversions between doubles, rationals, mpmath numbers and text, and the two-precision check.
+"""Exact conversions between doubles, rationals, mpmath numbers and text, and values accepted at two precisions.
 
 Inputs are doubles taken as exact rationals. Outputs are written as hi + lo: hi is the double nearest
-to the truth, lo the double nearest to the truth minus hi, so the pair carries about 106 bits.
-A value counts as settled when evaluations at P and at P + 30 digits agree to 50 digits.
+to the value, lo the double nearest to the value minus hi, so the pair carries about 106 bits.
+A value is accepted when evaluations at P and at P + 30 digits agree to 50 digits.
 """
 
 import csv
@@ -68,7 +68,7 @@ def agreement(a, b):
     return abs(a - b) / max(abs(a), abs(b))
 
 
-def settled(evaluate, digits):
+def agreed(evaluate, digits):
     """The (label, leads, others) of evaluate(), accepted when two working precisions agree.
 
     The label must be the same, leads agree to 50 digits, others (derivatives, condition numbers) to 30."""

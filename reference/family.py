@@ -1,4 +1,4 @@
-"""Truth for the whole elliptic family in Arb balls; writes eight CSV files.
+"""Reference values for the whole elliptic family in Arb balls; writes eight CSV files.
 
 Jacobi's functions: theta quotients (balls.py), of complex arguments too; inverses: R_F (DLMF 19.25.29 to 19.25.34);
 epsilon: E(am u), zeta: its definition; theta functions: Arb's; the other integrals in integrals.py. Every value is a
@@ -10,6 +10,7 @@ from fractions import Fraction
 
 import balls
 import exact
+from adaptive_precision import STEP, columns
 from balls import ball, nint
 from elliptic import parameters
 from flint import acb, arb
@@ -21,7 +22,6 @@ from integrals import (
     rf,
     third_kind_columns,
 )
-from settle import STEP, columns
 
 GLAISHER = "sn cn dn ns nc nd sc cs sd ds cd dc".split()
 

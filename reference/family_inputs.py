@@ -1,6 +1,6 @@
-"""The inputs of the vectors of the elliptic family: parameters in every range, arguments at the hard places.
+"""The inputs of the vectors of the elliptic family: parameters in every range, arguments where the functions are hard to compute.
 
-Built from bits and IEEE operations, like elliptic_inputs.py; places such as n K are rounded from 60 digits.
+Built from bits and IEEE operations, like elliptic_inputs.py. Arguments such as n K are rounded from 60 digits.
 """
 
 import math

@@ -1,16 +1,16 @@
-"""Truth for the integrals of the elliptic family in Arb balls: Heuman's lambda, Carlson's four, the third kind.
+"""Reference values for the integrals of the elliptic family in Arb balls: Heuman's lambda, Carlson's four, the third kind.
 
 Heuman: the definition by Legendre's integrals. Pi: R_F and R_J (DLMF 19.25.2, 19.25.14); principal values by 19.20.14,
-19.2.20 and 19.6.5. A difference of two large numbers costs nothing here: the precision rises until it is narrow.
+19.2.20 and 19.6.5. A difference of two large numbers does no harm here, because the precision rises until the ball is narrow.
 """
 
 import math
 from fractions import Fraction
 
+from adaptive_precision import columns
 from balls import ball, nint
 from elliptic import parameters
 from flint import acb, arb
-from settle import columns
 
 
 def of_given(given):

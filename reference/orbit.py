@@ -1,4 +1,4 @@
-"""Truth for one orbit of theta'' + omega2 sin(theta) = 0, with its six derivatives, by mpmath.
+"""Reference values for one orbit of theta'' + omega2 sin(theta) = 0, with its six derivatives, by mpmath.
 
 With r = theta0 - 2 pi n, s = sin(r/2), c = cos(r/2) >= 0, x = velocity0 / (2 omega):
   m = s^2 + x^2 (energy ratio),  mc = 1 - m = (c - x)(c + x),  tau0 = s R_F(x^2, m c^2, m)
@@ -13,7 +13,7 @@ import math
 from fractions import Fraction
 
 import mpmath as mp
-from exact import decimal, hi_lo, mpf, real, settled
+from exact import agreed, decimal, hi_lo, mpf, real
 
 BASE_DIGITS = 85
 OUTPUTS = (
@@ -199,7 +199,7 @@ def first_digits(theta0, velocity0, omega2, t):
 def outputs(theta0, velocity0, omega2, t):
     """The OUTPUTS columns of one row; the inputs are doubles and omega2 a Fraction."""
     given = [Fraction(theta0), Fraction(velocity0), omega2, Fraction(t)]
-    regime, leads, others = settled(lambda: evaluate(*given), first_digits(*given))
+    regime, leads, others = agreed(lambda: evaluate(*given), first_digits(*given))
     theta, velocity, T, m, mc, theta_max, energy = leads
     *D, condition = others
     with mp.workdps(60):

@@ -1,4 +1,4 @@
-"""Truth for one orbit of u'' + a u + b u^3 + c u^5 = 0 with any real a, b, c and any start.
+"""Reference values for one orbit of u'' + a u + b u^3 + c u^5 = 0 with any real a, b, c and any start.
 
 Regime, range, period and escape times come from the energy equation (energy.py), the motion from Taylor series
 (taylor.py) after whole periods are taken off, in units where the orbit is of order 1.
@@ -14,7 +14,7 @@ from exact import agreement, decimal, hi_lo, mpf, real
 from flint import ctx
 from taylor import Sweep
 
-SETTLED = mpf(10) ** -50
+AGREEMENT = mpf(10) ** -50
 OUTPUTS = (
     "regime u_hi u_lo velocity_hi velocity_lo period_hi period_lo low_hi low_lo high_hi high_lo energy_hi energy_lo "
     "escape_hi escape_lo escape_backward_hi escape_backward_lo scale_u scale_velocity "
@@ -26,30 +26,30 @@ class Scaled:
     """The orbit in units 2^length and 2^-rate, where its features are of order 1."""
 
     def __init__(self, start, c, times):
-        plain = Orbit(start, c)
+        unscaled = Orbit(start, c)
         (u0, v0), (a, b, c5) = start, c
-        if plain.regime == "rest":
+        if unscaled.regime == "rest":
             length = power_of_two(u0) if u0 else 0
-        elif plain.linear:
+        elif unscaled.linear:
             sizes = [power_of_two(u0)] if u0 else []
             if v0 and a:
                 sizes.append(power_of_two(v0) - power_of_two(a) // 2)
             elif v0:
                 sizes.append(power_of_two(v0 * max(map(abs, times), default=1) or v0))
             length = max(sizes)
-        elif plain.lower and plain.upper:
+        elif unscaled.lower and unscaled.upper:
             with ctx.workprec(64):
-                sizes = [float_exponent(end.u()) for end in (plain.lower, plain.upper)]
+                sizes = [float_exponent(end.u()) for end in (unscaled.lower, unscaled.upper)]
             length = max(size for size in sizes if size is not None)
         else:
             # Cauchy's bound on the roots of G
-            top = len(plain.G) - 1
-            sizes = [power_of_two(g / plain.G[-1]) / (2 * (top - j)) for j, g in enumerate(plain.G[:-1]) if g]
+            top = len(unscaled.G) - 1
+            sizes = [power_of_two(g / unscaled.G[-1]) / (2 * (top - j)) for j, g in enumerate(unscaled.G[:-1]) if g]
             length = round(max(sizes)) if sizes else power_of_two(u0)
         self.length = length
         rates = [scaled(abs(a), 1), scaled(7 * abs(b), 2 * length), scaled(26 * abs(c5), 4 * length)]
         if any(rates):
-            # an eighth of the bound on the fastest rate: steps in taylor.py are 1 at most, and slow stretches want more
+            # an eighth of the bound on the fastest rate: steps in taylor.py are at most 1, and slow parts of the motion need longer ones
             self.rate = power_of_two(sum(rates)) // 2 - 3
         else:
             self.rate = -power_of_two(max(map(abs, times), default=Fraction(1)) or Fraction(1))
@@ -58,7 +58,7 @@ class Scaled:
         self.c = scaled(a, r), scaled(b, r + 2 * length), scaled(c5, r + 4 * length)
         self.times = [scaled(t, self.rate) for t in times]
         self.orbit = Orbit(self.start, self.c)
-        if self.orbit.regime != plain.regime:
+        if self.orbit.regime != unscaled.regime:
             raise ArithmeticError("the regime depends on the units")
         self.u_unit, self.t_unit = mp.ldexp(mpf(1), length), mp.ldexp(mpf(1), -self.rate)
 
@@ -75,8 +75,8 @@ class Ephemeris:
         self.orbit, self.c, self.slopes, self.pace, self.bits = orbit, c, slopes, pace, bits
         self.unbounded = orbit.regime == "escape"
         self.T = orbit.period(bits) if orbit.periodic() else None
-        self.flights = [orbit.flight(backward, bits) for backward in (False, True)]
-        self.states, self.by_period, self.by_flight = {}, None, [None, None]
+        self.escape_times = [orbit.escape_time(backward, bits) for backward in (False, True)]
+        self.states, self.by_period, self.by_escape = {}, None, [None, None]
         first = [(real(orbit.u0), real(orbit.v0)), (mpf(1), mpf(0)), (mpf(0), mpf(1)), (mpf(0), mpf(0))]
         self.states[Fraction(0)] = first[: slopes + 1]
         if self.T is not None:
@@ -129,18 +129,18 @@ class Ephemeris:
 
     def sweep(self, backward, times):
         direction = -1 if backward else 1
-        flight = self.flights[backward]
-        chosen = sorted((abs(t), t) for t in times if t and sign(t) == direction and real(abs(t)) < flight)
+        escape_time = self.escape_times[backward]
+        chosen = sorted((abs(t), t) for t in times if t and sign(t) == direction and real(abs(t)) < escape_time)
         targets = [real(size) for size, _ in chosen]
-        escapes = mp.isfinite(flight) and self.slopes > 0
+        escapes = mp.isfinite(escape_time) and self.slopes > 0
         if escapes:
-            targets.append(flight)
+            targets.append(escape_time)
         found = self.run(direction, targets, escapes)
         if escapes:
             (w, dw), *columns = found.pop()
             if abs(w) > mpf(2) ** -150:
                 raise ArithmeticError("the integration does not escape when the quadrature does")
-            self.by_flight[backward] = [-d / dw for d, _ in columns]
+            self.by_escape[backward] = [-d / dw for d, _ in columns]
         flips = [1, direction, 1][: self.slopes]
         for (_, t), state in zip(chosen, found, strict=True):
             (u, v), *columns = state
@@ -148,7 +148,7 @@ class Ephemeris:
             self.states[t] = [(u, direction * v), *moved]
 
 
-def settle(orbit, c, times, slopes, u_size):
+def agreed_ephemeris(orbit, c, times, slopes, u_size):
     """An Ephemeris with columns that agrees with a shorter one, by other steps, to 50 digits."""
     bits = 270
     for _ in range(10):
@@ -156,7 +156,7 @@ def settle(orbit, c, times, slopes, u_size):
             rough = Ephemeris(orbit, c, times, 0, 3, bits)
             fine = Ephemeris(orbit, c, times, slopes, 2, bits + 80)
             pairs = [(rough.states[t][0][k], fine.states[t][0][k]) for t in fine.states for k in (0, 1)]
-            if all(agreement(a, b) < SETTLED for a, b in pairs):
+            if all(agreement(a, b) < AGREEMENT for a, b in pairs):
                 return fine
         bits += bits // 2
     raise ArithmeticError("two precisions do not agree")
@@ -196,7 +196,7 @@ def outputs(u0, velocity0, force, times):
     whole = Scaled(start, c, exact_times)
     orbit = whole.orbit
     with mp.workprec(400):
-        fine = settle(orbit, whole.c, dict.fromkeys(whole.times), slopes, whole.u_unit)
+        fine = agreed_ephemeris(orbit, whole.c, dict.fromkeys(whole.times), slopes, whole.u_unit)
         unit, second = whole.u_unit, whole.t_unit
         inputs = real(orbit.u0), real(orbit.v0)
         c5 = real(whole.c[2])
@@ -207,19 +207,19 @@ def outputs(u0, velocity0, force, times):
         elif fine.by_period:
             cond_period = condition(fine.by_period, inputs, c5, mpf(0), -period)
         # backward columns belong to the motion with velocity0 turned round
-        cond_flights = [
-            condition(by, (inputs[0], direction * inputs[1]), c5, mpf(0), -flight) if by else mpf(0)
-            for by, direction, flight in zip(fine.by_flight, (1, -1), fine.flights, strict=True)
+        cond_escapes = [
+            condition(by, (inputs[0], direction * inputs[1]), c5, mpf(0), -escape_time) if by else mpf(0)
+            for by, direction, escape_time in zip(fine.by_escape, (1, -1), fine.escape_times, strict=True)
         ]
         low, high = orbit.bounds(200)
-        forward, backward = fine.flights
+        forward, backward = fine.escape_times
         fixed = [*hi_lo(period * second), *hi_lo(low * unit), *hi_lo(high * unit)]
         fixed += [
             *hi_lo(real(orbit.energy) * (unit / second) ** 2),
             *hi_lo(forward * second),
             *hi_lo(-backward * second),
         ]
-        ends = [decimal(x * second, 6) for x in (cond_period, *cond_flights)]
+        ends = [decimal(x * second, 6) for x in (cond_period, *cond_escapes)]
         bounded = mp.isfinite(low) and mp.isfinite(high)
         if bounded:
             scales = max(abs(low), abs(high)), orbit.fastest()
@@ -254,7 +254,12 @@ def clock(u0, velocity0, force):
     whole = Scaled(start, (*map(Fraction, force), Fraction(0))[:3], [])
     orbit, unit = whole.orbit, whole.t_unit
     with mp.workprec(120):
-        return orbit.period(100) * unit, orbit.flight(False, 100) * unit, -orbit.flight(True, 100) * unit, unit
+        return (
+            orbit.period(100) * unit,
+            orbit.escape_time(False, 100) * unit,
+            -orbit.escape_time(True, 100) * unit,
+            unit,
+        )
 
 
 def regime(u0, velocity0, force):

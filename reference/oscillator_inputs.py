@@ -46,7 +46,7 @@ def first(generator, count):
 
 
 def instants(draw, u0, velocity0, force, count, longest=20):
-    """Times of both signs: within a period and after up to longest periods, within a flight, or a few units."""
+    """Times of both signs: within a period and after up to longest periods, before an escape, or a few units."""
     period, ahead, behind, unit = clock(u0, velocity0, force)
     found = []
     for k in range(count):

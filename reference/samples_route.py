@@ -1,8 +1,8 @@
-"""Second route for vectors/action.csv: action and amplitudes from samples of the motion itself.
+"""Check of vectors/action.csv: action and amplitudes from samples of the motion.
 
 The trapezoidal rule over one period converges like the nome to the power of the number of samples: action is the mean of
-velocity^2 over the frequency (which is 2 pi over the period), an amplitude the discrete Fourier transform of the angle. For orbits
-with a motion not too steep; the rest is left to the identities of the tests.
+velocity^2 over the frequency (which is 2 pi over the period), an amplitude the discrete Fourier transform of the angle. Only for orbits whose
+nome is not too large; the tests check the other rows by identities.
 """
 
 from fractions import Fraction
@@ -52,8 +52,8 @@ def wrong(row):
     with mp.workdps(60):
         found = []
         for name, value in (measured(row) or {}).items():
-            truth = mpf(float.fromhex(row[f"{name}_hi"])) + mpf(float.fromhex(row[f"{name}_lo"]))
-            scale = abs(mpf(float.fromhex(row["amplitude_1_hi"]))) if "amplitude" in name else abs(truth)
-            if abs(value - truth) > AGREE * scale:
+            stored = mpf(float.fromhex(row[f"{name}_hi"])) + mpf(float.fromhex(row[f"{name}_lo"]))
+            scale = abs(mpf(float.fromhex(row["amplitude_1_hi"]))) if "amplitude" in name else abs(stored)
+            if abs(value - stored) > AGREE * scale:
                 found.append(name)
         return found

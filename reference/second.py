@@ -1,4 +1,4 @@
-"""Truth for the second derivatives of angle and velocity; writes vectors/second.csv.
+"""Reference values for the second derivatives of angle and velocity; writes vectors/second.csv.
 
 Central differences, at 200 digits and more, of the first derivatives of orbit.py, on orbits away from rest and from the
 separatrix. Columns `d2theta_ij`, `d2velocity_ij` with i <= j of 0 theta0, 1 velocity0, 2 omega0 (20 digits, decimal).

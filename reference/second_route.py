@@ -1,4 +1,4 @@
-"""The elliptic family a second time, in mpmath and by other formulas than family.py; used by check.py.
+"""Checks of the elliptic family in mpmath, by other formulas than those of family.py; used by check.py.
 
 Jacobi's functions: Landen's chain (elliptic.py), of complex arguments the addition theorem A&S 16.21; inverses: the
 function itself on both sides of the value; zeta: the sum of c_n sin phi_n along the chain, A&S 17.6.10, and epsilon

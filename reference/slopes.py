@@ -1,7 +1,7 @@
-"""Derivative and condition columns a second time: central differences of the ball formulas (balls.py).
+"""Checks of the derivative and condition columns: central differences of the ball formulas (balls.py).
 
-The step is 2^-1600 of the input, so the difference has no visible truncation; a ball precision of 6000 bits
-and more carries the cancellation. Columns of 25 digits must agree to 1e-23, of 6 digits to 1e-5.
+The step is 2^-1600 of the input, so the truncation error is below every digit of the columns. The balls have 6000 bits and
+more, which is enough for the cancellation. Columns of 25 digits must agree to 1e-23, of 6 digits to 1e-5.
 """
 
 from fractions import Fraction
@@ -31,7 +31,7 @@ def by(formula, inputs, i, outputs, relative=True):
             if name in sides[0]
         }
 
-    return balls.rising(difference, FIRST)
+    return balls.narrowed(difference, FIRST)
 
 
 def differs(text, value, tolerance):
@@ -64,7 +64,7 @@ def elliptic(name, row):
     if inputs is None:
         return []
     m = balls.parameters(row["given"], inputs[1])[0]
-    values = balls.rising(lambda: formula(*inputs))
+    values = balls.narrowed(lambda: formula(*inputs))
     moved = {"jacobi.csv": [2], "complete.csv": [1] if m != 1 else [], "incomplete.csv": [2] if m == 1 else [1, 2]}[
         name
     ]

@@ -1,8 +1,8 @@
 """Taylor integration of x'' = -(c1 x + c3 x^3 + c5 x^5) with its linearised equation, in fixed point.
 
 Numbers are integers over 2^bits, times are integers over 2^bits too, steps are powers of two. Where |x| is large the
-same motion is followed in 1/x (c5 = 0: w'' = -(c1 w - 4E w^3)) or in 1/x^2 (s'' = 12 E s^2 - 4 c1 s - c3), which
-pass the escape without noticing. No closed form is used. A column is the derivative of (x, x') by one of the inputs.
+same motion is followed in 1/x (c5 = 0: w'' = -(c1 w - 4E w^3)) or in 1/x^2 (s'' = 12 E s^2 - 4 c1 s - c3), which are
+regular at the escape. No closed form is used. A column is the derivative of (x, x') by one of the inputs.
 """
 
 from operator import mul
@@ -126,20 +126,20 @@ class Sweep:
             return fixed(value, bits)
 
         self.charts = {
-            "plain": (odd_series, list(map(of, c)), [(0, 0, 0), (0, 0, 0), (0, 0, one)][:slopes]),
+            "x": (odd_series, list(map(of, c)), [(0, 0, 0), (0, 0, 0), (0, 0, one)][:slopes]),
             "reciprocal": (odd_series, [of(c1), of(-4 * E), 0], [(zero, of(-4 * e), 0) for e in by_energy]),
             "square": (square_series, [of(-c3), of(-4 * c1), of(12 * E)], [(0, 0, of(12 * e)) for e in by_energy]),
         }
-        self.far = ("square" if c5 else "reciprocal") if unbounded else None
+        self.outer = ("square" if c5 else "reciprocal") if unbounded else None
         self.side = 1
-        self.chart = "plain"
+        self.chart = "x"
         self.state = [(of(x0), of(y0)), *first]
         self.turn_to_chart()
 
     def numbers(self, state):
         return [(mp.ldexp(mp.mpf(a), -self.bits), mp.ldexp(mp.mpf(b), -self.bits)) for a, b in state]
 
-    def plain(self, state, chart):
+    def in_x(self, state, chart):
         """The state as mpf in x itself."""
         state = self.numbers(state)
         if chart == "reciprocal":
@@ -147,16 +147,16 @@ class Sweep:
         return from_square(state, self.side) if chart == "square" else state
 
     def turn_to_chart(self):
-        """Change over where |x| > 1.5 or 1/|x| > 1.5: the gap keeps it from going to and fro."""
+        """Change the variable where |x| > 1.5 or 1/|x| > 1.5; the gap prevents changes at every step."""
         size = abs(self.state[0][0]) * 2
         limit = 3 << self.bits
-        if self.chart == "plain" and self.far and size > limit:
+        if self.chart == "x" and self.outer and size > limit:
             self.side = 1 if self.state[0][0] > 0 else -1
             state = self.numbers(self.state)
-            state = reciprocal(state) if self.far == "reciprocal" else to_square(state)
-            self.chart = self.far
-        elif self.chart != "plain" and size > limit:
-            state, self.chart = self.plain(self.state, self.chart), "plain"
+            state = reciprocal(state) if self.outer == "reciprocal" else to_square(state)
+            self.chart = self.outer
+        elif self.chart != "x" and size > limit:
+            state, self.chart = self.in_x(self.state, self.chart), "x"
         else:
             return
         self.state = [(fixed(a, self.bits), fixed(b, self.bits)) for a, b in state]
@@ -177,7 +177,7 @@ class Sweep:
                 part = (times[len(found)] - now) << step
                 state = [at(f, part, step, bits) for f in (X, *D)]
                 raw = escapes and len(found) == len(times) - 1
-                found.append(self.numbers(state) if raw else self.plain(state, self.chart))
+                found.append(self.numbers(state) if raw else self.in_x(state, self.chart))
             now += length
             self.state = [(sum(f), sum(map(mul, f, range(len(f)))) << step) for f in (X, *D)]
             self.step = max(0, step - (2 * len(X) < self.most))

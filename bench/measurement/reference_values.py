@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[2] / "reference")
 
-from balls import pendulum_values, rising  # noqa: E402  (reference/ is put on the path first)
+from balls import narrowed, pendulum_values  # noqa: E402  (reference/ is put on the path first)
 
 
 def hi_lo(value) -> tuple[str, str]:
@@ -29,7 +29,7 @@ def main() -> None:
         if t == 0 or theta0 == velocity0 == 0:
             print(*(float(x).hex() for x in (theta0, 0, velocity0, 0)))
             continue
-        values = rising(lambda inputs=(theta0, velocity0, Fraction(1), t): motion(*inputs))
+        values = narrowed(lambda inputs=(theta0, velocity0, Fraction(1), t): motion(*inputs))
         print(*hi_lo(values["theta"]), *hi_lo(values["velocity"]))
 
 

@@ -1,9 +1,9 @@
 """From a formula in Arb balls to the columns of a row: hi + lo of every value, and its condition.
 
-A formula maps exact rationals to a dictionary of balls; a float among them (inf, nan, an exact zero) is final. The
+A formula maps exact rationals to a dictionary of balls; a float among them (inf, nan, an exact zero) is taken as it is. The
 precision doubles until every radius is below 2^-140 of the value. A condition is the sum over the inputs of
-|input * d value / d input|, by central differences at 2^-400 of the input: no visible truncation, cancellation
-carried by the precision. Used by family.py.
+|input * d value / d input|, by central differences at 2^-400 of the input: the truncation error is below every digit
+of the columns, and the precision is enough for the cancellation. Used by family.py and integrals.py.
 """
 
 import math
@@ -27,8 +27,8 @@ def narrow(x, bits):
     return x.rad() <= abs(x.mid()) * arb(2) ** -bits or abs(x) < LOST
 
 
-def rising(evaluate, bits, first):
-    """The values of evaluate() as narrow balls."""
+def narrowed(evaluate, bits, first):
+    """The values of evaluate() as narrow balls: the precision doubles until they are."""
     ctx.prec = first
     while ctx.prec < 400_000:
         try:
@@ -83,14 +83,14 @@ def condition(formula, inputs, moved, values, step=STEP):
             both = [x for x in values if isinstance(low.get(x), arb) and isinstance(high.get(x), arb)]
             return {name: (high[name] - low[name]) * arb(2) ** (step - 1) for name in both}
 
-        for name, slope in rising(difference, 24, 2 * step + 800).items():
+        for name, slope in narrowed(difference, 24, 2 * step + 800).items():
             total[name] += abs(slope)
     return {name: arb(0) if isinstance(values[name], float) else total[name] for name in values}
 
 
 def columns(formula, inputs, moved, names, step=STEP):
     """All hi and lo columns, then all conditions. A name that the formula does not give is NaN."""
-    values = rising(lambda: formula(*inputs), 140, 300)
+    values = narrowed(lambda: formula(*inputs), 140, 300)
     conditions = condition(formula, inputs, moved, values, step)
     pairs = [hi_lo(values.get(name, math.nan)) for name in names]
     counted = [
