@@ -1,4 +1,4 @@
-"""The tables of docs/approximations.md: every formula with its source, its range and its errors, measured when they are written."""
+"""The tables of docs/approximations.md: every formula with its source, its range and its errors, measured when the page is written."""
 
 import math
 
@@ -31,7 +31,7 @@ def sources() -> str:
 
 
 def angles() -> str:
-    """Largest error of every approximation of the angle over one period, and how far it stays within one percent."""
+    """Largest error of every approximation of the angle over one period, and the angle up to which it is within one percent."""
     heads = [*(f"{degrees}°" for degrees in ANGLES), "within 1 % up to"]
     lines = [row("name", *heads), "|---|" + "---:|" * len(heads)]
     for name in SHOWN:
@@ -43,7 +43,7 @@ def angles() -> str:
 
 
 def periods() -> str:
-    """T/T0 by every formula, its error and the turning angles where it is good to a thousandth."""
+    """T/T0 by every formula, its error and the turning angles where its error is within a thousandth."""
     heads = [*(f"{degrees}°" for degrees in (*ANGLES, 179)), "within 0.1 %"]
     lines = [row("name", "T/T₀", "source", "stated", *heads), "|---|---|---|---|" + "---:|" * len(heads)]
     for formula in listed():

@@ -1,7 +1,7 @@
 """Writes the generated blocks of the pages: nothing between two markers is typed by hand.
 
-A block stands between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from
-the docstrings and functions.toml, from docs/corners.toml, from a page that a run has written, or from a run of libration now.
+A block is between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from the docstrings and
+functions.toml, from docs/corners.toml, from a page that a run has written, or from a run of libration now.
 """
 
 import math
@@ -32,13 +32,13 @@ def functions(root: Path) -> str:
         if name.startswith("libration "):
             run = f"python/libration/cli/{name.partition(' ')[2]}.py::run"
             written.append(
-                f"## {name}\n\nIts options are told by `{name} --help`.\n\n- {places({'Python': run}, row)}\n"
+                f"## {name}\n\n`{name} --help` lists its options.\n\n- {places({'Python': run}, row)}\n"
             )
     return "\n" + "\n".join(written) + "\n"
 
 
 def section(name: str, member: dict, doc: dict[str, str], row: dict) -> str:
-    """One member: call, summary, arguments, results and refusals, the rest in words, and where it stands."""
+    """One member: call, summary, arguments, results and errors, the notes, and the places in the code."""
     lines = [f"## {name}", ""]
     if member["kind"] == "function":
         lines += [f"`{member['signature']}`", ""]
@@ -53,7 +53,7 @@ def section(name: str, member: dict, doc: dict[str, str], row: dict) -> str:
 
 
 def items(text: str) -> list[str]:
-    """The entries of a section of a docstring as a list; what hangs below an entry is told beside it."""
+    """The entries of a section of a docstring as a list; the lines below an entry follow it."""
     entries: list[str] = []
     for line in text.splitlines():
         if line.strip() and not line.startswith(" "):
@@ -67,7 +67,7 @@ def items(text: str) -> list[str]:
 
 
 def marked(text: str) -> str:
-    """Plain text of a docstring as Markdown: code in single backticks, no star or bar that means something else."""
+    """Plain text of a docstring as Markdown: code in single backticks, no star or bar with another meaning."""
     pieces = re.split(r"(``.+?``|`[^`\n]+`)", text)
     return "".join(
         f"`{piece.strip('`')}`" if number % 2 else piece.replace("*", r"\*").replace("|", r"\|").replace("<", r"\<")
@@ -76,8 +76,8 @@ def marked(text: str) -> str:
 
 
 def places(python: dict[str, str], row: dict) -> str:
-    """Where a member, its truth and its tests stand."""
-    given = [*python.items(), ("Rust", row.get("rust")), ("truth", row.get("vectors")), ("test", row["test"])]
+    """Links to a member, its reference values and its tests."""
+    given = [*python.items(), ("Rust", row.get("rust")), ("reference values", row.get("vectors")), ("test", row["test"])]
     links = [
         f"{where} [{place.partition('::')[2] or place}](../{place.partition('::')[0]})"
         for where, found in given
@@ -105,10 +105,10 @@ def corners(root: Path) -> str:
 
 
 def forms(root: Path) -> str:
-    """Which of the twelve forms of the Duffing oscillator serves which regimes: the table that the core makes."""
+    """Which regimes each of the twelve forms of the Duffing oscillator covers: the table that the core makes."""
     from libration import DuffingForm
 
-    lines = ["| form | regimes it serves |", "|---|---|"]
+    lines = ["| form | regimes |", "|---|---|"]
     lines += [
         f"| c₁ {name}(Ωt + c₂) | {', '.join(f'`{each}`' for each in found)} |"
         for name, found in DuffingForm.table().items()
@@ -140,10 +140,10 @@ def errata(root: Path) -> str:
 
 
 def limits(root: Path) -> str:
-    """Where the exact forms of the papers fail, with what they give and the truth."""
+    """Where the exact solutions of the papers fail: what they give, and the exact angle."""
     from libration.papers import limits
 
-    lines = ["| form | θ₀ | θ̇₀ | t | gives | truth | modulo 2π | why |", "|---|---:|---:|---:|---:|---:|---|---|"]
+    lines = ["| form | θ₀ | θ̇₀ | t | gives | exact | modulo 2π | why |", "|---|---:|---:|---:|---:|---:|---|---|"]
     for limit in limits():
         state = f"{limit.theta0:.10g} | {limit.velocity0:g} | {limit.t:g}"
         given = "no value" if math.isnan(limit.given) else f"{limit.given:.9f}"
