@@ -31,9 +31,7 @@ def functions(root: Path) -> str:
     for name, row in rows.items():
         if name.startswith("libration "):
             run = f"python/libration/cli/{name.partition(' ')[2]}.py::run"
-            written.append(
-                f"## {name}\n\n`{name} --help` lists its options.\n\n- {places({'Python': run}, row)}\n"
-            )
+            written.append(f"## {name}\n\n`{name} --help` lists its options.\n\n- {places({'Python': run}, row)}\n")
     return "\n" + "\n".join(written) + "\n"
 
 
@@ -77,7 +75,12 @@ def marked(text: str) -> str:
 
 def places(python: dict[str, str], row: dict) -> str:
     """Links to a member, its reference values and its tests."""
-    given = [*python.items(), ("Rust", row.get("rust")), ("reference values", row.get("vectors")), ("test", row["test"])]
+    given = [
+        *python.items(),
+        ("Rust", row.get("rust")),
+        ("reference values", row.get("vectors")),
+        ("test", row["test"]),
+    ]
     links = [
         f"{where} [{place.partition('::')[2] or place}](../{place.partition('::')[0]})"
         for where, found in given

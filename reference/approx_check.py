@@ -1,6 +1,6 @@
-"""Checks the truth of the approximations: a sample derived again, errors by Arb's own mean.
+"""Checks the vectors of the approximations: a sample derived again, errors by the mean of Arb.
 
-Rows that are spoiled must fail. Called by check.py.
+Mutated rows must fail. Called by check.py.
 """
 
 import math
@@ -56,7 +56,7 @@ def check(name, every, rng):
 
 
 def hold_errors(rows):
-    """Every error by Arb's mean; two spoiled columns must fail."""
+    """Every error by the mean of Arb; two mutated columns must fail."""
     for row in rows:
         if contradicts(row):
             fail("approx_period.csv: Arb's mean contradicts", row)
@@ -64,4 +64,4 @@ def hold_errors(rows):
     for column in ("ratio_lo", "error_lo"):
         moved = float.fromhex(steady[column]) + float.fromhex(steady["ratio_hi"]) * 2.0**-98
         if not contradicts({**steady, column: moved.hex()}):
-            fail("approx_period.csv: a spoiled", column, "passes")
+            fail("approx_period.csv: a mutated", column, "passes")

@@ -1,7 +1,7 @@
 """Checks vectors/*.csv: every file by itself, a process for each processor; exits with an error at the first difference.
 
 Run: python check.py [FILE ...] [--all] [--seed N]. Row counts must be those of README.md, a seeded sample of every
-file is derived again, every row must agree with a second route, and spoiled rows must fail: see rows_check.py,
+file is derived again, every row must agree with another method, and mutated rows must fail: see rows_check.py,
 oscillator_check.py and approx_check.py. --all takes every row as the sample and draws all inputs again.
 """
 
@@ -16,7 +16,7 @@ import oscillator_check
 import rows_check
 
 CHECKS = {
-    # The longest ones first, so that no processor waits for the other.
+    # The longest ones first, so that no processor is idle at the end.
     **dict.fromkeys(oscillator_check.SAMPLES, oscillator_check.check),
     **dict.fromkeys(rows_check.GENERATORS, rows_check.check),
     **dict.fromkeys(approx_check.FILES, approx_check.check),
@@ -24,7 +24,7 @@ CHECKS = {
 
 
 def check(name, every, seed):
-    """Checks one file and says so; a seed for each, so that its sample is the same alone and among all."""
+    """Checks one file. Each file has its own seed, so that its sample is the same alone and among all files."""
     begun = time.process_time()
     said = CHECKS[name](name, every, random.Random(f"{seed} {name}"))
     return f"{name}: {said}, {time.process_time() - begun:.0f} s"

@@ -70,7 +70,13 @@ def inverse():
         for name in names:
             if name == "sd" and given == "m":
                 continue  # next to its first pole; ds has the same digits
-            ends = (root, 1 / root, math.nextafter(root, 0), math.nextafter(1 / root, 0), math.nextafter(root, math.inf))
+            ends = (
+                root,
+                1 / root,
+                math.nextafter(root, 0),
+                math.nextafter(1 / root, 0),
+                math.nextafter(root, math.inf),
+            )
             yield from ({"function": name, "given": given, "parameter": parameter, "x": x} for x in ends)
     for given, parameter in (("m", -MOST), ("m", MOST), ("mc", LEAST)):
         for name in names:

@@ -1,14 +1,14 @@
 """Checks vectors/duffing.csv and vectors/cubic_quintic.csv, as rows_check.py does the others. Called by check.py.
 
 Every row must agree with the addition on an elliptic curve in balls (curve.py), the conditions of a sample with
-central differences of it; a seeded sample is derived again and must be the same text; spoiled rows must fail.
+central differences of it; a seeded sample is derived again and must be the same text; mutated rows must fail.
 """
 
 import cubic_quintic
 import curve
 import duffing
 import exact
-from table import counted, fail, spoiled
+from table import counted, fail, mutated
 
 SAMPLES = {duffing.NAME: (duffing, 40), cubic_quintic.NAME: (cubic_quintic, 20)}
 
@@ -37,7 +37,7 @@ def check(name, every, rng):
             fail(name, "differences contradict", found, row)
     for regime in ("libration", "well", "escape"):
         row = next(row for row in rows if row["regime"] == regime and row["u_lo"] != "0x0.0p+0")
-        for column, bad in spoiled(row):
+        for column, bad in mutated(row):
             if not curve.wrong(bad) + curve.slopes_wrong(bad):
-                fail(name, "a spoiled", column, "passes")
+                fail(name, "a mutated", column, "passes")
     return f"{len(rows)} rows, {len(sample)} derived again"

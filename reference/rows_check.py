@@ -2,7 +2,7 @@
 
 A seeded sample of every file is derived again by its generator and must be the same text. Every row must agree with
 Arb balls by other formulas (balls.py), the derivative and condition columns of the sample with central differences
-(slopes.py), and spoiled rows must fail. The elliptic family, whose truth is balls, is compared with mpmath by other
+(slopes.py), and mutated rows must fail. The elliptic family is computed in balls, so it is compared with mpmath by other
 formulas (second_route.py), values and conditions of a sample; actions and amplitudes with samples of the motion
 (samples_route.py).
 """
@@ -22,7 +22,7 @@ import samples_route
 import second
 import second_route
 import slopes
-from table import counted, fail, spoiled
+from table import counted, fail, mutated
 
 GENERATORS = {
     "pendulum.csv": (pendulum.HEADER, pendulum.row),
@@ -98,25 +98,25 @@ def check(name, every, rng):
     elif name == "action.csv":
         steady = [row for row in sample if samples_route.measured(row)][:6]
         if not steady:
-            fail(name, "the sample holds no row for the second route")
+            fail(name, "the sample has no row for samples of the motion")
         for row in steady:
             if found := samples_route.wrong(row):
                 fail(name, "samples of the motion contradict", found, row)
         if not samples_route.wrong({**steady[0], "action_lo": steady[0]["action_hi"]}):
-            fail(name, "a spoiled action passes")
+            fail(name, "a mutated action passes")
     elif name == "approx_angle.csv":
         approx_angle_route.main(fail, rng.sample(rows, len(rows)), every)
     elif name in family.FILES:
         for i, row in enumerate(sample):
             if found := second_route.wrong(name, row):
-                fail(name, "the second route contradicts", found, row)
+                fail(name, "mpmath contradicts", found, row)
             if (every or i % 4 == 0) and (found := second_route.conditions_wrong(name, row)):
                 fail(name, "differences contradict", found, row)
     if name in balls.VALUES or name in family.FILES:
         moving = [row for row in sample if not is_exact(name, row)]
-        for column, row in spoiled(moving[0]):
+        for column, row in mutated(moving[0]):
             if not contradictions(name, row):
-                fail(name, "a spoiled", column, "passes")
+                fail(name, "a mutated", column, "passes")
     return f"{len(rows)} rows, {len(sample)} derived again"
 
 

@@ -1,4 +1,4 @@
-"""What the checks of all vectors share: the row counts as README.md prints them, spoiled rows, and how a check ends."""
+"""What the checks of all vectors share: the row counts as README.md prints them, mutated rows, and how a check ends."""
 
 import math
 from collections import Counter
@@ -15,7 +15,7 @@ def counted(name, rows):
     return f"| `{name}` | {len(rows)} | {strata} |"
 
 
-def spoiled(row):
+def mutated(row):
     """The row with each hi + lo moved by 2^-100 and each decimal by 1e-4, one column at a time."""
     for column, text in row.items():
         if column.endswith("_lo"):
