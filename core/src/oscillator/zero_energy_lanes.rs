@@ -18,7 +18,7 @@ use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::elementary;
 use crate::float::exponent::ldexp;
-use crate::float::scaled::{Scaled, exp};
+use crate::float::scaled::Scaled;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
 
@@ -67,7 +67,7 @@ impl ZeroEnergyEscape {
         let pole = given.pole.unwrap_or(Scaled::ZERO);
         let one_sided = (given.base[1] - given.rest[1]).is_zero();
         // q of e^-pole twice.
-        let q = || exp(-pole.shift(1).to_dd());
+        let q = || Scaled::exp(-pole.shift(1).to_dd());
         let of_pole = |c: Scaled, factor: Scaled| (EscapeKind::FromPole(c.to_dd()), factor);
         let ordinary = |x: &Scaled| x.is_zero() || x.power().abs() < ORDINARY;
         let factors = [given.velocity, given.base[0], given.base[1], given.rest[0], given.rest[1], pole];

@@ -21,9 +21,8 @@ use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, ReducedPhase};
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::elementary::long_sinh_cosh;
 use crate::float::exponent::ldexp;
-use crate::float::scaled::exp;
+use crate::float::series::long_sinh_cosh;
 use crate::float::{Dd, PI, Scaled};
 
 /// Rows: angle, velocity. Columns: their derivatives by the initial angle, the initial velocity and omega0.
@@ -148,7 +147,7 @@ fn hyperbolic(y: Dd) -> [Scaled; 2] {
         let (sinh, cosh) = long_sinh_cosh(y.abs());
         return [sinh * sign, cosh].map(Scaled::from);
     }
-    let half = exp(y.abs()).shift(-1);
+    let half = Scaled::exp(y.abs()).shift(-1);
     [half * sign, half]
 }
 
