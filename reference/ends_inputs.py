@@ -21,6 +21,8 @@ PARAMETERS = [
     *(("mc", x) for x in (MOST, LEAST, 2.0**-108, -LEAST, -1e-16)),
     *(("k", x) for x in (LEAST, 1e-162, -1e-155, 1e150)),
 ]
+# The second route of epsilon is a quadrature that takes minutes where m is huge.
+MODERATE = [(given, parameter) for given, parameter in PARAMETERS if parameters(given, parameter)[0] < 2]
 
 
 def value(x):
@@ -41,8 +43,8 @@ def last_angle(m):
     return [math.nextafter(end, 0), end * (1 - 1e-10)]
 
 
-def of_real(shares):
-    for given, parameter in PARAMETERS:
+def of_real(shares, parameters_taken=PARAMETERS):
+    for given, parameter in parameters_taken:
         K = quarter(given, parameter)
         yield from ({"given": given, "parameter": parameter, "u": share * K} for share in shares)
     yield {"given": "m", "parameter": -1e66, "u": LEAST}
@@ -144,7 +146,7 @@ def complex_arguments():
 FILES = {
     "jacobi.csv": lambda: of_real((0.3, 1.0, 1e-10, 1e6)),
     "glaisher.csv": lambda: of_real((0.3, 1.0, 1e6)),
-    "second_kind.csv": lambda: of_real((0.3, 1.0, 1e-10, 1e6)),
+    "second_kind.csv": lambda: of_real((0.3, 1.0, 1e-10, 1e6), MODERATE),
     "complete.csv": complete,
     "incomplete.csv": incomplete,
     "inverse_jacobi.csv": inverse,

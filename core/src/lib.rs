@@ -35,9 +35,9 @@ mod domain;
 
 pub use domain::Domain;
 pub use elliptic::{
-    Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf,
-    carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,
-    incomplete_pi, inverse_jacobi, nome,
+    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, Parameter, SecondKind,
+    Theta, ThetaFunction, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k,
+    complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
 };
 pub use lanes::InstructionSet;
 pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};

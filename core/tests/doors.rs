@@ -4,7 +4,7 @@ use crate::on_every_set;
 use crate::ruler::{bits, same};
 use libration::InstructionSet;
 use libration::pendulum;
-use libration::{Frequency, Jacobi, Orbit, Parameter, advance, advance_into};
+use libration::{Frequency, Jacobi, JacobiValues, Orbit, Parameter, advance, advance_into};
 
 /// Starts in every regime, on both sides of kappa^2 = 1/2, in turns, upside down and without force.
 const STARTS: [(f64, f64, f64); 14] = [
@@ -63,7 +63,7 @@ fn slices_are_their_scalars_on_every_instruction_set() {
             let [mut sn, mut cn, mut dn, mut am] = [(); 4].map(|()| vec![7.0; times.len()]);
             jacobi.values_into(&times, [&mut sn, &mut cn, &mut dn, &mut am]);
             for (i, &u) in times.iter().enumerate() {
-                let (a, b, c, d) = jacobi.values(u);
+                let JacobiValues { sn: a, cn: b, dn: c, am: d, .. } = jacobi.values(u);
                 assert!(
                     same(a, sn[i]) && same(b, cn[i]) && same(c, dn[i]) && same(d, am[i]),
                     "{set:?} {m} {u}"

@@ -2,8 +2,8 @@
 //! calls as they stand in the comments.
 
 use libration::{
-    Glaisher, Jacobi, Parameter, SecondKind, Theta, carlson_rj, complete_e, complete_k, heuman_lambda,
-    incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
+    Glaisher, Jacobi, Parameter, SecondKind, Theta, ThetaFunction, carlson_rj, complete_e, complete_k,
+    heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
 };
 
 /// Within a few units in the last place.
@@ -65,18 +65,18 @@ fn the_largest_parameters() {
     // The double below asin(1/sqrt(m)).
     close(incomplete_f(7.458340731200206e-155, m(f64::MAX)), 1.171553408843843e-154);
     let jacobi = Jacobi::new(least).values(1e-152);
-    close(jacobi.0, 6.323859439590265e-97);
-    close(jacobi.3, 6.323859439590265e-97);
+    close(jacobi.sn, 6.323859439590265e-97);
+    close(jacobi.am, 6.323859439590265e-97);
 }
 
 /// k^2 and its nome are below the range, their fourth root is not: jtheta(1, 0.7, qfrom(k=...)).
 #[test]
 fn moduli_whose_square_is_below_the_range() {
     let tiny = Theta::from_parameter(Parameter::from_modulus(1e-162));
-    close(tiny.value(1, 0.7), 6.4421768723769100e-82);
-    close(tiny.value(2, 0.7), 7.6484218728448844e-82);
-    close(Theta::from_parameter(m(5e-324)).value(2, 0.0), 1.4908919308538354e-81);
-    close(Theta::from_nome(5e-324).value(1, 0.7), 1.9209179032319868e-81);
+    close(tiny.value(ThetaFunction::One, 0.7), 6.4421768723769100e-82);
+    close(tiny.value(ThetaFunction::Two, 0.7), 7.6484218728448844e-82);
+    close(Theta::from_parameter(m(5e-324)).value(ThetaFunction::Two, 0.0), 1.4908919308538354e-81);
+    close(Theta::from_nome(5e-324).value(ThetaFunction::One, 0.7), 1.9209179032319868e-81);
 }
 
 /// The exact end of a range: arcnd(1/kc | m) = K.

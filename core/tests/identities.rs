@@ -1,9 +1,9 @@
 //! Identities of the elliptic functions, and both sides of the seams of their evaluation.
 
 use libration::{
-    Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, carlson_rc, carlson_rd, carlson_rf,
-    carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f,
-    incomplete_pi, inverse_jacobi, nome,
+    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, Parameter, SecondKind,
+    Theta, ThetaFunction, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k,
+    complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,7 +19,7 @@ fn squares_and_amplitude() {
         let jacobi = Jacobi::new(Parameter::from_m(m));
         for i in -40..40 {
             let u = 0.173 * f64::from(i);
-            let (sn, cn, dn, am) = jacobi.values(u);
+            let JacobiValues { sn, cn, dn, am, .. } = jacobi.values(u);
             assert!(close(sn * sn + cn * cn, 1.0, 4.0));
             assert!((dn * dn + m * sn * sn - 1.0).abs() <= 4.0 * f64::EPSILON * dn.mul_add(dn, 1.0));
             assert!(
@@ -35,16 +35,16 @@ fn addition_theorem() {
     for m in [0.0, 0.2, 0.5, 0.5000001, 0.9, 0.999_999] {
         let jacobi = Jacobi::new(Parameter::from_m(m));
         for (u, v) in [(0.3, 0.4), (1.1, 0.7), (2.0, -3.0), (5.0, 8.0)] {
-            let (s, c, d, _) = jacobi.values(u);
-            let (s1, c1, d1, _) = jacobi.values(v);
+            let JacobiValues { sn: s, cn: c, dn: d, .. } = jacobi.values(u);
+            let JacobiValues { sn: s1, cn: c1, dn: d1, .. } = jacobi.values(v);
             let below = 1.0 - m * s * s * s1 * s1;
             let sum = jacobi.values(u + v);
-            assert!((sum.0 * below - (s * c1 * d1 + s1 * c * d)).abs() < 2e-15, "{m} {u} {v}");
-            assert!((sum.1 * below - (c * c1 - s * d * s1 * d1)).abs() < 2e-15, "{m} {u} {v}");
-            assert!((sum.2 * below - (d * d1 - m * s * c * s1 * c1)).abs() < 2e-15, "{m} {u} {v}");
+            assert!((sum.sn * below - (s * c1 * d1 + s1 * c * d)).abs() < 2e-15, "{m} {u} {v}");
+            assert!((sum.cn * below - (c * c1 - s * d * s1 * d1)).abs() < 2e-15, "{m} {u} {v}");
+            assert!((sum.dn * below - (d * d1 - m * s * c * s1 * c1)).abs() < 2e-15, "{m} {u} {v}");
             // The second kind: the same theorem for epsilon and for zeta, DLMF 22.16.27 and 22.16.34.
             let second = SecondKind::new(Parameter::from_m(m));
-            let product = m * s * s1 * sum.0;
+            let product = m * s * s1 * sum.sn;
             let [a, b, c] = [u, v, u + v].map(|u| second.epsilon(u));
             assert!((a + b - product - c).abs() < 1e-15 * (a.abs() + b.abs() + 1.0), "{m} {u} {v}");
             let [a, b, c] = [u, v, u + v].map(|u| second.zeta(u));
@@ -64,7 +64,7 @@ fn legendre_relation_and_inverses() {
         for phi in [-4.0, -0.3, 1e-200, 0.7, 1.5, 9.0] {
             let u = incomplete_f(phi, p);
             assert!(
-                close(Jacobi::new(p).values(u).3, phi, 8.0 * u.abs().max(1.0) / (mc.sqrt() * 2.0).min(1.0)),
+                close(Jacobi::new(p).values(u).am, phi, 8.0 * u.abs().max(1.0) / (mc.sqrt() * 2.0).min(1.0)),
                 "{phi} {mc}"
             );
         }
@@ -78,7 +78,7 @@ fn both_sides_of_one_half_and_of_the_folds() {
         let below = Jacobi::new(Parameter::from_m(0.5)).values(u);
         let above = Jacobi::new(Parameter::from_m(0.5 + f64::EPSILON / 2.0)).values(u);
         let tolerance = 4e-16 * u.max(1.0);
-        assert!((below.0 - above.0).abs() < tolerance && (below.2 - above.2).abs() < tolerance);
+        assert!((below.sn - above.sn).abs() < tolerance && (below.dn - above.dn).abs() < tolerance);
     }
     for m in [0.1, 0.5, 0.9, 1.0 - 1e-12] {
         let jacobi = Jacobi::new(Parameter::from_m(m));
@@ -86,11 +86,11 @@ fn both_sides_of_one_half_and_of_the_folds() {
         // am grows through every fold and every whole period.
         let mut last = f64::NEG_INFINITY;
         for i in -4000..4000 {
-            let am = jacobi.values(f64::from(i) * quarter / 512.0).3;
+            let am = jacobi.values(f64::from(i) * quarter / 512.0).am;
             assert!(am >= last, "{m} {i}");
             last = am;
         }
-        let (sn, cn, ..) = jacobi.values(quarter);
+        let JacobiValues { sn, cn, .. } = jacobi.values(quarter);
         assert_eq!(sn, 1.0);
         assert!(cn.abs() < 1e-15);
     }
@@ -101,7 +101,7 @@ fn one_parameter_three_ways() {
     for k in [0.1, 0.6, 0.99, 1.5] {
         let through_k = Jacobi::new(Parameter::from_modulus(k)).values(0.7);
         let through_m = Jacobi::new(Parameter::from_m(k * k)).values(0.7);
-        assert!((through_k.0 - through_m.0).abs() < 1e-15 && (through_k.2 - through_m.2).abs() < 1e-15);
+        assert!((through_k.sn - through_m.sn).abs() < 1e-15 && (through_k.dn - through_m.dn).abs() < 1e-15);
     }
     assert_eq!(complete_k(Parameter::from_mc(0.25)), complete_k(Parameter::from_m(0.75)));
     assert_eq!(Parameter::from_mc(1e-300).m(), 1.0);
@@ -124,7 +124,7 @@ fn glaisher_quotients_and_inverses() {
         for i in 1..32 {
             let u = quarter * f64::from(i) / 32.0;
             let value = |which| jacobi.glaisher(which, u);
-            let (s, c, d, _) = jacobi.values(u);
+            let JacobiValues { sn: s, cn: c, dn: d, .. } = jacobi.values(u);
             assert_eq!([Glaisher::Sn, Glaisher::Cn, Glaisher::Dn].map(value), [s, c, d]);
             let pairs = [
                 (Glaisher::Ns, 1.0, s),
@@ -248,12 +248,12 @@ fn theta_functions_among_themselves() {
     let both_sides = [0.0432, 0.0432 + 1e-17];
     for q in [1e-300, 1e-5, 0.02, 0.3, 0.7, 0.95].into_iter().chain(both_sides) {
         let theta = Theta::from_nome(q);
-        let at = |z| [1, 2, 3, 4].map(|index| theta.value(index, z));
+        let at = |z| ThetaFunction::ALL.map(|which| theta.value(which, z));
         let [zero, t2, t3, t4] = at(0.0);
         assert_eq!(zero, 0.0);
         assert!(close(t3.powi(4), t2.powi(4) + t4.powi(4), 16.0), "{q}");
         // DLMF 20.4.6
-        assert!(close(theta.value(1, 1e-30) / 1e-30, t2 * t3 * t4, 8.0), "{q}");
+        assert!(close(theta.value(ThetaFunction::One, 1e-30) / 1e-30, t2 * t3 * t4, 8.0), "{q}");
         for z in [-20.0, -0.4, 0.1, 0.8, 1.5, 3.0] {
             // DLMF 20.7.1, 20.7.2 and the period.
             let [a, b, c, d] = at(z);
@@ -271,14 +271,18 @@ fn theta_functions_among_themselves() {
         }
     }
     let [below, above] = both_sides.map(Theta::from_nome);
-    for index in 1..=4 {
-        assert!(close(below.value(index, 0.6), above.value(index, 0.6), 4.0));
+    for which in ThetaFunction::ALL {
+        assert!(close(below.value(which, 0.6), above.value(which, 0.6), 4.0));
     }
     for m in [0.1, 0.5, 0.9, 0.999] {
         // DLMF 20.9.1, 20.9.2
         let (p, theta) = (Parameter::from_m(m), Theta::from_parameter(Parameter::from_m(m)));
-        assert!(close(PI / 2.0 * theta.value(3, 0.0).powi(2), complete_k(p), 8.0));
-        assert!(close((theta.value(2, 0.0) / theta.value(3, 0.0)).powi(4), m, 16.0));
+        assert!(close(PI / 2.0 * theta.value(ThetaFunction::Three, 0.0).powi(2), complete_k(p), 8.0));
+        assert!(close(
+            (theta.value(ThetaFunction::Two, 0.0) / theta.value(ThetaFunction::Three, 0.0)).powi(4),
+            m,
+            16.0
+        ));
     }
 }
 
@@ -309,20 +313,21 @@ fn complex_arguments_on_the_axes_and_beyond() {
         let (p, complement) = (Parameter::from_m(m), Parameter::from_mc(m));
         let (complex, real, imaginary) = (JacobiComplex::new(p), Jacobi::new(p), Jacobi::new(complement));
         for u in [-2.0, -0.3, 0.2, 0.9, 1.3] {
-            let (sn, cn, dn, _) = real.values(u);
-            for (got, expected) in complex.values(u, 0.0).into_iter().zip([sn, cn, dn]) {
-                assert!(close(got[0], expected, 2.0) && got[1] == 0.0, "{m} {u}");
+            let on_the_axis = complex.values(u, 0.0);
+            let JacobiValues { sn, cn, dn, .. } = real.values(u);
+            for (got, expected) in [(on_the_axis.sn, sn), (on_the_axis.cn, cn), (on_the_axis.dn, dn)] {
+                assert!(close(got.re, expected, 2.0) && got.im == 0.0, "{m} {u}");
             }
             // DLMF 22.6.22: sn(iy | m) = i sc(y | 1 - m), cn = nc, dn = dc.
-            let [sn, cn, dn] = complex.values(0.0, u);
+            let JacobiComplexValues { sn, cn, dn, .. } = complex.values(0.0, u);
             let at = |which| imaginary.glaisher(which, u);
-            assert!(sn[0] == 0.0 && close(sn[1], at(Glaisher::Sc), 2.0), "{m} {u}");
-            assert!(close(cn[0], at(Glaisher::Nc), 2.0) && close(dn[0], at(Glaisher::Dc), 2.0), "{m} {u}");
+            assert!(sn.re == 0.0 && close(sn.im, at(Glaisher::Sc), 2.0), "{m} {u}");
+            assert!(close(cn.re, at(Glaisher::Nc), 2.0) && close(dn.re, at(Glaisher::Dc), 2.0), "{m} {u}");
             for v in [-1.1, 0.05, 0.7] {
                 // sn^2 + cn^2 = 1 and dn^2 + m sn^2 = 1 in both parts.
-                let [sn, cn, dn] = complex.values(u, v);
-                let square = |[a, b]: [f64; 2]| [(a - b) * (a + b), 2.0 * a * b];
-                let size = |[a, b]: [f64; 2]| a.mul_add(a, b * b);
+                let JacobiComplexValues { sn, cn, dn, .. } = complex.values(u, v);
+                let square = |z: Complex| [(z.re - z.im) * (z.re + z.im), 2.0 * z.re * z.im];
+                let size = |z: Complex| z.re.mul_add(z.re, z.im * z.im);
                 let [s2, c2, d2] = [sn, cn, dn].map(square);
                 let allowed = 8.0 * f64::EPSILON * (size(cn) + size(dn) + (1.0 + m.abs()) * size(sn));
                 for (i, one) in [1.0, 0.0].into_iter().enumerate() {

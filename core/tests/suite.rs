@@ -5,6 +5,7 @@ mod cubic_quintic;
 mod doors;
 mod duffing;
 mod duffing_forms;
+mod elliptic_ends;
 mod identities;
 mod instruction_sets;
 mod invariants;

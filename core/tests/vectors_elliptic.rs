@@ -2,7 +2,7 @@
 
 use crate::on_every_set;
 use crate::ruler::{Row, distance, rows, same, ulp};
-use libration::{Jacobi, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
+use libration::{Jacobi, JacobiValues, Parameter, complete_e, complete_k, incomplete_e, incomplete_f, nome};
 use std::collections::BTreeMap;
 
 const JACOBI: &str = include_str!("../../reference/vectors/jacobi.csv");
@@ -43,7 +43,7 @@ fn worst(rows: &[Row], names: &[&str], eased: bool, values: impl Fn(&Row) -> Vec
 const FUNCTIONS: [&str; 4] = ["sn", "cn", "dn", "am"];
 
 fn four(row: &Row) -> Vec<f64> {
-    let (sn, cn, dn, am) = Jacobi::new(parameter(row)).values(row.hex("u"));
+    let JacobiValues { sn, cn, dn, am, .. } = Jacobi::new(parameter(row)).values(row.hex("u"));
     vec![sn, cn, dn, am]
 }
 

@@ -1,7 +1,9 @@
 //! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, for the
 //! theta functions `_q` too. The parameter is set up once for the rows that share it; Carlson's integrals have none.
 
-use libration::{Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta};
+use libration::{
+    Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
+};
 use libration::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
 use pyo3::prelude::*;
 
@@ -48,8 +50,8 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from:
         add(module, &named(&format!("arc{name}")), move |[given]| Some(from(given)), each(inverse))?;
     }
     let complex = |jacobi: &JacobiComplex, [re, im]: [f64; 2]| {
-        let [[sn_re, sn_im], [cn_re, cn_im], [dn_re, dn_im]] = jacobi.values(re, im);
-        [sn_re, sn_im, cn_re, cn_im, dn_re, dn_im]
+        let JacobiComplexValues { sn, cn, dn, .. } = jacobi.values(re, im);
+        [sn.re, sn.im, cn.re, cn.im, dn.re, dn.im]
     };
     add(module, &named("jacobi_complex"), move |[given]| Some(JacobiComplex::new(from(given))), each(complex))
 }
@@ -87,9 +89,9 @@ fn theta(
     named: &impl Fn(&str) -> String,
     from: impl Fn(f64) -> Theta + Copy + Send + Sync + 'static,
 ) -> PyResult<()> {
-    for index in 1..=4 {
-        let value = move |theta: &Theta, [z]: [f64; 1]| [theta.value(index, z)];
-        add(module, &named(&format!("theta{index}")), move |[given]| Some(from(given)), each(value))?;
+    for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
+        let value = move |theta: &Theta, [z]: [f64; 1]| [theta.value(which, z)];
+        add(module, &named(&format!("theta{}", i + 1)), move |[given]| Some(from(given)), each(value))?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 //! frame of the orbit.
 
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
-use crate::float::elementary::long_sin_cos;
+use crate::float::series::long_sin_cos;
 use crate::float::{Dd, PI, Scaled, series};
 use crate::pendulum::Orbit;
 use crate::pendulum::state::State;

@@ -10,7 +10,6 @@
 use super::angle_phase::{framed, half_turn, turning_angle};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, ReducedPhase, alternating};
 use crate::float::elementary::arctangent;
-use crate::float::scaled::exp;
 use crate::float::{Dd, HALF_PI, Scaled, TWO_PI};
 use crate::pendulum::Orbit;
 use crate::pendulum::orbit::Solution;
@@ -126,7 +125,7 @@ impl Sum {
 /// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation; and the step of the harmonics.
 fn decay(orbit: &Orbit) -> (Scaled, u32) {
     if let Some((decay, step)) = orbit.decay() {
-        return (exp(-decay), step);
+        return (Scaled::exp(-decay), step);
     }
     match orbit.state {
         // The nome is m/16 to all digits.

@@ -12,7 +12,6 @@ use super::search::{crossing, peak};
 use super::turning::Turning;
 use crate::domain::Domain;
 use crate::float::exponent::ldexp;
-use crate::float::exponential::{exp, ln};
 use crate::float::{TWO_PI_LONG, Td};
 use crate::pendulum::{Orbit, Regime};
 use core::f64::consts::PI;
@@ -51,7 +50,7 @@ static TABLE: [Row<Rule>; 16] = [
     ),
     row(
         of_angle("molina", "(sin θ_max/θ_max)^(−3/8)", "Molina 1997"),
-        diverging(|turning, _| exp(ln(turning.cardinal_sine()) * -0.375)),
+        diverging(|turning, _| (turning.cardinal_sine().ln() * -0.375).exp()),
     ),
     row(
         Entry {
@@ -81,7 +80,7 @@ static TABLE: [Row<Rule>; 16] = [
         Entry {
             stated: "near 180 deg", ..entry("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995")
         },
-        diverging(|turning, _| ln(four_over(turning.a)) / TWO_PI_LONG.scale(0.25)),
+        diverging(|turning, _| four_over(turning.a).ln() / TWO_PI_LONG.scale(0.25)),
     ),
     row(
         Entry {

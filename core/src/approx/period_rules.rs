@@ -6,7 +6,6 @@
 
 use super::turning::{Turning, sine};
 use crate::float::exponent::exp2;
-use crate::float::exponential::{exp, ln, ln_one_plus};
 use crate::float::triple_double::Td;
 use crate::float::{LN_2, TWO_PI_LONG};
 use std::sync::OnceLock;
@@ -90,7 +89,7 @@ pub(super) fn ganley(turning: &Turning, _: u32) -> Td {
 /// -ln a/(1 - a).
 pub(super) fn lima_arun(turning: &Turning, _: u32) -> Td {
     let rest = turning.one_minus_a();
-    if rest.hi < 0.5 { -ln_one_plus(-rest) / rest } else { -ln(turning.a) / rest }
+    if rest.hi < 0.5 { -(-rest).ln_one_plus() / rest } else { -turning.a.ln() / rest }
 }
 
 /// 4/a.
@@ -102,9 +101,9 @@ pub(super) fn four_over(a: Td) -> Td {
 pub(super) fn chachiyo(turning: &Turning, _: u32) -> Td {
     let quarter_turn = TWO_PI_LONG.scale(0.25);
     let ln_4 = LN_2.scale(2.0);
-    let n = (ln_4 - ln(quarter_turn.scale(2.0))) / (quarter_turn - ln_4);
-    let b = exp(n * quarter_turn) - exp(n * ln_4);
-    ln(exp(n * ln(four_over(turning.a))) + b) / (n * quarter_turn)
+    let n = (ln_4 - quarter_turn.scale(2.0).ln()) / (quarter_turn - ln_4);
+    let b = (n * quarter_turn).exp() - (n * ln_4).exp();
+    ((n * four_over(turning.a).ln()).exp() + b).ln() / (n * quarter_turn)
 }
 
 /// Coefficients of numerator and denominator, rising powers of m.

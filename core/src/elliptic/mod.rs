@@ -3,6 +3,7 @@
 //! By chapter of the DLMF: [`integrals`] (19), [`theta`] (20), [`jacobi`] (22).
 
 pub mod agm;
+pub(crate) mod amplitude;
 pub mod integrals;
 pub mod jacobi;
 pub mod nome;
@@ -14,7 +15,9 @@ pub use integrals::{
     carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda,
     incomplete_e, incomplete_f, incomplete_pi,
 };
-pub use jacobi::{Glaisher, Jacobi, JacobiComplex, SecondKind, inverse_jacobi};
+pub use jacobi::{
+    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,
+};
 pub use nome::nome;
 pub use parameter::Parameter;
-pub use theta::Theta;
+pub use theta::{Theta, ThetaFunction};

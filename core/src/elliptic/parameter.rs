@@ -54,6 +54,26 @@ impl Parameter {
             Scaled::from(self.m)
         }
     }
+    /// Where it lies.
+    pub(crate) fn range(self) -> ParameterRange {
+        if self.m.hi < 0.0 {
+            ParameterRange::Negative
+        } else if self.mc.hi < 0.0 {
+            ParameterRange::AboveOne
+        } else if self.mc.hi == 0.0 {
+            ParameterRange::One
+        } else {
+            ParameterRange::BelowOne
+        }
+    }
+    /// What u is multiplied by where the parameter is the one in [0, 1]: sqrt(mc), 1 or sqrt(m).
+    pub(crate) fn argument_factor(self) -> Dd {
+        match self.range() {
+            ParameterRange::Negative => self.mc.sqrt(),
+            ParameterRange::AboveOne => self.m.sqrt(),
+            _ => Dd::ONE,
+        }
+    }
     /// The parameter in [0, 1] that carries this one: m itself; -m/(1 - m) for m < 0; 1/m for m > 1. The moduli
     /// come from roots of what was given, because the squares of their inverses may be below the range.
     pub(crate) fn unit(self) -> Unit {
@@ -69,6 +89,19 @@ impl Parameter {
             Unit { m, mc, k, kc: mc.sqrt() }
         }
     }
+}
+
+/// Where a parameter lies, which decides the formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ParameterRange {
+    /// m < 0.
+    Negative,
+    /// 0 <= m < 1, or NaN.
+    BelowOne,
+    /// m = 1: hyperbolic functions.
+    One,
+    /// m > 1: am is bounded.
+    AboveOne,
 }
 
 /// A parameter in [0, 1] with its modulus and complementary modulus: the moduli have all digits, also where their squares

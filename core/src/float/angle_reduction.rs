@@ -3,7 +3,7 @@
 //!
 //! Method: Payne & Hanek (1983) with 384 of 1408 bits of 1/(2 pi), in integers, so nothing cancels.
 
-use super::TWO_PI_LONG;
+use super::constants::TWO_PI_LONG;
 use super::double_double::{Dd, two_sum};
 use super::exponent::exp2;
 use super::triple_double::Td;

@@ -4,9 +4,8 @@
 //!
 //! Polynomials: near-minimax (Chebyshev interpolation at 60 digits), errors noted beside them.
 
+use super::constants::{HALF_PI, INVERSE_LN_2};
 use super::double_double::{Dd, fast_two_sum, two_sum};
-use super::triple_double::Td;
-use super::{HALF_PI, LN_2, series};
 use crate::lanes::Lane;
 
 /// c[0] + x (c[1] + x (c[2] + ...)).
@@ -60,8 +59,7 @@ pub fn sin_cos<L: Lane>(z: Dd<L>) -> (Dd<L>, Dd<L>) {
     (sine, cosine)
 }
 
-/// 1/ln 2, and ln 2 as 42 bits (so that small multiples are exact) and the rest.
-const INVERSE_LN_2: f64 = 1.4426950408889634;
+/// ln 2 as 42 bits (so that small multiples are exact) and the rest.
 const LN_2_HEAD: f64 = 0.6931471805598903;
 const LN_2_TAIL: f64 = 5.497923018708371e-14;
 
@@ -83,25 +81,6 @@ fn hyperbolic_reduced<L: Lane>(y: Dd<L>) -> (L, Dd<L>, Dd<L>) {
     let cube = square * r.hi;
     let sine = Dd::ordered_sum(r.hi, cube.mul_add(horner(&HYPERBOLIC_SINE, square), r.lo * cosine.hi));
     (k, cosine, sine)
-}
-
-/// Sine and cosine of |z| <= pi/4 to all digits of a double-double.
-pub fn long_sin_cos(z: Dd) -> (Dd, Dd) {
-    let (sine, cosine) = series::sin_cos(z.into());
-    (sine.to_dd(), cosine.to_dd())
-}
-
-/// Hyperbolic sine and cosine of y in [0, 700] to all digits of a double-double.
-pub fn long_sinh_cosh(y: Dd) -> (Dd, Dd) {
-    let k = Lane::round(y.hi * INVERSE_LN_2);
-    let r = Td::from(y) - LN_2 * k;
-    let (sine, cosine) = series::sinh_cosh(r);
-    if k == 0.0 {
-        return (sine.to_dd(), cosine.to_dd());
-    }
-    let grown = (cosine + sine).scale((k - 1.0).exp2_integer());
-    let shrunk = (cosine - sine).scale((-k - 1.0).exp2_integer());
-    ((grown - shrunk).to_dd(), (grown + shrunk).to_dd())
 }
 
 /// Hyperbolic sine and cosine of y in [0, 700].

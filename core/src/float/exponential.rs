@@ -3,38 +3,42 @@
 //! Methods: e^y = 2^k (cosh r + sinh r) with |r| <= ln 2 / 2; ln(1 + x) = 2 artanh(x/(2 + x)) by its series, after a
 //! power of two where |x| is not small: relative digits also next to 1.
 
+use super::constants::{INVERSE_LN_2, LN_2};
 use super::exponent::{exp2, exponent};
+use super::series;
 use super::triple_double::Td;
-use super::{LN_2, series};
 use crate::lanes::Lane;
-
-const INVERSE_LN_2: f64 = 1.4426950408889634;
 
 /// Terms of artanh: |s| <= 0.2, so that s^68 < 2^-157.
 const TERMS: i32 = 34;
 
-/// e^y for |y| <= 700.
-pub fn exp(y: Td) -> Td {
-    let k = Lane::round(y.hi * INVERSE_LN_2);
-    let (sine, cosine) = series::sinh_cosh(y - LN_2 * k);
-    (cosine + sine).scale(exp2(k as i32))
-}
+impl Td {
+    /// e^self for |self| <= 700.
+    #[must_use]
+    pub fn exp(self) -> Td {
+        let k = Lane::round(self.hi * INVERSE_LN_2);
+        let (sine, cosine) = series::sinh_cosh(self - LN_2 * k);
+        (cosine + sine).scale(exp2(k as i32))
+    }
 
-/// ln x for a normal x > 0.
-pub fn ln(x: Td) -> Td {
-    let power = exponent(x.hi);
-    let mantissa = x.scale(exp2(-power));
-    let (power, mantissa) = if mantissa.hi > core::f64::consts::SQRT_2 {
-        (power + 1, mantissa.scale(0.5))
-    } else {
-        (power, mantissa)
-    };
-    LN_2 * f64::from(power) + near_one(mantissa - Td::ONE)
-}
+    /// Natural logarithm of a normal number > 0.
+    #[must_use]
+    pub fn ln(self) -> Td {
+        let power = exponent(self.hi);
+        let mantissa = self.scale(exp2(-power));
+        let (power, mantissa) = if mantissa.hi > core::f64::consts::SQRT_2 {
+            (power + 1, mantissa.scale(0.5))
+        } else {
+            (power, mantissa)
+        };
+        LN_2 * f64::from(power) + near_one(mantissa - Td::ONE)
+    }
 
-/// ln(1 + x) for x > -1, to all digits also for small x.
-pub fn ln_one_plus(x: Td) -> Td {
-    if x.hi > -0.3 && x.hi < 0.45 { near_one(x) } else { ln(Td::ONE + x) }
+    /// ln(1 + self) above -1, to all digits also next to 0.
+    #[must_use]
+    pub fn ln_one_plus(self) -> Td {
+        if self.hi > -0.3 && self.hi < 0.45 { near_one(self) } else { (Td::ONE + self).ln() }
+    }
 }
 
 /// ln(1 + x) for x in [-0.33, 0.5].
@@ -56,10 +60,10 @@ mod tests {
     fn one_undoes_the_other() {
         for i in -3000..=3000 {
             let y = Td::from(f64::from(i) * 0.0123) + Td::from(f64::from(i) * 1e-19);
-            let back = ln(exp(y)) - y;
+            let back = y.exp().ln() - y;
             assert!(back.hi.abs() < 1e-45 * (1.0 + y.hi.abs()), "{i} {back:?}");
             let x = y.scale(1.0 / 128.0);
-            let back = exp(ln_one_plus(x)) - Td::ONE - x;
+            let back = x.ln_one_plus().exp() - Td::ONE - x;
             assert!(x.hi < -0.9 || back.hi.abs() < 1e-45, "{i} {back:?}");
         }
     }
@@ -69,7 +73,7 @@ mod tests {
         for x in [1e-12, -1e-12, 3e-90, -1e-120] {
             let x = Td::from(x);
             let first = x - x.square().scale(0.5);
-            let rest = (ln_one_plus(x) - first).hi - x.hi * x.hi * x.hi / 3.0;
+            let rest = (x.ln_one_plus() - first).hi - x.hi * x.hi * x.hi / 3.0;
             assert!(rest.abs() <= 1e-36 * x.hi.abs(), "{rest:e}");
         }
     }

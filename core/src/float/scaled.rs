@@ -3,10 +3,11 @@
 //!
 //! Relative errors are those of [`Dd`]. The part is in [1, 2) (its sign apart); zero, infinity and NaN have power 0.
 
+use super::constants::{INVERSE_LN_2, LN_2};
 use super::double_double::Dd;
 use super::exponent::{exp2, exponent, ldexp};
+use super::series;
 use super::triple_double::Td;
-use super::{LN_2, series};
 use crate::lanes::Lane;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -19,7 +20,6 @@ pub struct Scaled {
 
 /// Arguments of the exponential: powers of results stay far from the range of i32, also after sums and products of some.
 const END: f64 = 1e8;
-const INVERSE_LN_2: f64 = 1.4426950408889634;
 
 /// Below, a term no longer counts in the sum.
 const FAR: i32 = 240;
@@ -30,6 +30,15 @@ impl Scaled {
     /// One.
     pub const ONE: Scaled = Scaled { part: Dd::ONE, power: 0 };
 
+    /// e^y of any y: 0 or infinite far beyond the range of every use.
+    pub fn exp(y: Dd) -> Scaled {
+        if y.hi.abs() >= END || y.hi.is_nan() {
+            return Scaled::from(if y.hi > 0.0 { f64::INFINITY } else { y.hi * 0.0 });
+        }
+        let k = Lane::round(y.hi * INVERSE_LN_2);
+        let (sine, cosine) = series::sinh_cosh(Td::from(y) - LN_2 * k);
+        Scaled::new((cosine + sine).to_dd(), k as i32)
+    }
     /// part * 2^power of any part.
     #[inline]
     pub fn new(part: Dd, power: i32) -> Scaled {
@@ -98,7 +107,7 @@ impl Scaled {
     }
     /// -ln of a positive value.
     pub fn minus_ln(self) -> Dd {
-        LN_2.to_dd() * f64::from(-self.power) - ln(self.part.hi) - Dd::from(self.part.lo / self.part.hi)
+        LN_2.to_dd() * f64::from(-self.power) - Dd::ln(self.part.hi) - Dd::from(self.part.lo / self.part.hi)
     }
     /// -1 below zero, else +1.
     pub fn sign(self) -> f64 {
@@ -120,30 +129,25 @@ pub fn over_common_power<const N: usize>(values: [Scaled; N]) -> ([Dd; N], f64) 
     (values.map(|value| value.shift(-power).to_dd()), exp2(power))
 }
 
-/// e^y of any y: 0 or infinite far beyond the range of every use.
-pub fn exp(y: Dd) -> Scaled {
-    if y.hi.abs() >= END || y.hi.is_nan() {
-        return Scaled::from(if y.hi > 0.0 { f64::INFINITY } else { y.hi * 0.0 });
+impl Dd {
+    /// ln x of a finite x > 0, to all digits also next to 1.
+    pub fn ln(x: f64) -> Dd {
+        let power = exponent(x);
+        let mantissa = ldexp(x, -power);
+        let (power, mantissa) = if mantissa > core::f64::consts::SQRT_2 {
+            (power + 1, 0.5 * mantissa)
+        } else {
+            (power, mantissa)
+        };
+        // 2 artanh s, s = (x - 1)/(x + 1): s^2 < 0.0295, so that 22 terms reach 2^-112.
+        let s = Dd::sum(mantissa, -1.0) / Dd::sum(mantissa, 1.0);
+        let square = s.square();
+        let mut sum = Dd::ZERO;
+        for k in (0..22).rev() {
+            sum = sum * square + Dd::ONE / Dd::from(f64::from(2 * k + 1));
+        }
+        LN_2.to_dd() * f64::from(power) + (s * sum).scale(2.0)
     }
-    let k = Lane::round(y.hi * INVERSE_LN_2);
-    let (sine, cosine) = series::sinh_cosh(Td::from(y) - LN_2 * k);
-    Scaled::new((cosine + sine).to_dd(), k as i32)
-}
-
-/// ln x of a finite x > 0, to all digits also next to 1.
-pub fn ln(x: f64) -> Dd {
-    let power = exponent(x);
-    let mantissa = ldexp(x, -power);
-    let (power, mantissa) =
-        if mantissa > core::f64::consts::SQRT_2 { (power + 1, 0.5 * mantissa) } else { (power, mantissa) };
-    // 2 artanh s, s = (x - 1)/(x + 1): s^2 < 0.0295, so that 22 terms reach 2^-112.
-    let s = Dd::sum(mantissa, -1.0) / Dd::sum(mantissa, 1.0);
-    let square = s.square();
-    let mut sum = Dd::ZERO;
-    for k in (0..22).rev() {
-        sum = sum * square + Dd::ONE / Dd::from(f64::from(2 * k + 1));
-    }
-    LN_2.to_dd() * f64::from(power) + (s * sum).scale(2.0)
 }
 
 impl From<Dd> for Scaled {

@@ -1,7 +1,7 @@
 //! Sine and cosine, circular and hyperbolic, to triple-double, by Taylor's series: for set-ups and for steps whose
 //! errors would add up.
 
-use super::TWO_PI_LONG;
+use super::constants::{INVERSE_LN_2, LN_2, TWO_PI_LONG};
 use super::double_double::Dd;
 use super::elementary::arctangent;
 use super::triple_double::Td;
@@ -16,6 +16,25 @@ pub fn sin_cos(angle: Td) -> (Td, Td) {
 /// Hyperbolic sine and cosine of a number in [0, 0.8], to triple-double.
 pub fn sinh_cosh(y: Td) -> (Td, Td) {
     doubled_series(y, -1.0)
+}
+
+/// Sine and cosine of |z| <= pi/4 to all digits of a double-double.
+pub fn long_sin_cos(z: Dd) -> (Dd, Dd) {
+    let (sine, cosine) = sin_cos(z.into());
+    (sine.to_dd(), cosine.to_dd())
+}
+
+/// Hyperbolic sine and cosine of y in [0, 700] to all digits of a double-double.
+pub fn long_sinh_cosh(y: Dd) -> (Dd, Dd) {
+    let k = Lane::round(y.hi * INVERSE_LN_2);
+    let r = Td::from(y) - LN_2 * k;
+    let (sine, cosine) = sinh_cosh(r);
+    if k == 0.0 {
+        return (sine.to_dd(), cosine.to_dd());
+    }
+    let grown = (cosine + sine).scale((k - 1.0).exp2_integer());
+    let shrunk = (cosine - sine).scale((-k - 1.0).exp2_integer());
+    ((grown - shrunk).to_dd(), (grown + shrunk).to_dd())
 }
 
 /// Angle in [0, pi/2] of a point on the unit circle, to triple-double: what a double leaves of it is so small that its

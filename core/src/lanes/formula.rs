@@ -186,13 +186,3 @@ pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
         at += L::WIDTH;
     }
 }
-
-/// The formula at every row, on the widest lanes or on lanes of width one.
-pub fn tabulate<const WIDE: bool, F: Formula<A, N>, const A: usize, const N: usize, const R: usize>(
-    formula: &F,
-    arguments: [&[f64]; A],
-    results: &mut [&mut [f64]; R],
-) {
-    let rows = Rows::<F, A, N, R> { formula, arguments, results };
-    if WIDE { wide(rows) } else { single(rows) }
-}

@@ -5,7 +5,7 @@
 //! they decay faster than 2.4^-k; then evaluation is one multiply-add each.
 //! Source: DLMF 18.3, 3.11(ii).
 
-use crate::float::elementary::long_sin_cos;
+use crate::float::series::long_sin_cos;
 use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, HALF_PI};
 use crate::lanes::{Kernel, Lane, wide};

@@ -13,7 +13,7 @@ use crate::float::Dd;
 use crate::float::double_double::fast_two_sum;
 use crate::float::exponent::exp2;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{Kernel, Lane, Sampler, sweep, wide};
+use crate::lanes::{Columns, Evaluation, Formula, Lane};
 
 /// A polynomial in t, its first two coefficients to double-double.
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ pub(crate) struct Interpolant {
     second: Monomials,
 }
 
-/// How the arc of a motion is laid out.
+/// The map of a motion's half period, and how many terms it needs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ConformalMap {
     /// Terms, one of [`COUNTS`].
@@ -47,7 +47,7 @@ const LAST_TERM: f64 = 2.3e-16; // 2^-52
 /// Most that a rounding of t may cost, in its units.
 const STEEPEST: f64 = 2.0;
 
-/// Where an arc is interpolated.
+/// A node of the interpolation.
 #[derive(Clone, Copy)]
 pub(crate) struct Node<L: Lane> {
     /// Half periods from the base, in (0, 1/2).
@@ -189,7 +189,9 @@ impl Interpolant {
         let ConformalMap { count, moebius } = map;
         let interpolation = Interpolation::of(count);
         let mut values = [[0.0; MOST]; 4];
-        wide(AtNodes { functions, moebius, points: &interpolation.points, values: &mut values });
+        let [hi, lo] = &interpolation.points;
+        let columns = values.each_mut().map(|column| &mut column[..count]);
+        Columns::new([hi, lo], columns).of(&AtNodes { functions, moebius });
         let [first, first_rest, second, second_rest] = &values;
         let powers = |hi: &[f64], lo: &[f64]| {
             Monomials::new(&interpolation.coefficients([&hi[..count], &lo[..count]]))
@@ -245,41 +247,23 @@ pub(crate) fn rounded_product<L: Lane>(a: Unnormalised<L>, b: Unnormalised<L>) -
     a.hi.mul_add(b.hi, a.hi.mul_add(b.lo, a.lo * b.hi))
 }
 
-/// A functions at the points of the interpolation.
+/// The two functions at the nodes, as high and low words.
 struct AtNodes<'a, C> {
     functions: &'a C,
     moebius: f64,
-    points: &'a [Vec<f64>; 2],
-    values: &'a mut [[f64; MOST]; 4],
 }
 
-/// The same at one of them.
-struct AtNode<'a, C>(&'a C, f64);
-
-impl<L: Lane, C: EvenFunctions> Sampler<L, 2, 4> for AtNode<'_, C> {
+impl<C: EvenFunctions> Formula<2, 4> for AtNodes<'_, C> {
     #[inline(always)]
-    fn at(&self, [hi, lo]: [L; 2]) -> [L; 4] {
-        let AtNode(functions, moebius) = self;
+    fn at<L: Lane>(&self, [hi, lo]: [L; 2]) -> [L; 4] {
         let one = Unnormalised::from_double(L::splat(1.0));
-        let moebius = Unnormalised::from_double(L::splat(*moebius));
+        let moebius = Unnormalised::from_double(L::splat(self.moebius));
         let t = Unnormalised::new(hi, lo);
         // x = (1 - b)(1 + t)/8(1 - b t), and 1/4 - x = (1 + b)(1 - t)/8(1 - b t).
         let scale = (one - moebius * t).scale(L::splat(8.0));
         let x = ((one - moebius) * (one + t)).over(scale);
         let to_ends = ((one + moebius) * (one - t)).over(scale);
-        let [first, second] = functions.at(Node { f: x.root(), to_ends });
+        let [first, second] = self.functions.at(Node { f: x.root(), to_ends });
         [first.hi, first.lo, second.hi, second.lo]
-    }
-}
-
-impl<C: EvenFunctions> Kernel for AtNodes<'_, C> {
-    type Output = ();
-    #[inline(always)]
-    fn run<L: Lane>(self) {
-        let [hi, lo] = self.points;
-        let count = hi.len();
-        let [a, b, c, d] = self.values;
-        let mut values = [&mut a[..count], &mut b[..count], &mut c[..count], &mut d[..count]];
-        sweep::<L, _, _, _>(&AtNode(self.functions, self.moebius), [hi, lo], &mut values)
     }
 }

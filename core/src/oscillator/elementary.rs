@@ -8,7 +8,7 @@
 use super::energy::Orientation;
 use super::nonzero_energy::{Argument, NonzeroEnergy, RootCase};
 use super::roots::Distances;
-use crate::float::scaled::{Scaled, exp};
+use crate::float::scaled::Scaled;
 use crate::float::series;
 use crate::float::triple_double::Td;
 
@@ -62,7 +62,7 @@ pub(super) fn sinh_cosh(x: Scaled) -> (Scaled, Scaled) {
         let (sine, cosine) = series::sinh_cosh(Td::from(size.to_dd()));
         (Scaled::from(sine.to_dd()), Scaled::from(cosine.to_dd()))
     } else {
-        let (grown, shrunk) = (exp(size.to_dd()), exp(-size.to_dd()));
+        let (grown, shrunk) = (Scaled::exp(size.to_dd()), Scaled::exp(-size.to_dd()));
         ((grown - shrunk).shift(-1), (grown + shrunk).shift(-1))
     };
     (if x.is_negative() { -sine } else { sine }, cosine)
@@ -129,15 +129,15 @@ impl Elementary {
                 if odd { (s, rate, sum) } else { (one, s * rate, sum) }
             }
             Sum::Exponential { l, m } => {
-                let grown = exp(x.shift(1).to_dd());
+                let grown = Scaled::exp(x.shift(1).to_dd());
                 (one, grown, l * grown + m)
             }
             Sum::GrowingSinh(l) => {
-                let grown = exp(rest.to_dd());
+                let grown = Scaled::exp(rest.to_dd());
                 (one, grown.square(), (l * grown * sinh_cosh(rest).0).shift(1))
             }
             Sum::DecayingSinh(l) => {
-                let fallen = exp(-rest.to_dd());
+                let fallen = Scaled::exp(-rest.to_dd());
                 (one, fallen.square(), (l * fallen * sinh_cosh(rest).0).shift(1))
             }
             Sum::Linear(l) => (one, one, l * rest),

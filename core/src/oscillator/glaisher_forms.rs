@@ -21,8 +21,8 @@
 
 use super::regime::OscillatorRegime;
 use crate::domain::Domain;
-use crate::elliptic::jacobi::functions::{Jacobi, Ratio};
-use crate::elliptic::jacobi::glaisher::{Glaisher, Letter};
+use crate::elliptic::jacobi::functions::{Jacobi, NevilleIndex, NevilleValues};
+use crate::elliptic::jacobi::glaisher::Glaisher;
 use crate::elliptic::parameter::{Parameter, Unit};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
@@ -158,7 +158,7 @@ impl DuffingForm {
         let mut jacobi = Jacobi::of_unit(unit, rate);
         let argument = Phase { rate, start: Dd::from(c2) };
         if !mc.is_zero() {
-            jacobi.phase.start = argument.start / jacobi.lattice.quarter.scale(2.0);
+            jacobi.phase.start = argument.start / jacobi.neville.quarter.scale(2.0);
         }
         Ok(DuffingForm { which, c1, c2, rate, unit, jacobi, argument })
     }
@@ -193,7 +193,7 @@ impl DuffingForm {
         let slope = slope(self.which, &self.unit) * self.rate;
         if self.unit.mc.hi == 0.0 {
             evaluation.of(&HyperbolicFormula(self, slope))
-        } else if self.jacobi.lattice.hyperbolic() {
+        } else if self.jacobi.neville.hyperbolic() {
             evaluation.of(&ThetaFormula::<true>(self, slope))
         } else {
             evaluation.of(&ThetaFormula::<false>(self, slope))
@@ -260,13 +260,13 @@ fn regime(
     force: f64,
     Coefficients { square, m, mc }: &Coefficients,
 ) -> OscillatorRegime {
-    let [above, below] = which.letters();
-    let pole = matches!(below, Letter::S | Letter::C);
+    let [above, below] = which.pq();
+    let pole = matches!(below, NevilleIndex::S | NevilleIndex::C);
     // dn and nd at m = 0 and cd at m = 1 are constant; so is dc = 1 there, which has no pole then.
     let flat = m.is_zero()
-        && (above == Letter::D || below == Letter::D)
-        && !matches!(above, Letter::S | Letter::C)
-        && !matches!(below, Letter::S | Letter::C);
+        && (above == NevilleIndex::D || below == NevilleIndex::D)
+        && !matches!(above, NevilleIndex::S | NevilleIndex::C)
+        && !matches!(below, NevilleIndex::S | NevilleIndex::C);
     let one = mc.is_zero() && matches!(which, Glaisher::Cd | Glaisher::Dc);
     if flat || one {
         return OscillatorRegime::Rest;
@@ -274,7 +274,7 @@ fn regime(
     if force == 0.0 {
         return OscillatorRegime::Linear;
     }
-    if pole && !(mc.is_zero() && matches!(below, Letter::C)) {
+    if pole && !(mc.is_zero() && matches!(below, NevilleIndex::C)) {
         return OscillatorRegime::Escape;
     }
     if force < 0.0 {
@@ -296,18 +296,7 @@ fn regime(
     }
 }
 
-/// sn, cn, dn, 1 and their signs.
-#[inline(always)]
-fn part<L: Lane>(ratio: &Ratio<L>, letter: Letter) -> (Dd<L>, L) {
-    match letter {
-        Letter::S => (ratio.sn, ratio.signs[0]),
-        Letter::C => (ratio.cn, ratio.signs[1]),
-        Letter::D => (ratio.dn, ratio.signs[2]),
-        Letter::N => (ratio.one, L::splat(1.0)),
-    }
-}
-
-/// The derivative of pq is this times the product of the other two letters over the square of the lower: DLMF 22.13(i).
+/// The derivative of pq is this times the product of the other two theta functions over the square of theta_q: DLMF 22.13(i).
 fn slope(which: Glaisher, unit: &Unit) -> Dd {
     match which {
         Glaisher::Sn | Glaisher::Sd | Glaisher::Sc | Glaisher::Nc => Dd::ONE,
@@ -325,20 +314,30 @@ struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a DuffingForm, Dd);
 struct HyperbolicFormula<'a>(&'a DuffingForm, Dd);
 
 #[inline(always)]
-fn finished<L: Lane>(form: &DuffingForm, slope: Dd, ratio: &Ratio<L>) -> [L; 2] {
-    let [above, below] = form.which.letters();
+fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<L>) -> [L; 2] {
+    let [above, below] = form.which.pq();
     let others = match (above, below) {
-        (Letter::S, Letter::N) | (Letter::N, Letter::S) => [Letter::C, Letter::D],
-        (Letter::C, Letter::N) | (Letter::N, Letter::C) => [Letter::S, Letter::D],
-        (Letter::D, Letter::N) | (Letter::N, Letter::D) => [Letter::S, Letter::C],
-        (Letter::S, Letter::C) | (Letter::C, Letter::S) => [Letter::D, Letter::N],
-        (Letter::S, Letter::D) | (Letter::D, Letter::S) => [Letter::C, Letter::N],
-        _ => [Letter::S, Letter::N],
+        (NevilleIndex::S, NevilleIndex::N) | (NevilleIndex::N, NevilleIndex::S) => {
+            [NevilleIndex::C, NevilleIndex::D]
+        }
+        (NevilleIndex::C, NevilleIndex::N) | (NevilleIndex::N, NevilleIndex::C) => {
+            [NevilleIndex::S, NevilleIndex::D]
+        }
+        (NevilleIndex::D, NevilleIndex::N) | (NevilleIndex::N, NevilleIndex::D) => {
+            [NevilleIndex::S, NevilleIndex::C]
+        }
+        (NevilleIndex::S, NevilleIndex::C) | (NevilleIndex::C, NevilleIndex::S) => {
+            [NevilleIndex::D, NevilleIndex::N]
+        }
+        (NevilleIndex::S, NevilleIndex::D) | (NevilleIndex::D, NevilleIndex::S) => {
+            [NevilleIndex::C, NevilleIndex::N]
+        }
+        _ => [NevilleIndex::S, NevilleIndex::N],
     };
-    let (above, above_sign) = part(ratio, above);
-    let (below, below_sign) = part(ratio, below);
-    let (left, left_sign) = part(ratio, others[0]);
-    let (right, right_sign) = part(ratio, others[1]);
+    let (above, above_sign) = values.theta(above);
+    let (below, below_sign) = values.theta(below);
+    let (left, left_sign) = values.theta(others[0]);
+    let (right, right_sign) = values.theta(others[1]);
     let c1 = L::splat(form.c1);
     let u = quotient(above, below).value();
     // An exact zero below: the quotient's remainder would be infinity minus infinity.
@@ -355,8 +354,8 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for ThetaFormula<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let ThetaFormula(form, slope) = self;
-        let (_, ratio) = form.jacobi.ratio::<HYPERBOLIC, L>(t);
-        finished::<L>(form, *slope, &ratio)
+        let (_, values) = form.jacobi.neville_values::<HYPERBOLIC, L>(t);
+        finished::<L>(form, *slope, &values)
     }
 }
 
@@ -369,7 +368,7 @@ impl Formula<1, 2> for HyperbolicFormula<'_> {
         let sign = one.copysign(y.hi);
         let (sinh, cosh) = saturated_sinh_cosh(y.scale(sign));
         let unit = Dd::from_double(one);
-        let ratio = Ratio { sn: sinh, cn: unit, dn: unit, one: cosh, signs: [sign, one, one] };
-        finished::<L>(form, *slope, &ratio)
+        let values = NevilleValues { s: sinh, c: unit, d: unit, n: cosh, signs: [sign, one, one] };
+        finished::<L>(form, *slope, &values)
     }
 }

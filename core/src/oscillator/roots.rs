@@ -10,8 +10,8 @@
 use crate::elliptic::integrals::carlson::rf_of_roots;
 use crate::float::Dd;
 use crate::float::dyadic::Dyadic;
-use crate::float::elementary::long_sin_cos;
 use crate::float::scaled::Scaled;
+use crate::float::series::long_sin_cos;
 
 const THREE: f64 = 3.0;
 

@@ -12,7 +12,6 @@ use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
 use crate::float::elementary::sech;
-use crate::float::scaled::exp;
 use crate::float::{Dd, HALF_PI, PI, Scaled};
 
 /// Amplitudes of the harmonics j = 1, 2, ... of angle and velocity.
@@ -50,7 +49,7 @@ impl Series {
         let order = j as f64;
         let argument = self.decay * order;
         if argument.hi > FAR {
-            return exp(-argument) * (2.0 * self.factor) / Scaled::from(order);
+            return Scaled::exp(-argument) * (2.0 * self.factor) / Scaled::from(order);
         }
         let (value, power) = self.harmonic(j);
         Scaled::from(value) * Scaled::from(power)

@@ -10,8 +10,7 @@ use crate::elliptic::integrals::carlson_duplication::{THIRD, rd, rf};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{Phase, ReducedPhase};
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::elementary::long_sinh_cosh;
-use crate::float::scaled::exp;
+use crate::float::series::long_sinh_cosh;
 use crate::float::{Dd, Scaled};
 
 /// The two solutions at a phase; next to the top they leave the range of the doubles.
@@ -117,7 +116,7 @@ pub(super) fn hyperbolic(y: Dd) -> [Scaled; 2] {
         let (sinh, cosh) = long_sinh_cosh(y.abs());
         return [sinh * sign, cosh].map(Scaled::from);
     }
-    let half = exp(y.abs()).shift(-1);
+    let half = Scaled::exp(y.abs()).shift(-1);
     [half * sign, half]
 }
 

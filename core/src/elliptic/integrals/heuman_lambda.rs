@@ -6,7 +6,7 @@
 //! Source: Byrd & Friedman 150.03; Carlson, Numer. Math. 33 (1979) 1.
 
 use super::carlson::{rf, rj};
-use super::incomplete::{ReducedAmplitude, reduce};
+use crate::elliptic::amplitude::{ReducedAmplitude, sines};
 use crate::elliptic::parameter::Parameter;
 use crate::float::{Dd, Scaled};
 
@@ -40,7 +40,8 @@ pub fn heuman_lambda(phi: f64, parameter: Parameter) -> f64 {
     if mc.hi == 0.0 {
         return (scale * phi).value();
     }
-    let ReducedAmplitude { n, side, sine, cosine } = reduce(phi);
+    let ReducedAmplitude { n, side, r, rest, .. } = ReducedAmplitude::new(phi);
+    let (sine, cosine) = sines(r, rest);
     let (m, mc) = (Scaled::from(m), Scaled::from(mc));
     let (sine, cosine) = (Scaled::from(sine), Scaled::from(cosine));
     let c = cosine.square();

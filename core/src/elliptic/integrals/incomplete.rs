@@ -7,66 +7,9 @@
 use super::carlson;
 use super::carlson_duplication::{THIRD, rd, rf};
 use super::complete::{complete_e_dd, complete_k_dd};
+use crate::elliptic::amplitude::{ReducedAmplitude, sines};
 use crate::elliptic::parameter::Parameter;
-use crate::float::{Dd, Scaled, Td, angle_reduction, series};
-
-/// phi = n pi + side * r, 0 <= r <= pi/2.
-pub(crate) struct HalfTurns {
-    /// Exact up to 2^106, beyond to 2^-106 of itself.
-    pub n: Dd,
-    /// Whether n is odd, also beyond 2^106.
-    pub odd: bool,
-    pub side: f64,
-    pub r: Td,
-    /// pi/2 - r.
-    pub rest: Td,
-}
-
-/// phi modulo pi, for finite phi.
-pub(crate) fn half_turns(phi: f64) -> HalfTurns {
-    let full = angle_reduction::reduce(phi);
-    let odd = full.from_top.hi < full.from_bottom.hi;
-    let even_half_turns = full.whole_turns().scale(2.0);
-    let (n, side, r, other) = if odd {
-        (even_half_turns + Dd::from(full.side), -full.side, full.from_top, full.from_bottom)
-    } else {
-        (even_half_turns, full.side, full.from_bottom, full.from_top)
-    };
-    // pi/2 - r, half the difference of r and pi - r.
-    let rest = (other - r).scale(0.5);
-    HalfTurns { n, odd, side, r, rest }
-}
-
-/// Below, the sine is the angle and the cosine 1 to a double-double.
-const TINY: f64 = 1e-18;
-
-/// sin r and cos r.
-pub(crate) fn sines(r: Td, rest: Td) -> (Dd, Dd) {
-    if r.hi < TINY {
-        return (r.to_dd(), Dd::ONE);
-    }
-    let (sine, cosine) = if r.hi <= rest.hi {
-        series::sin_cos(r)
-    } else {
-        let (cosine, sine) = series::sin_cos(rest);
-        (sine, cosine)
-    };
-    (sine.to_dd(), cosine.to_dd())
-}
-
-/// phi = n pi + side * r, with the sine and cosine of r.
-pub(crate) struct ReducedAmplitude {
-    pub n: Dd,
-    pub side: f64,
-    pub sine: Dd,
-    pub cosine: Dd,
-}
-
-pub(crate) fn reduce(phi: f64) -> ReducedAmplitude {
-    let HalfTurns { n, side, r, rest, .. } = half_turns(phi);
-    let (sine, cosine) = sines(r, rest);
-    ReducedAmplitude { n, side, sine, cosine }
-}
+use crate::float::{Dd, Scaled};
 
 /// 1 - m s^2 from mc = 1 - m and the squares of the sine s and the cosine. It subtracts only for m > 1, and then the smaller
 /// terms: next to m = 1 those of c^2 + mc s^2.
@@ -99,7 +42,7 @@ pub(crate) fn second_kind(m: Scaled, mc: Scaled, [s, c, d]: [Scaled; 3]) -> Scal
 
 /// Which of the two integrals.
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+enum Integral {
     First,
     Second,
 }
@@ -108,27 +51,31 @@ enum Kind {
 const LARGE: f64 = 1e100;
 
 /// The integral from 0 to the reduced amplitude; NaN where 1 - m sin^2 is negative there.
-fn reduced_integral(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd) -> Scaled {
+fn reduced_integral(integral: Integral, parameter: Parameter, sine: Dd, cosine: Dd) -> Scaled {
     let Parameter { m, mc, .. } = parameter;
     if m.hi.abs() <= LARGE {
         let d = cosine.square() + mc * sine.square();
         let real = mc.hi >= 0.0 || d.hi >= 0.0;
-        return if real { reduced(kind, parameter, sine, cosine, d).into() } else { Scaled::from(f64::NAN) };
+        return if real {
+            reduced(integral, parameter, sine, cosine, d).into()
+        } else {
+            Scaled::from(f64::NAN)
+        };
     }
     let [m, mc, s, c] = [m, mc, sine, cosine].map(Scaled::from);
     let square = delta_square(m, mc, s.square(), c.square());
-    match kind {
+    match integral {
         _ if square.is_negative() => Scaled::from(f64::NAN),
-        Kind::First => s * carlson::rf(c.square(), square, Scaled::ONE),
-        Kind::Second => second_kind(m, mc, [s, c, square.sqrt()]),
+        Integral::First => s * carlson::rf(c.square(), square, Scaled::ONE),
+        Integral::Second => second_kind(m, mc, [s, c, square.sqrt()]),
     }
 }
 
 /// The same for |m| up to [`LARGE`], from d = 1 - m sin^2 r.
-fn reduced(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd {
+fn reduced(integral: Integral, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd {
     let Parameter { m, mc, .. } = parameter;
     let c = cosine.square();
-    if kind == Kind::First {
+    if integral == Integral::First {
         return sine * rf(c, d, Dd::ONE);
     }
     if m.hi < 0.0 {
@@ -151,7 +98,7 @@ fn reduced(kind: Kind, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd 
     sine * first + m * sine * cosine / d.sqrt()
 }
 
-fn incomplete(kind: Kind, phi: f64, parameter: Parameter) -> f64 {
+fn incomplete(integral: Integral, phi: f64, parameter: Parameter) -> f64 {
     let mc = parameter.mc;
     if phi == 0.0 && mc.hi.is_finite() {
         return phi;
@@ -162,19 +109,20 @@ fn incomplete(kind: Kind, phi: f64, parameter: Parameter) -> f64 {
     if phi.is_infinite() {
         return phi;
     }
-    let ReducedAmplitude { n, side, sine, cosine } = reduce(phi);
-    let integral = reduced_integral(kind, parameter, sine, cosine) * side;
+    let ReducedAmplitude { n, side, r, rest, .. } = ReducedAmplitude::new(phi);
+    let (sine, cosine) = sines(r, rest);
+    let within = reduced_integral(integral, parameter, sine, cosine) * side;
     if n.hi == 0.0 {
-        return integral.value();
+        return within.value();
     }
-    let half_turn = match kind {
+    let half_turn = match integral {
         _ if mc.hi < 0.0 => return f64::NAN,
-        Kind::First if mc.hi == 0.0 => return f64::INFINITY.copysign(phi),
-        Kind::First => complete_k_dd(parameter),
-        Kind::Second if mc.hi == 0.0 => Dd::ONE,
-        Kind::Second => complete_e_dd(parameter),
+        Integral::First if mc.hi == 0.0 => return f64::INFINITY.copysign(phi),
+        Integral::First => complete_k_dd(parameter),
+        Integral::Second if mc.hi == 0.0 => Dd::ONE,
+        Integral::Second => complete_e_dd(parameter),
     };
-    (Scaled::from(half_turn) * Scaled::from(n).shift(1) + integral).value()
+    (Scaled::from(half_turn) * Scaled::from(n).shift(1) + within).value()
 }
 
 /// F(phi | m) = int_0^phi dt / sqrt(1 - m sin^2 t).
@@ -182,12 +130,12 @@ fn incomplete(kind: Kind, phi: f64, parameter: Parameter) -> f64 {
 /// Infinite phi gives its infinity for m <= 1. For m > 1 real only while m sin^2 t <= 1 on the way, NaN beyond; at m = 1 infinite beyond pi/2.
 /// **Error** at most 3 ulp.
 pub fn incomplete_f(phi: f64, parameter: Parameter) -> f64 {
-    incomplete(Kind::First, phi, parameter)
+    incomplete(Integral::First, phi, parameter)
 }
 
 /// E(phi | m) = int_0^phi sqrt(1 - m sin^2 t) dt, with the domain of [`incomplete_f`].
 ///
 /// **Error** at most 3 ulp.
 pub fn incomplete_e(phi: f64, parameter: Parameter) -> f64 {
-    incomplete(Kind::Second, phi, parameter)
+    incomplete(Integral::Second, phi, parameter)
 }

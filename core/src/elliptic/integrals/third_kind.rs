@@ -10,7 +10,8 @@
 
 use super::carlson::{rc, rc_principal, rf, rj};
 use super::complete::complete_k_dd;
-use super::incomplete::{ReducedAmplitude, delta_square, reduce};
+use super::incomplete::delta_square;
+use crate::elliptic::amplitude::{ReducedAmplitude, sines};
 use crate::elliptic::parameter::Parameter;
 use crate::float::{Dd, Scaled};
 
@@ -139,7 +140,8 @@ pub fn incomplete_pi(n: f64, phi: f64, parameter: Parameter) -> f64 {
     if phi.is_infinite() {
         return if mc < 0.0 || n > 1.0 { f64::NAN } else { phi };
     }
-    let ReducedAmplitude { n: half_turns, side, sine, cosine } = reduce(phi);
+    let ReducedAmplitude { n: half_turns, side, r, rest, .. } = ReducedAmplitude::new(phi);
+    let (sine, cosine) = sines(r, rest);
     let given = Given::new(n, parameter);
     if mc < 0.0
         && (half_turns.hi != 0.0 || (Scaled::ONE - given.m * Scaled::from(sine).square()).is_negative())

@@ -14,16 +14,16 @@
 //! Every part is one product over a sum of positive terms, so none loses a digit. For m > 1 the parameter is 1/m; cn and dn
 //! change places. Source: DLMF 22.6.22, 22.8.1 to 22.8.3, 22.17.
 
-use super::functions::{Jacobi, LongRatio};
-use crate::elliptic::parameter::{Parameter, Unit};
-use crate::float::{Dd, Scaled};
+use super::functions::{Jacobi, ScaledNevilleValues};
+use crate::elliptic::parameter::{Parameter, ParameterRange, Unit};
+use crate::float::Scaled;
 
 /// sn, cn, dn of x + iy for one parameter, set up once.
 ///
 /// ```
 /// use libration::{JacobiComplex, Parameter};
-/// let [sn, _, _] = JacobiComplex::new(Parameter::from_m(0.5)).values(0.5, 0.5);
-/// assert_eq!(format!("{:.12} {:.12}", sn[0], sn[1]), "0.552843250984 0.430329864836");
+/// let sn = JacobiComplex::new(Parameter::from_m(0.5)).values(0.5, 0.5).sn;
+/// assert_eq!(format!("{:.12} {:.12}", sn.re, sn.im), "0.552843250984 0.430329864836");
 /// ```
 #[derive(Clone, Debug)]
 pub struct JacobiComplex {
@@ -31,42 +31,48 @@ pub struct JacobiComplex {
     imaginary: Jacobi,
     m: Scaled,
     mc: Scaled,
-    /// What u is multiplied by where the parameter is the one in [0, 1], and the kind of the given one.
-    stretch: Scaled,
-    range: Range,
+    argument_factor: Scaled,
+    range: ParameterRange,
 }
 
+/// A complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Range {
-    Negative,
-    Unit,
-    Greater,
+pub struct Complex {
+    /// The real part.
+    pub re: f64,
+    /// The imaginary part.
+    pub im: f64,
+}
+
+/// The values of Jacobi's functions at one complex u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct JacobiComplexValues {
+    /// sn(u | m)
+    pub sn: Complex,
+    /// cn(u | m)
+    pub cn: Complex,
+    /// dn(u | m)
+    pub dn: Complex,
 }
 
 impl JacobiComplex {
     /// Sets up one parameter.
     pub fn new(parameter: Parameter) -> JacobiComplex {
-        let Parameter { m, mc, .. } = parameter;
-        let (range, stretch) = if m.hi < 0.0 {
-            (Range::Negative, mc.sqrt())
-        } else if mc.hi < 0.0 {
-            (Range::Greater, m.sqrt())
-        } else {
-            (Range::Unit, Dd::ONE)
-        };
+        let factor = parameter.argument_factor();
         let unit = parameter.unit();
         let complement = Unit { m: unit.mc, mc: unit.m, k: unit.kc, kc: unit.k };
         JacobiComplex {
-            real: Jacobi::of_unit(unit, stretch),
-            imaginary: Jacobi::of_unit(complement, stretch),
+            real: Jacobi::of_unit(unit, factor),
+            imaginary: Jacobi::of_unit(complement, factor),
             m: Scaled::from(unit.k).square(),
             mc: Scaled::from(unit.kc).square(),
-            stretch: stretch.into(),
-            range,
+            argument_factor: factor.into(),
+            range: parameter.range(),
         }
     }
 
-    /// sn, cn, dn at re + i im, each as its real and imaginary part.
+    /// sn, cn, dn at re + i im.
     ///
     /// | argument | domain |
     /// |---|---|
@@ -77,20 +83,29 @@ impl JacobiComplex {
     /// **Error** of each part at most 3 ulp (plus 2^-100 of the condition in re and im).
     ///
     /// **Source** DLMF 22.6.22, 22.8.1 to 22.8.3, 22.17.
-    pub fn values(&self, re: f64, im: f64) -> [[f64; 2]; 3] {
+    #[must_use]
+    pub fn values(&self, re: f64, im: f64) -> JacobiComplexValues {
         if !re.is_finite() || !im.is_finite() {
-            return [[f64::NAN; 2]; 3];
+            let nan = Complex { re: f64::NAN, im: f64::NAN };
+            return JacobiComplexValues { sn: nan, cn: nan, dn: nan };
         }
-        let LongRatio { sn: s, cn: c, dn: d, one: n, signs, .. } = self.real.long_ratio(re);
+        let [sn, cn, dn] = self.parts(re, im);
+        JacobiComplexValues { sn, cn, dn }
+    }
+
+    /// sn, cn and dn.
+    fn parts(&self, re: f64, im: f64) -> [Complex; 3] {
+        let ScaledNevilleValues { s, c, d, n, signs, .. } = self.real.scaled_neville_values(re);
         let (s, c, d) = (s * signs[0], c * signs[1], d * signs[2]);
-        let LongRatio { sn: s1, cn: c1, dn: d1, one: n1, signs, .. } = self.imaginary.long_ratio(im);
+        let ScaledNevilleValues { s: s1, c: c1, d: d1, n: n1, signs, .. } =
+            self.imaginary.scaled_neville_values(im);
         let (s1, c1, d1) = (s1 * signs[0], c1 * signs[1], d1 * signs[2]);
         let (m, mc) = (self.m, self.mc);
         let (ss1, cs1) = (s * s1, c * s1);
         let (dc1, n_c1) = (d * c1, n * c1);
-        if self.range == Range::Negative {
+        if self.range == ParameterRange::Negative {
             let below = dc1.square() + m * cs1.square();
-            let sd = [s * dc1 * n1, cs1 * n * d1].map(|part| part / self.stretch);
+            let sd = [s * dc1 * n1, cs1 * n * d1].map(|part| part / self.argument_factor);
             let cd = [c * d * d1 * n1, -(mc * ss1 * n_c1)];
             let nd = [n * dc1 * d1, m * s * cs1 * n1];
             return [sd, cd, nd].map(|parts| over(parts, below));
@@ -99,17 +114,18 @@ impl JacobiComplex {
         let sn = [s * n * d1 * n1, cs1 * dc1];
         let cn = [c * n_c1 * n1, -(ss1 * d * d1)];
         let dn = [dc1 * n * d1, -(m * c * ss1 * n1)];
-        if self.range == Range::Greater {
-            let sn = sn.map(|part| part / self.stretch);
+        if self.range == ParameterRange::AboveOne {
+            let sn = sn.map(|part| part / self.argument_factor);
             return [sn, dn, cn].map(|parts| over(parts, below));
         }
         [sn, cn, dn].map(|parts| over(parts, below))
     }
 }
 
-fn over(parts: [Scaled; 2], below: Scaled) -> [f64; 2] {
+fn over(parts: [Scaled; 2], below: Scaled) -> Complex {
     if below.is_zero() {
-        return [f64::INFINITY, f64::NAN];
+        return Complex { re: f64::INFINITY, im: f64::NAN };
     }
-    parts.map(|part| (part / below).value())
+    let [re, im] = parts.map(|part| (part / below).value());
+    Complex { re, im }
 }

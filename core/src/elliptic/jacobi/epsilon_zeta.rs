@@ -5,13 +5,13 @@
 //!   zeta = m/(3 K) sn cn dn R_J(0, mc, 1, dn^2), one product: nothing is subtracted from epsilon.
 //! Source: DLMF 22.16.17, 22.16.20, 22.16.32, 19.25.9 to 19.25.11; Carlson, Numer. Math. 33 (1979) 1.
 
-use super::functions::{Jacobi, LongRatio};
+use super::functions::{Jacobi, ScaledNevilleValues};
 use super::inverse::real_quarter;
 use crate::elliptic::integrals::carlson::rj;
 use crate::elliptic::integrals::complete::{complete_e_dd, complete_k_dd};
 use crate::elliptic::integrals::incomplete::second_kind;
 use crate::elliptic::parameter::Parameter;
-use crate::float::{Dd, Scaled};
+use crate::float::Scaled;
 
 /// Epsilon and zeta of one parameter, set up once.
 ///
@@ -38,15 +38,8 @@ impl SecondKind {
             (complete_k_dd(parameter), Scaled::from(complete_e_dd(parameter)))
         } else {
             let unit = parameter.unit();
-            let end = LongRatio {
-                n: Dd::ZERO,
-                sn: unit.k.into(),
-                cn: unit.kc.into(),
-                dn: Scaled::ZERO,
-                one: Scaled::ONE,
-                signs: [1.0; 3],
-            };
-            let second = if mc.is_zero() { Scaled::ONE } else { partial(m, mc, &end) };
+            let end = [unit.k.into(), unit.kc.into(), Scaled::ZERO];
+            let second = if mc.is_zero() { Scaled::ONE } else { second_kind(m, mc, end) };
             (real_quarter(parameter), second)
         };
         SecondKind { jacobi: Jacobi::new(parameter), m, mc, quarter: quarter.into(), second }
@@ -64,13 +57,14 @@ impl SecondKind {
         if u == 0.0 && !self.m.is_nan() {
             return u;
         }
-        let ratio = self.jacobi.long_ratio(u);
-        let sign = ratio.signs[0] * ratio.signs[1] * ratio.signs[2];
-        let rest = partial(self.m, self.mc, &ratio) * sign;
+        let ScaledNevilleValues { half_periods, s, c, d, n, signs } = self.jacobi.scaled_neville_values(u);
+        let inverse = Scaled::ONE / n;
+        let values = [s, c, d].map(|theta| theta * inverse);
+        let rest = second_kind(self.m, self.mc, values) * (signs[0] * signs[1] * signs[2]);
         if rest.is_nan() {
             return (self.second / self.quarter * u).value();
         }
-        (Scaled::from(ratio.n) * self.second.shift(1) + rest).value()
+        (Scaled::from(half_periods) * self.second.shift(1) + rest).value()
     }
 
     /// zeta(u | m) = epsilon(u | m) - u E/K for m <= 1, of period 2K; tanh u at m = 1, NaN for m > 1.
@@ -87,19 +81,13 @@ impl SecondKind {
         if u == 0.0 || (self.m.is_zero() && u.is_finite()) {
             return f64::copysign(0.0, u);
         }
-        let LongRatio { sn, cn, dn, one, signs, .. } = self.jacobi.long_ratio(u);
+        let ScaledNevilleValues { s, c, d, n, signs, .. } = self.jacobi.scaled_neville_values(u);
         if self.mc.is_zero() {
-            return (sn / one * signs[0]).value();
+            return (s / n * signs[0]).value();
         }
-        let dn = dn / one;
-        let product = sn * cn / one.square() * dn * (signs[0] * signs[1] * signs[2]);
+        let dn = d / n;
+        let product = s * c / n.square() * dn * (signs[0] * signs[1] * signs[2]);
         let integral = rj(Scaled::ZERO, self.mc, Scaled::ONE, dn.square());
         (self.m * product * integral / (self.quarter * 3.0)).value()
     }
-}
-
-/// E(am r) from sn, cn, dn of r.
-fn partial(m: Scaled, mc: Scaled, at: &LongRatio) -> Scaled {
-    let inverse = Scaled::ONE / at.one;
-    second_kind(m, mc, [at.sn, at.cn, at.dn].map(|part| part * inverse))
 }

@@ -1,208 +1,228 @@
 //! Jacobi's sn, cn, dn and the unwrapped amplitude am, together, for any real u and any real m.
 //!
-//! Method: quotients of theta functions (theta.rs) of a parameter in [0, 1], leads as hi + lo. For m < 0
-//! the parameter is -m/(1 - m): theta3 and theta4 change places, A becomes k' A and k' its inverse. For m > 1
-//! it is 1/m: cn and dn change places. Source: DLMF 22.2, 22.16(i), 22.17.
+//! Method: quotients of Neville's theta functions of a parameter in [0, 1], as hi + lo. For m < 0 the parameter is
+//! -m/(1 - m): theta3 and theta4 change places, A becomes k' A and k' its inverse. For m > 1 it is 1/m: cn and dn change
+//! places. Source: DLMF 22.2, 22.16(i), 22.17; A&S 16.36.
 
-use crate::elliptic::parameter::{Parameter, Unit};
+use crate::elliptic::parameter::{Parameter, ParameterRange, Unit};
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::{NevilleTheta, Thetas};
-use crate::float::elementary::{arctangent, long_sinh_cosh, quotient, saturated_sinh_cosh, sech};
-use crate::float::{Dd, PI, Scaled, scaled};
-use crate::lanes::{Formula, Lane, tabulate};
-
-/// Where the parameter lies, which decides the formula.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Range {
-    /// m < 0.
-    Negative,
-    /// 0 <= m < 1.
-    Unit,
-    /// m = 1: hyperbolic functions.
-    One,
-    /// m > 1: am is bounded.
-    Greater,
-}
+use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
+use crate::float::series::long_sinh_cosh;
+use crate::float::{Dd, PI, Scaled};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
 /// sn, cn, dn, am of one parameter, set up once.
 ///
 /// ```
-/// use libration::{Jacobi, Parameter};
-/// let (sn, cn, dn, am) = Jacobi::new(Parameter::from_m(0.5)).values(1.0);
+/// use libration::{Jacobi, JacobiValues, Parameter};
+/// let JacobiValues { sn, cn, dn, am, .. } = Jacobi::new(Parameter::from_m(0.5)).values(1.0);
 /// assert_eq!(format!("{sn:.12} {cn:.12} {dn:.12} {am:.12}"),
 ///            "0.803001824896 0.595976567672 0.823161001632 0.932315079884");
 /// ```
 #[derive(Clone, Debug)]
 pub struct Jacobi {
-    pub(super) range: Range,
-    pub(crate) lattice: NevilleTheta,
+    pub(super) range: ParameterRange,
+    pub(crate) neville: NevilleTheta,
     pub(crate) phase: Phase,
-    /// The factor of theta1 in sn, and in cn counted from K.
-    sine: [Dd; 2],
-    /// The factor of dn counted from K.
-    edge: Dd,
+    /// The factor of theta1 in theta_s, and in theta_c counted from K.
+    theta1_factors: [Dd; 2],
+    /// The factor of theta_d counted from K: the complementary modulus.
+    kc: Dd,
     /// Modulus of the parameter in [0, 1]: 1/k of the given one for m > 1.
     unit_modulus: Dd,
     /// sn u / u at 0.
     slope: Dd,
 }
 
-/// |sn| : |cn| : |dn| : 1 = sn : cn : dn : one, and the signs of the first three.
-pub(crate) struct Ratio<L: Lane> {
-    pub sn: Dd<L>,
-    pub cn: Dd<L>,
-    pub dn: Dd<L>,
-    pub one: Dd<L>,
+/// The values of Jacobi's functions at one u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct JacobiValues {
+    /// sn(u | m)
+    pub sn: f64,
+    /// cn(u | m)
+    pub cn: f64,
+    /// dn(u | m)
+    pub dn: f64,
+    /// The amplitude am(u | m).
+    pub am: f64,
+}
+
+/// An index of Neville's theta functions: each of Glaisher's functions is pq = theta_p/theta_q.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum NevilleIndex {
+    S,
+    C,
+    D,
+    N,
+}
+
+/// Neville's theta functions at one argument up to a common factor: |sn| : |cn| : |dn| : 1 = s : c : d : n. The signs of
+/// the first three stand apart.
+pub(crate) struct NevilleValues<L: Lane> {
+    pub s: Dd<L>,
+    pub c: Dd<L>,
+    pub d: Dd<L>,
+    pub n: Dd<L>,
     pub signs: [L; 3],
+}
+
+impl<L: Lane> NevilleValues<L> {
+    /// One of them and its sign.
+    #[inline(always)]
+    pub fn theta(&self, index: NevilleIndex) -> (Dd<L>, L) {
+        match index {
+            NevilleIndex::S => (self.s, self.signs[0]),
+            NevilleIndex::C => (self.c, self.signs[1]),
+            NevilleIndex::D => (self.d, self.signs[2]),
+            NevilleIndex::N => (self.n, L::splat(1.0)),
+        }
+    }
 }
 
 impl Jacobi {
     /// Sets up one parameter.
     pub fn new(parameter: Parameter) -> Jacobi {
-        let Parameter { m, mc, .. } = parameter;
-        // Half periods per unit of u: sqrt(mc), 1 or sqrt(m) times 1/2K.
-        let (range, stretch) = if m.hi < 0.0 {
-            (Range::Negative, mc.sqrt())
-        } else if mc.hi < 0.0 {
-            (Range::Greater, m.sqrt())
-        } else if mc.hi == 0.0 {
-            (Range::One, Dd::ONE)
-        } else {
-            (Range::Unit, Dd::ONE)
-        };
-        Jacobi::with_range(range, parameter.unit(), stretch)
+        Jacobi::with_range(parameter.range(), parameter.unit(), parameter.argument_factor())
     }
 
-    /// The functions of stretch * u with a parameter in [0, 1], as they are.
-    pub(crate) fn of_unit(unit: Unit, stretch: Dd) -> Jacobi {
-        let range = if unit.mc.hi == 0.0 { Range::One } else { Range::Unit };
-        Jacobi { slope: stretch, ..Jacobi::with_range(range, unit, stretch) }
+    /// The functions of factor * u with a parameter in [0, 1], as they are.
+    pub(crate) fn of_unit(unit: Unit, factor: Dd) -> Jacobi {
+        let range = if unit.mc.hi == 0.0 { ParameterRange::One } else { ParameterRange::BelowOne };
+        Jacobi { slope: factor, ..Jacobi::with_range(range, unit, factor) }
     }
 
-    fn with_range(range: Range, unit: Unit, stretch: Dd) -> Jacobi {
-        let unit = if range == Range::One { Parameter::from_m(0.0).unit() } else { unit };
-        let (k, kc) = (unit.k, unit.kc);
-        let lattice = NevilleTheta::new(unit.m, unit.mc, k, kc);
-        let (a, edge) = match range {
-            Range::Negative => (lattice.theta1_factor * kc, Dd::ONE / kc),
-            _ => (lattice.theta1_factor, kc),
+    /// Half periods per unit of u: the factor times 1/2K.
+    fn with_range(range: ParameterRange, unit: Unit, factor: Dd) -> Jacobi {
+        let unit = if range == ParameterRange::One { Parameter::from_m(0.0).unit() } else { unit };
+        let neville = NevilleTheta::new(unit.m, unit.mc, unit.k, unit.kc);
+        let (a, kc) = match range {
+            ParameterRange::Negative => (neville.theta1_factor * unit.kc, Dd::ONE / unit.kc),
+            _ => (neville.theta1_factor, unit.kc),
         };
-        let rate = (stretch / lattice.quarter).scale(0.5);
+        let rate = (factor / neville.quarter).scale(0.5);
         let phase = Phase { rate, start: Dd::ZERO };
-        Jacobi { range, lattice, phase, sine: [a, a * edge], edge, unit_modulus: k, slope: Dd::ONE }
+        let theta1_factors = [a, a * kc];
+        Jacobi { range, neville, phase, theta1_factors, kc, unit_modulus: unit.k, slope: Dd::ONE }
     }
 
-    /// (sn, cn, dn, am) at u, where am = int_0^u dn: it grows by pi per 2K for m < 1, is the Gudermannian at
-    /// m = 1 and stays within its turning points for m > 1.
+    /// sn, cn, dn and am at u.
     ///
-    /// Infinite u gives the limits at m = 1, NaN elsewhere, as more than 2^100 half periods do.
+    /// am = int_0^u dn: it grows by pi per 2K for m < 1, is the Gudermannian function at m = 1, and stays within its turning
+    /// points for m > 1.
+    ///
+    /// | argument | domain |
+    /// |---|---|
+    /// | `u` | any; infinite u gives the limits at m = 1, NaN elsewhere, as more than 2^100 half periods do |
+    ///
     /// **Error** at most 3 ulp (plus 2^-100 of the condition in u).
-    pub fn values(&self, u: f64) -> (f64, f64, f64, f64) {
-        let [mut sn, mut cn, mut dn, mut am] = [[0.0]; 4];
-        Fill { jacobi: self, u: &[u], results: [&mut sn, &mut cn, &mut dn, &mut am] }.run::<false>();
-        (sn[0], cn[0], dn[0], am[0])
+    ///
+    /// **Source** DLMF 22.2.4 to 22.2.8, 22.16.1, 22.17.
+    #[must_use]
+    pub fn values(&self, u: f64) -> JacobiValues {
+        let [sn, cn, dn, am] = self.evaluate(Once([u]));
+        JacobiValues { sn, cn, dn, am }
     }
 
-    /// [`Jacobi::values`] of every u, bit for bit, on the widest lanes, into sn, cn, dn and am; panics where the
-    /// lengths differ.
+    /// [`Jacobi::values`] of every u, bit for bit, on the widest lanes, into sn, cn, dn and am.
+    ///
+    /// # Panics
+    /// Where the lengths differ.
     pub fn values_into(&self, u: &[f64], results: [&mut [f64]; 4]) {
-        assert!(
-            results.iter().all(|result| result.len() == u.len()),
-            "results of another length than the arguments"
-        );
-        Fill { jacobi: self, u, results }.run::<true>();
+        self.evaluate(Columns::new([u], results));
+    }
+
+    /// Chooses the formula.
+    fn evaluate<E: Evaluation<1, 4>>(&self, evaluation: E) -> E::Output {
+        if self.range == ParameterRange::One {
+            evaluation.of(&HyperbolicLimit)
+        } else if self.neville.hyperbolic() {
+            evaluation.of(&DoublyPeriodic::<true>(self))
+        } else {
+            evaluation.of(&DoublyPeriodic::<false>(self))
+        }
     }
 
     #[inline(always)]
-    fn hyperbolic<L: Lane>(&self, u: L) -> [L; 4] {
-        let sign = L::splat(1.0).copysign(u);
-        let y = Dd::from_double(u.abs());
-        let (sinh, cosh) = saturated_sinh_cosh(y);
-        let (factor, power) = sech(y);
-        let falling = factor.value() * power;
-        let am = arctangent(sinh, Dd::from_double(L::splat(1.0)));
-        [quotient(sinh, cosh).value() * sign, falling, falling, am.value() * sign]
-    }
-
-    #[inline(always)]
-    fn elliptic<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> [L; 4] {
-        let (n, Ratio { sn, cn, dn, one, signs }) = self.ratio::<HYPERBOLIC, L>(u);
-        let am = if self.range == Range::Greater {
-            arctangent(sn, cn).value() * signs[0]
+    fn doubly_periodic<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> [L; 4] {
+        let (half_periods, NevilleValues { s, c, d, n, signs }) = self.neville_values::<HYPERBOLIC, L>(u);
+        let am = if self.range == ParameterRange::AboveOne {
+            arctangent(s, c).value() * signs[0]
         } else {
             // The sign of the rest: that of sn without the parity, which is the sign of cn.
-            let within = arctangent(sn, cn).scale(signs[0] * signs[1]);
-            let turned = n * Dd::splat(PI);
+            let within = arctangent(s, c).scale(signs[0] * signs[1]);
+            let turned = half_periods * Dd::splat(PI);
             (turned + within).value()
         };
-        let sn = quotient(sn, one).value() * signs[0];
-        let cn = quotient(cn, one).value() * signs[1];
-        let dn = quotient(dn, one).value() * signs[2];
+        let sn = quotient(s, n).value() * signs[0];
+        let cn = quotient(c, n).value() * signs[1];
+        let dn = quotient(d, n).value() * signs[2];
         [sn, cn, dn, am]
     }
 
-    /// The nearest whole number of half periods, and the functions at u.
+    /// The nearest whole number of half periods, and Neville's theta functions at u.
     #[inline(always)]
-    pub(crate) fn ratio<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> (Dd<L>, Ratio<L>) {
+    pub(crate) fn neville_values<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> (Dd<L>, NevilleValues<L>) {
         let at = self.phase.spread::<L>().reduce(u);
-        let thetas = self.lattice.thetas_on::<HYPERBOLIC, L>(at.f);
+        let thetas = self.neville.thetas_on::<HYPERBOLIC, L>(at.f);
         let folded = thetas.folded;
         let [t1, t2, t3, t4] = thetas.theta;
-        let (t3, t4) = if self.range == Range::Negative { (t4, t3) } else { (t3, t4) };
-        let sn = Dd::select(folded, t2, t1 * Dd::splat(self.sine[0]));
-        let cn = Dd::select(folded, t1 * Dd::splat(self.sine[1]), t2);
-        let dn = Dd::select(folded, t4 * Dd::splat(self.edge), t3);
-        let one = Dd::select(folded, t3, t4);
+        let (t3, t4) = if self.range == ParameterRange::Negative { (t4, t3) } else { (t3, t4) };
+        let s = Dd::select(folded, t2, t1 * Dd::splat(self.theta1_factors[0]));
+        let c = Dd::select(folded, t1 * Dd::splat(self.theta1_factors[1]), t2);
+        let d = Dd::select(folded, t4 * Dd::splat(self.kc), t3);
+        let n = Dd::select(folded, t3, t4);
         let odd = at.parity * at.sign;
         let positive = L::splat(1.0);
-        let ratio = if self.range == Range::Greater {
-            let sn = sn * Dd::splat(self.unit_modulus);
-            Ratio { sn, cn: dn, dn: cn, one, signs: [odd, positive, at.parity] }
+        let values = if self.range == ParameterRange::AboveOne {
+            let s = s * Dd::splat(self.unit_modulus);
+            NevilleValues { s, c: d, d: c, n, signs: [odd, positive, at.parity] }
         } else {
-            Ratio { sn, cn, dn, one, signs: [odd, at.parity, positive] }
+            NevilleValues { s, c, d, n, signs: [odd, at.parity, positive] }
         };
-        (at.n, ratio)
+        (at.n, values)
     }
 }
 
-/// sn : cn : dn : 1 = sn : cn : dn : one to 2^-60, into any range; all are not negative, their signs apart. n is the nearest
-/// whole number of half periods.
-pub(super) struct LongRatio {
-    pub n: Dd,
-    pub sn: Scaled,
-    pub cn: Scaled,
-    pub dn: Scaled,
-    pub one: Scaled,
+/// [`NevilleValues`] to 2^-60, of any size, and the nearest whole number of half periods.
+pub(super) struct ScaledNevilleValues {
+    pub half_periods: Dd,
+    pub s: Scaled,
+    pub c: Scaled,
+    pub d: Scaled,
+    pub n: Scaled,
     pub signs: [f64; 3],
 }
 
 /// Where e^-2u no longer counts beside 1.
-const LEVEL: f64 = 40.0;
+const TANH_IS_ONE: f64 = 40.0;
 
 impl Jacobi {
-    /// The functions at u, for what must not round on the way.
-    pub(super) fn long_ratio(&self, u: f64) -> LongRatio {
+    /// Neville's theta functions at u, for what must not round on the way.
+    pub(super) fn scaled_neville_values(&self, u: f64) -> ScaledNevilleValues {
         let sign = f64::copysign(1.0, u);
         if u.abs() < TINY {
-            let sn = Scaled::from(self.slope) * u.abs();
-            return LongRatio {
-                n: Dd::ZERO,
-                sn,
-                cn: Scaled::ONE,
-                dn: Scaled::ONE,
-                one: Scaled::ONE,
+            let s = Scaled::from(self.slope) * u.abs();
+            let one = Scaled::ONE;
+            return ScaledNevilleValues {
+                half_periods: Dd::ZERO,
+                s,
+                c: one,
+                d: one,
+                n: one,
                 signs: [sign, 1.0, 1.0],
             };
         }
-        if self.range == Range::One {
+        if self.range == ParameterRange::One {
             let y = self.slope * u.abs();
-            let (sn, cn, one) = if y.hi < LEVEL {
+            let (s, c, n) = if y.hi < TANH_IS_ONE {
                 let (sinh, cosh) = long_sinh_cosh(y);
                 (sinh.into(), Scaled::ONE, cosh.into())
             } else {
-                (Scaled::ONE, scaled::exp(-y).shift(1), Scaled::ONE)
+                (Scaled::ONE, Scaled::exp(-y).shift(1), Scaled::ONE)
             };
-            return LongRatio { n: Dd::ZERO, sn, cn, dn: cn, one, signs: [sign, 1.0, 1.0] };
+            return ScaledNevilleValues { half_periods: Dd::ZERO, s, c, d: c, n, signs: [sign, 1.0, 1.0] };
         }
         let mut at = self.phase.reduce(u);
         let beyond = at.f - Dd::from(0.5);
@@ -212,20 +232,21 @@ impl Jacobi {
             at.f = Dd::from(0.5) - beyond;
             (at.sign, at.parity) = (-at.sign, -at.parity);
         }
-        let Thetas { theta: [t1, t2, t3, t4], folded } = self.lattice.long_thetas(at.f);
-        let (t3, t4) = if self.range == Range::Negative { (t4, t3) } else { (t3, t4) };
-        let (sn, cn, dn, one) = if folded {
-            (t2, t1 * self.sine[1], t4 * self.edge, t3)
+        let Thetas { theta: [t1, t2, t3, t4], folded } = self.neville.long_thetas(at.f);
+        let (t3, t4) = if self.range == ParameterRange::Negative { (t4, t3) } else { (t3, t4) };
+        let theta = if folded {
+            [t2, t1 * self.theta1_factors[1], t4 * self.kc, t3]
         } else {
-            (t1 * self.sine[0], t2, t3, t4)
+            [t1 * self.theta1_factors[0], t2, t3, t4]
         };
-        let [sn, cn, dn, one] = [sn, cn, dn, one].map(Scaled::from);
+        let [s, c, d, n] = theta.map(Scaled::from);
+        let half_periods = at.n;
         let odd = at.parity * at.sign;
-        if self.range == Range::Greater {
-            let sn = sn * Scaled::from(self.unit_modulus);
-            LongRatio { n: at.n, sn, cn: dn, dn: cn, one, signs: [odd, 1.0, at.parity] }
+        if self.range == ParameterRange::AboveOne {
+            let s = s * Scaled::from(self.unit_modulus);
+            ScaledNevilleValues { half_periods, s, c: d, d: c, n, signs: [odd, 1.0, at.parity] }
         } else {
-            LongRatio { n: at.n, sn, cn, dn, one, signs: [odd, at.parity, 1.0] }
+            ScaledNevilleValues { half_periods, s, c, d, n, signs: [odd, at.parity, 1.0] }
         }
     }
 }
@@ -241,40 +262,28 @@ fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
     [small(sn), cn, dn, small(am)]
 }
 
-struct Doubly<'a, const HYPERBOLIC: bool>(&'a Jacobi);
+/// m < 1 or m > 1.
+struct DoublyPeriodic<'a, const HYPERBOLIC: bool>(&'a Jacobi);
 
-impl<const HYPERBOLIC: bool> Formula<1, 4> for Doubly<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> Formula<1, 4> for DoublyPeriodic<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
-        odd(u, self.0.elliptic::<HYPERBOLIC, L>(u))
+        odd(u, self.0.doubly_periodic::<HYPERBOLIC, L>(u))
     }
 }
 
-struct Singly<'a>(&'a Jacobi);
+/// m = 1.
+struct HyperbolicLimit;
 
-impl Formula<1, 4> for Singly<'_> {
+impl Formula<1, 4> for HyperbolicLimit {
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
-        odd(u, self.0.hyperbolic(u))
-    }
-}
-
-/// Arguments into slices of results of the same length.
-struct Fill<'a, 'b> {
-    jacobi: &'a Jacobi,
-    u: &'a [f64],
-    results: [&'b mut [f64]; 4],
-}
-
-impl Fill<'_, '_> {
-    fn run<const WIDE: bool>(mut self) {
-        let (jacobi, u, results) = (self.jacobi, self.u, &mut self.results);
-        if jacobi.range == Range::One {
-            tabulate::<WIDE, _, _, _, _>(&Singly(jacobi), [u], results);
-        } else if jacobi.lattice.hyperbolic() {
-            tabulate::<WIDE, _, _, _, _>(&Doubly::<true>(jacobi), [u], results);
-        } else {
-            tabulate::<WIDE, _, _, _, _>(&Doubly::<false>(jacobi), [u], results);
-        }
+        let sign = L::splat(1.0).copysign(u);
+        let y = Dd::from_double(u.abs());
+        let (sinh, cosh) = saturated_sinh_cosh(y);
+        let (factor, power) = sech(y);
+        let falling = factor.value() * power;
+        let am = arctangent(sinh, Dd::from_double(L::splat(1.0)));
+        odd(u, [quotient(sinh, cosh).value() * sign, falling, falling, am.value() * sign])
     }
 }

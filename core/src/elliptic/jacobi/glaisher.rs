@@ -1,13 +1,14 @@
 //! The twelve functions of Glaisher's notation: pq(u) = pr(u)/qr(u), of any real u and any real m, over lanes.
 //!
-//! Method: sn : cn : dn : 1 are four theta functions as hi + lo (jacobi.rs), and pq is the quotient of two of them: no
-//! rounded value is divided, and next to a zero or a pole the digits are those of the reduced argument.
-//! At m = 1 all are hyperbolic functions. Source: DLMF 22.2.10, 22.2.11.
+//! Method: Neville's theta functions as hi + lo (functions.rs), and pq = theta_p/theta_q: no rounded value is divided, and next
+//! to a zero or a pole the digits are those of the reduced argument. At m = 1 all are hyperbolic functions.
+//! Source: DLMF 22.2.10, 22.2.11; A&S 16.36.
 
-use super::functions::{Jacobi, Range, Ratio, TINY};
+use super::functions::{Jacobi, NevilleIndex, TINY};
+use crate::elliptic::parameter::ParameterRange;
 use crate::float::Dd;
 use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
-use crate::lanes::{Formula, Lane, tabulate};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
 /// The twelve: pq is the function with the zeros of ps and the poles of qs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,15 +39,6 @@ pub enum Glaisher {
     Dc,
 }
 
-/// sn, cn, dn and 1: what stands above and below.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Letter {
-    S,
-    C,
-    D,
-    N,
-}
-
 impl Glaisher {
     /// All of them.
     pub const ALL: [Glaisher; 12] = [
@@ -63,7 +55,8 @@ impl Glaisher {
         Glaisher::Cd,
         Glaisher::Dc,
     ];
-    /// Its two letters.
+    /// Its name of two letters, p and q.
+    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Glaisher::Sn => "sn",
@@ -80,8 +73,9 @@ impl Glaisher {
             Glaisher::Dc => "dc",
         }
     }
-    pub(crate) const fn letters(self) -> [Letter; 2] {
-        use Letter::{C, D, N, S};
+    /// p and q of pq = theta_p/theta_q.
+    pub(crate) const fn pq(self) -> [NevilleIndex; 2] {
+        use NevilleIndex::{C, D, N, S};
         match self {
             Glaisher::Sn => [S, N],
             Glaisher::Cn => [C, N],
@@ -118,40 +112,55 @@ impl Jacobi {
     /// let jacobi = Jacobi::new(Parameter::from_m(0.5));
     /// assert_eq!(format!("{:.12}", jacobi.glaisher(Glaisher::Sc, 1.0)), "1.347371471385");
     /// ```
+    #[must_use]
     pub fn glaisher(&self, which: Glaisher, u: f64) -> f64 {
-        let mut value = [0.0];
-        Fill { jacobi: self, which, u: &[u], result: &mut value }.run::<false>();
-        value[0]
+        let [value] = self.evaluate_glaisher(which, Once([u]));
+        value
     }
 
-    /// [`Jacobi::glaisher`] of every u, bit for bit, on the widest lanes; panics where the lengths differ.
+    /// [`Jacobi::glaisher`] of every u, bit for bit, on the widest lanes.
+    ///
+    /// # Panics
+    /// Where the lengths differ.
     pub fn glaisher_into(&self, which: Glaisher, u: &[f64], out: &mut [f64]) {
-        assert!(out.len() == u.len(), "results of another length than the arguments");
-        Fill { jacobi: self, which, u, result: out }.run::<true>();
+        self.evaluate_glaisher(which, Columns::new([u], [out]));
+    }
+
+    /// Chooses the formula.
+    fn evaluate_glaisher<E: Evaluation<1, 1>>(&self, which: Glaisher, evaluation: E) -> E::Output {
+        let pq = which.pq();
+        if self.range == ParameterRange::One {
+            evaluation.of(&HyperbolicQuotient(pq))
+        } else if self.neville.hyperbolic() {
+            evaluation.of(&NevilleQuotient::<true>(self, pq))
+        } else {
+            evaluation.of(&NevilleQuotient::<false>(self, pq))
+        }
     }
 }
 
 /// Next to 0 the odd functions are u or 1/u, also where the phase would be subnormal.
 #[inline(always)]
-fn odd<L: Lane>([above, below]: [Letter; 2], u: L, value: L) -> L {
+fn odd<L: Lane>([p, q]: [NevilleIndex; 2], u: L, value: L) -> L {
     let tiny = u.abs().less(L::splat(TINY));
-    if above == Letter::S {
+    if p == NevilleIndex::S {
         L::select(tiny, u, value)
-    } else if below == Letter::S {
+    } else if q == NevilleIndex::S {
         L::select(tiny, L::splat(1.0) / u, value)
     } else {
         value
     }
 }
 
-struct Doubly<'a, const HYPERBOLIC: bool>(&'a Jacobi, [Letter; 2]);
+/// m < 1 or m > 1.
+struct NevilleQuotient<'a, const HYPERBOLIC: bool>(&'a Jacobi, [NevilleIndex; 2]);
 
-impl<const HYPERBOLIC: bool> Formula<1, 1> for Doubly<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> Formula<1, 1> for NevilleQuotient<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
-        let (_, ratio) = self.0.ratio::<HYPERBOLIC, L>(u);
-        let (above, above_sign) = part(&ratio, self.1[0]);
-        let (below, below_sign) = part(&ratio, self.1[1]);
+        let (_, values) = self.0.neville_values::<HYPERBOLIC, L>(u);
+        let (above, above_sign) = values.theta(self.1[0]);
+        let (below, below_sign) = values.theta(self.1[1]);
         let value = quotient(above, below).value();
         // An exact zero below: the quotient's remainder would be infinity minus infinity.
         let value = L::select(below.hi.equal(L::splat(0.0)), above.hi / below.hi, value);
@@ -159,30 +168,21 @@ impl<const HYPERBOLIC: bool> Formula<1, 1> for Doubly<'_, HYPERBOLIC> {
     }
 }
 
-#[inline(always)]
-fn part<L: Lane>(ratio: &Ratio<L>, letter: Letter) -> (Dd<L>, L) {
-    match letter {
-        Letter::S => (ratio.sn, ratio.signs[0]),
-        Letter::C => (ratio.cn, ratio.signs[1]),
-        Letter::D => (ratio.dn, ratio.signs[2]),
-        Letter::N => (ratio.one, L::splat(1.0)),
-    }
-}
-
-struct Singly([Letter; 2]);
+/// m = 1.
+struct HyperbolicQuotient([NevilleIndex; 2]);
 
 /// Where tanh is 1 to a double-double, and sinh is cosh.
-const LEVEL: f64 = 40.0;
+const TANH_IS_ONE: f64 = 40.0;
 
-impl Formula<1, 1> for Singly {
+impl Formula<1, 1> for HyperbolicQuotient {
     /// tanh, sech and their quotients: from sinh and cosh where both matter, from e^-u where the range ends.
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
-        use Letter::{C, D, N, S};
+        use NevilleIndex::{C, D, N, S};
         let sign = L::splat(1.0).copysign(u);
         let y = Dd::from_double(u.abs());
         let one = L::splat(1.0);
-        let near = y.hi.less(L::splat(LEVEL));
+        let near = y.hi.less(L::splat(TANH_IS_ONE));
         let (sinh, cosh) = saturated_sinh_cosh(y);
         let unit = Dd::from_double(one);
         let (factor, power) = sech(y);
@@ -198,27 +198,5 @@ impl Formula<1, 1> for Singly {
             _ => L::select(u.equal(u), one, u),
         };
         [odd(self.0, u, value)]
-    }
-}
-
-/// Arguments into a slice of results of the same length.
-struct Fill<'a, 'b> {
-    jacobi: &'a Jacobi,
-    which: Glaisher,
-    u: &'a [f64],
-    result: &'b mut [f64],
-}
-
-impl Fill<'_, '_> {
-    fn run<const WIDE: bool>(self) {
-        let Fill { jacobi, which, u, result } = self;
-        let letters = which.letters();
-        if jacobi.range == Range::One {
-            tabulate::<WIDE, _, _, _, _>(&Singly(letters), [u], &mut [result]);
-        } else if jacobi.lattice.hyperbolic() {
-            tabulate::<WIDE, _, _, _, _>(&Doubly::<true>(jacobi, letters), [u], &mut [result]);
-        } else {
-            tabulate::<WIDE, _, _, _, _>(&Doubly::<false>(jacobi, letters), [u], &mut [result]);
-        }
     }
 }

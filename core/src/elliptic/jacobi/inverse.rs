@@ -4,7 +4,8 @@
 //! R_F whose arguments are sums of x^2 (or 1) and Delta x^2 (or Delta); each is formed so that it subtracts only where the
 //! range ends. Source: DLMF 22.15, 19.25.28 to 19.25.34.
 
-use super::glaisher::{Glaisher, Letter};
+use super::functions::NevilleIndex;
+use super::glaisher::Glaisher;
 use crate::elliptic::agm::quarter_period;
 use crate::elliptic::integrals::carlson::rf;
 use crate::elliptic::integrals::complete::complete_k_dd;
@@ -21,8 +22,8 @@ pub(super) fn real_quarter(parameter: Parameter) -> Dd {
 }
 
 /// Delta(p, q) for p, q among c, d, n.
-fn delta(p: Letter, q: Letter, parameter: Parameter) -> Scaled {
-    use Letter::{C, D, N};
+fn delta(p: NevilleIndex, q: NevilleIndex, parameter: Parameter) -> Scaled {
+    use NevilleIndex::{C, D, N};
     let [m, mc] = [parameter.m, parameter.mc].map(Scaled::from);
     match (p, q) {
         (N, D) => m,
@@ -36,9 +37,9 @@ fn delta(p: Letter, q: Letter, parameter: Parameter) -> Scaled {
 }
 
 /// The two of c, d, n that are not this one.
-fn others(letter: Letter) -> [Letter; 2] {
-    use Letter::{C, D, N};
-    match letter {
+fn others(index: NevilleIndex) -> [NevilleIndex; 2] {
+    use NevilleIndex::{C, D, N};
+    match index {
         C => [D, N],
         D => [C, N],
         _ => [C, D],
@@ -49,26 +50,26 @@ fn outside() -> Scaled {
     Scaled::from(f64::NAN)
 }
 
-/// For sp(u) = x (`zero`): u/x. For ps(u) = x (else): u >= 0. p is `letter`, and `square` is x^2, x >= 0.
-fn odd(letter: Letter, zero: bool, square: Scaled, parameter: Parameter) -> Scaled {
+/// For sp(u) = x (`zero`): u/x. For ps(u) = x (else): u >= 0. p is `index`, and `square` is x^2, x >= 0.
+fn odd(index: NevilleIndex, zero: bool, square: Scaled, parameter: Parameter) -> Scaled {
     let (base, factor) = if zero { (Scaled::ONE, square) } else { (square, Scaled::ONE) };
-    let [mut p, mut q] = others(letter);
+    let [mut p, mut q] = others(index);
     if delta(p, q, parameter).is_negative() {
         (p, q) = (q, p);
     }
     // The lower is a difference only if the range ends there; the upper is that and Delta(p, q) >= 0.
-    let below = delta(q, letter, parameter);
+    let below = delta(q, index, parameter);
     let lower = base + below * factor;
     let upper = if below.is_negative() {
         lower + delta(p, q, parameter) * factor
     } else {
-        base + delta(p, letter, parameter) * factor
+        base + delta(p, index, parameter) * factor
     };
     if lower.is_negative() { outside() } else { rf(base, lower, upper) }
 }
 
 /// The u >= 0 of an even pq at |x|.
-fn even(p: Letter, q: Letter, x: f64, parameter: Parameter) -> Scaled {
+fn even(p: NevilleIndex, q: NevilleIndex, x: f64, parameter: Parameter) -> Scaled {
     if x == 1.0 {
         return Scaled::ZERO;
     }
@@ -117,7 +118,7 @@ fn even(p: Letter, q: Letter, x: f64, parameter: Parameter) -> Scaled {
 /// assert_eq!(format!("{u:.12}"), "0.535622732805");
 /// ```
 pub fn inverse_jacobi(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
-    let [p, q] = which.letters();
+    let [p, q] = which.pq();
     if x.is_nan() || parameter.mc.hi.is_nan() {
         return f64::NAN;
     }
@@ -127,11 +128,11 @@ pub fn inverse_jacobi(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
     inverse(p, q, x, parameter)
 }
 
-fn inverse(p: Letter, q: Letter, x: f64, parameter: Parameter) -> f64 {
-    if p == Letter::S {
+fn inverse(p: NevilleIndex, q: NevilleIndex, x: f64, parameter: Parameter) -> f64 {
+    if p == NevilleIndex::S {
         return if x == 0.0 { x } else { (odd(q, true, Scaled::from(x).square(), parameter) * x).value() };
     }
-    if q == Letter::S {
+    if q == NevilleIndex::S {
         return odd(p, false, Scaled::from(x).square(), parameter).value().copysign(x);
     }
     let u = even(p, q, x.abs(), parameter);
@@ -139,8 +140,8 @@ fn inverse(p: Letter, q: Letter, x: f64, parameter: Parameter) -> f64 {
         return u.value();
     }
     // Negative values stand beyond the zero or the pole at the end of the quarter period.
-    let turning = if parameter.mc.hi > 0.0 { Letter::C } else { Letter::D };
-    let both = p != Letter::N && q != Letter::N;
+    let turning = if parameter.mc.hi > 0.0 { NevilleIndex::C } else { NevilleIndex::D };
+    let both = p != NevilleIndex::N && q != NevilleIndex::N;
     if parameter.mc.hi == 0.0 || (p != turning && q != turning && !both) {
         return f64::NAN;
     }

@@ -6,8 +6,8 @@ pub mod functions;
 pub mod glaisher;
 pub mod inverse;
 
-pub use complex::JacobiComplex;
+pub use complex::{Complex, JacobiComplex, JacobiComplexValues};
 pub use epsilon_zeta::SecondKind;
-pub use functions::Jacobi;
+pub use functions::{Jacobi, JacobiValues};
 pub use glaisher::Glaisher;
 pub use inverse::inverse_jacobi;

@@ -5,4 +5,4 @@ pub mod functions;
 pub mod neville;
 pub(crate) mod neville_lanes;
 
-pub use functions::Theta;
+pub use functions::{Theta, ThetaFunction};

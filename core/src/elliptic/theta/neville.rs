@@ -13,8 +13,9 @@
 use crate::elliptic::agm::agm;
 use crate::elliptic::nome::small_nome;
 use crate::elliptic::phase::ReducedPhase;
-use crate::float::elementary::{long_sin_cos, long_sinh_cosh, sin_cos, sinh_cosh};
+use crate::float::elementary::{sin_cos, sinh_cosh};
 use crate::float::exponent::{exponent, ldexp, mantissa};
+use crate::float::series::{long_sin_cos, long_sinh_cosh};
 use crate::float::{Dd, HALF_PI, PI, Scaled};
 use crate::lanes::Lane;
 
