@@ -11,6 +11,7 @@ mod instruction_sets;
 mod invariants;
 mod oscillator;
 mod passages;
+mod pendulum_ends;
 mod ruler;
 mod ruler_itself;
 mod vectors_action;

@@ -25,7 +25,16 @@ const EIGHTH_PI: Dd = PI.half().half().half();
 impl Orbit {
     /// Action in rad^2/s, never negative; 8 omega0/pi on the separatrix (as the limit of librations).
     ///
-    /// **Error** at most 4 ulp, plus 2^-100 of its condition.
+    /// **Error** at most 4 ulp, plus 2^-100 of its condition. Source: Landau & Lifshitz, Mechanics, section 49; DLMF 19.2.8.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// let (action, frequency, phase) = (orbit.action(), orbit.frequency(), orbit.phase(1.0));
+    /// assert_eq!(format!("{action:.9} {frequency:.9} {phase:.9}"), "1.597822727 0.752499548 2.323295875");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    #[must_use]
     pub fn action(&self) -> f64 {
         let Some(State { k, m, mc, power, omega, omega_power, .. }) = self.state else {
             return self.velocity0.abs();
@@ -46,12 +55,13 @@ impl Orbit {
     /// Mean angular frequency in rad/s, 2 pi over the period: negative in rotation downwards, 0 on the separatrix,
     /// omega0 at rest.
     ///
-    /// **Error** at most 4 ulp, plus 2^-100 of its condition.
+    /// **Error** at most 4 ulp, plus 2^-100 of its condition. Source: 2 pi over [`Orbit::period`].
+    #[must_use]
     pub fn frequency(&self) -> f64 {
         self.mean_frequency().value()
     }
 
-    /// [`Orbit::frequency`] in more digits and beyond the range.
+    /// [`Orbit::frequency`] in double-double and beyond the range.
     pub(super) fn mean_frequency(&self) -> Scaled {
         match &self.solution {
             Solution::Libration(elliptic) => Scaled::from(elliptic.phase.rate * PI) * self.time_scale,
@@ -68,7 +78,9 @@ impl Orbit {
     /// up through the bottom, and in (-pi, pi] at t = 0; in rotation the multiple of 2 pi that theta passes with it. NaN
     /// on the separatrix; at rest omega0 t.
     ///
-    /// **Error** at most 4 ulp of the larger of the phase and pi.
+    /// **Error** at most 4 ulp of the larger of the phase and pi. Source: DLMF 22.19.2, 22.19.3, the argument of the theta
+    /// functions in units of pi.
+    #[must_use]
     pub fn phase(&self, t: f64) -> f64 {
         let (frame, passed) = (&self.frame, t * self.time_scale);
         match &self.solution {
@@ -96,6 +108,23 @@ impl Orbit {
     /// are rotations upwards and downwards.
     ///
     /// The action of a libration is at least 0 and below 8 omega0/pi, that of a rotation above 4 omega0/pi.
+    ///
+    /// **Error** as for [`state_of`]. The state is rounded to doubles, so [`Orbit::action`] and [`Orbit::phase`] give back
+    /// what its rounding leaves. An angle that is wrong by half a unit u of its last place changes the action by up to
+    /// omega0^2 (|sin theta0| u + u^2/2)/|frequency|, beside a few units of its own last place. Next to an equilibrium at
+    /// pi, where omega2 is negative, u is at least 2.2e-16: a libration narrower than that is not held by theta0 at all, and
+    /// an action below 2.5e-32 omega0 is lost.
+    ///
+    /// # Errors
+    /// For an action or a phase that is not finite, an action out of the range of its motion, a direction that is none of
+    /// the three, and a velocity beyond the doubles.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::from_action_phase(1.0, 0.5, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// assert_eq!(format!("{:.9} {:.9}", orbit.action(), orbit.phase(0.0)), "1.000000000 0.500000000");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     pub fn from_action_phase(
         action: f64,
         phase: f64,
@@ -109,8 +138,32 @@ impl Orbit {
 
 /// Angle and velocity of an action and a phase, as [`Orbit::from_action_phase`] takes them.
 ///
-/// **Error** at most 4 ulp of the largest angle and velocity, plus what the last place of the action makes of them.
+/// **Error** at most 4 ulp of the largest angle and velocity, plus what the last place of the action makes of them; the
+/// largest angle is pi + theta_max where the stable equilibrium is at pi. Source: Newton's method on DLMF 19.4.1, 19.4.2.
+///
+/// # Errors
+/// As for [`Orbit::from_action_phase`].
+///
+/// ```
+/// use libration::{Frequency, pendulum::action::state_of};
+/// let (theta, velocity) = state_of(1.0, 0.5, 0.0, Frequency::from_omega0(1.0)?)?;
+/// assert_eq!(format!("{theta:.9} {velocity:.9}"), "0.751444104 1.151972454");
+/// # Ok::<(), libration::Domain>(())
+/// ```
 pub fn state_of(action: f64, phase: f64, direction: f64, frequency: Frequency) -> Result<(f64, f64), Domain> {
+    let (theta, velocity) = unchecked_state_of(action, phase, direction, frequency)?;
+    let allowed = "such that the velocity stays in the range of doubles";
+    Domain::check("action", action, velocity.is_finite(), allowed)?;
+    Ok((theta, velocity))
+}
+
+/// The velocity may be infinite.
+fn unchecked_state_of(
+    action: f64,
+    phase: f64,
+    direction: f64,
+    frequency: Frequency,
+) -> Result<(f64, f64), Domain> {
     Domain::check("phase", phase, phase.is_finite(), "finite")?;
     Domain::check("direction", direction, [0.0, 1.0, -1.0].contains(&direction), "0, 1 or -1")?;
     let rotation = direction != 0.0;
@@ -118,10 +171,10 @@ pub fn state_of(action: f64, phase: f64, direction: f64, frequency: Frequency) -
     let possible = action.is_finite() && (action > 0.0 || action == 0.0 && !rotation);
     Domain::check("action", action, possible, allowed)?;
     let upside_down = frequency.upside_down();
-    let straight = (phase, direction * action);
+    let force_free = (phase, direction * action);
     let Some((omega, omega_power)) = frequency.root() else {
         Domain::check("action", action, rotation || action == 0.0, "0 in libration without force")?;
-        return Ok(straight);
+        return Ok(force_free);
     };
     if action == 0.0 {
         return Ok((if upside_down { PI.hi } else { 0.0 }, 0.0));
@@ -138,10 +191,10 @@ pub fn state_of(action: f64, phase: f64, direction: f64, frequency: Frequency) -
         return Ok((theta, ldexp((omega * k_cn).scale(2.0).value(), omega_power + more)));
     }
     let share = share.scale(2.0);
-    Domain::check("action", action, (share - Dd::ONE).hi > 0.0, "above 4 omega0/pi in rotation")?;
     if share.hi > FREE {
-        return Ok(straight);
+        return Ok(force_free);
     }
+    Domain::check("action", action, (share - Dd::ONE).hi > 0.0, "above 4 omega0/pi in rotation")?;
     let (base, at) = turns(phase, upside_down);
     let (local, k_dn) = rotation_state(share, at);
     let velocity = ldexp((omega * k_dn).scale(2.0 * direction).value(), omega_power);
@@ -174,7 +227,7 @@ fn rotation_state(share: Dd, at: ReducedPhase<f64>) -> (Dd, Dd) {
 
 /// J pi/8 omega0 of a libration that is linear to double-double.
 const TINY: f64 = 1e-60;
-/// J pi/4 omega0 of a rotation that the force no longer shapes.
+/// J pi/4 omega0 of a rotation that the force no longer shapes; infinite where it leaves the range.
 const FREE: f64 = 1.3e30;
 
 /// A phase in half periods of a libration, pi each.
@@ -195,8 +248,9 @@ fn turns(phase: f64, upside_down: bool) -> (Dd, ReducedPhase<f64>) {
     (base, ReducedPhase { n: Dd::ZERO, sign, f: rest / TWO_PI, parity: 1.0 })
 }
 
-/// Newton's steps for an increasing function of x > 0 with this excess over its target and this slope; a step never takes
-/// more than 7/8 of x away, so x stays positive, and the last one is below 2^-100 of x.
+/// Newton's steps for an increasing function of x > 0 with this excess over its target and this slope. A step never takes
+/// more than 7/8 of x away, so x stays positive. 100 steps are a bound that is never reached: from the starts given, a
+/// few steps come within the range of quadratic convergence, and six more end it, below 2^-100 of x.
 fn root(mut x: Dd, excess_and_slope: impl Fn(Dd) -> (Dd, Dd)) -> Dd {
     for _ in 0..100 {
         let (excess, slope) = excess_and_slope(x);

@@ -22,7 +22,7 @@ use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 const MANY: f64 = 1e14;
 
 /// The start of a row of one class, set up for any time after it; NaN where the row must be left to the fallback.
-pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
+pub(super) struct StateOnLanes<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
     theta: L,
     velocity: L,
     /// sin^2 and cos^2 of half the angle, and their product before it is squared.
@@ -39,7 +39,7 @@ pub(super) struct Start<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> {
     k_inverse: Unnormalised<L>,
 }
 
-impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<L, ROTATION, HYPERBOLIC> {
+impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     pub fn new(theta: L, velocity: L, omega: Unnormalised<L>) -> Self {
         let (half, two) = (L::splat(0.5), L::splat(2.0));
@@ -65,13 +65,13 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<L, ROTATION, H
             (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one)
         };
         let rate = (stretch * lattices.frequency).tight();
-        Start { theta, velocity, s_square, c_square, across, x, speed, lattices, rate, k_inverse }
+        StateOnLanes { theta, velocity, s_square, c_square, across, x, speed, lattices, rate, k_inverse }
     }
 
     /// Angle and velocity a time dt later.
     #[inline(always)]
     fn after(&self, dt: L) -> (L, L) {
-        let Start { s_square, c_square, across, x, .. } = *self;
+        let StateOnLanes { s_square, c_square, across, x, .. } = *self;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let (n, f) = turned(dt, self.rate);
         let sign = one.copysign(f.hi);
@@ -116,7 +116,7 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Start<L, ROTATION, H
 
 /// One start, many times.
 impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> Sampler<L, 1, 2>
-    for Start<L, ROTATION, HYPERBOLIC>
+    for StateOnLanes<L, ROTATION, HYPERBOLIC>
 {
     #[inline(always)]
     fn at(&self, [dt]: [L; 1]) -> [L; 2] {
@@ -139,7 +139,7 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for SharedState<'_, '_
     fn run<L: Lane>(mut self) {
         let omega = Unnormalised::new(L::splat(self.omega), L::splat(0.0));
         let (theta, velocity) = (L::splat(self.theta), L::splat(self.velocity));
-        let start = Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
+        let start = StateOnLanes::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
         sweep::<L, _, _, _>(&start, [self.dt], &mut self.results)
     }
 }
@@ -151,6 +151,6 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for PerRow<ROTA
     #[inline(always)]
     fn at<L: Lane>(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
         let omega = Unnormalised::new(omega, L::splat(self.0));
-        Start::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
+        StateOnLanes::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega).at([dt])
     }
 }

@@ -1,9 +1,9 @@
-//! One state a step later, without any inverse elliptic function.
+//! The state a time dt after a given one, without any inverse elliptic function.
 //!
 //! With S, C, D = sn, cn, dn(omega0 dt | m) and the state as s = sin(r/2), c = cos(r/2), x = velocity/2 omega0,
 //!   s' = s C D + x c S,  c' = c D - s x S C,  x' = (x C - s c S D)/d,  d = c^2 + s^2 C^2,
 //! in every regime (the addition theorem); theta' = 2 atan2(s', c') and turns. Carried in double-double and
-//! rounded once, so a long composition does not drift. Source: Salas 2019 (23) with its denominator kept.
+//! rounded once, so the error of many steps grows slowly. Source: Salas 2019 (23) with its denominator kept.
 
 use super::batch::{fill, row};
 use super::frequency::Frequency;
@@ -19,7 +19,7 @@ use crate::float::{Dd, PI, TWO_PI};
 /// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
 ///
 /// Domain as for [`Orbit`]: NaN for states that are not finite and for steps beyond 2^53 half periods.
-/// **Error** at most 8 ulp of the largest angle and velocity of the orbit.
+/// **Error** at most 8 ulp of the largest angle and velocity of the orbit. Source: Salas 2019 (23), DLMF 22.8.
 ///
 /// ```
 /// use libration::{Frequency, advance};
@@ -27,6 +27,7 @@ use crate::float::{Dd, PI, TWO_PI};
 /// assert_eq!(format!("{theta:.9} {velocity:.9}"), "-0.306200958 -0.909047105");
 /// # Ok::<(), libration::Domain>(())
 /// ```
+#[must_use]
 pub fn advance(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f64) {
     let by_lanes = frequency.downward_root().and_then(|omega| row([theta, velocity, dt, omega.hi], omega.lo));
     match by_lanes {

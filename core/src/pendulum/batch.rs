@@ -16,13 +16,13 @@ mod class {
     /// None of the lanes': next to the separatrix, out of range, or not finite.
     pub const FALLBACK: usize = 0;
     /// Libration with m <= 1/2.
-    pub const GENTLE_LIBRATION: usize = 1;
+    pub const LIBRATION_CIRCULAR: usize = 1;
     /// Libration with m > 1/2.
-    pub const STEEP_LIBRATION: usize = 2;
+    pub const LIBRATION_HYPERBOLIC: usize = 2;
     /// Rotation with 1/m <= 1/2.
-    pub const FAST_ROTATION: usize = 3;
+    pub const ROTATION_CIRCULAR: usize = 3;
     /// Rotation with 1/m > 1/2.
-    pub const SLOW_ROTATION: usize = 4;
+    pub const ROTATION_HYPERBOLIC: usize = 4;
     /// How many.
     pub const COUNT: usize = 5;
 }
@@ -50,9 +50,13 @@ impl Formula<3, 1> for Classify {
         let mc = L::select(even, high, low) - x * x;
         let code = |class: usize| L::splat(class as f64);
         let least = L::splat(LEAST_COMPLEMENT);
-        let libration = L::select(mc.less(half), code(class::STEEP_LIBRATION), code(class::GENTLE_LIBRATION));
-        let rotation =
-            L::select(m.less(L::splat(2.0)), code(class::SLOW_ROTATION), code(class::FAST_ROTATION));
+        let libration =
+            L::select(mc.less(half), code(class::LIBRATION_HYPERBOLIC), code(class::LIBRATION_CIRCULAR));
+        let rotation = L::select(
+            m.less(L::splat(2.0)),
+            code(class::ROTATION_HYPERBOLIC),
+            code(class::ROTATION_CIRCULAR),
+        );
         let fallback = code(class::FALLBACK);
         let found = L::select(least.less(mc), libration, L::select(mc.less(-least), rotation, fallback));
         // Every comparison is false for NaN.
@@ -61,9 +65,9 @@ impl Formula<3, 1> for Classify {
         let found = L::select(L::splat(SMALL).less(omega), found, fallback);
         let found = L::select(omega.less(L::splat(LARGE)), found, fallback);
         let amplitude = rest.hi.abs() + x;
-        let still = amplitude.equal(zero);
-        let tiny = L::select(still, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
-        let found = L::select(tiny, L::select(still, found, fallback), found);
+        let at_rest = amplitude.equal(zero);
+        let tiny = L::select(at_rest, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
+        let found = L::select(tiny, L::select(at_rest, found, fallback), found);
         [found]
     }
 }
@@ -111,10 +115,10 @@ fn repeats(column: &[f64]) -> bool {
 /// The answer of the formula of a class; `None` for the fallback. `omega_rest` is what every omega0 as a double lacks.
 fn evaluated<E: Evaluation<4, 2>>(class: usize, omega_rest: f64, evaluation: E) -> Option<E::Output> {
     Some(match class {
-        class::GENTLE_LIBRATION => evaluation.of(&PerRow::<false, false>(omega_rest)),
-        class::STEEP_LIBRATION => evaluation.of(&PerRow::<false, true>(omega_rest)),
-        class::FAST_ROTATION => evaluation.of(&PerRow::<true, false>(omega_rest)),
-        class::SLOW_ROTATION => evaluation.of(&PerRow::<true, true>(omega_rest)),
+        class::LIBRATION_CIRCULAR => evaluation.of(&PerRow::<false, false>(omega_rest)),
+        class::LIBRATION_HYPERBOLIC => evaluation.of(&PerRow::<false, true>(omega_rest)),
+        class::ROTATION_CIRCULAR => evaluation.of(&PerRow::<true, false>(omega_rest)),
+        class::ROTATION_HYPERBOLIC => evaluation.of(&PerRow::<true, true>(omega_rest)),
         _ => return None,
     })
 }
@@ -123,9 +127,13 @@ fn evaluated<E: Evaluation<4, 2>>(class: usize, omega_rest: f64, evaluation: E) 
 fn from_shared_state(class: usize, [theta, velocity, dt, omega]: [&[f64]; 4], results: [&mut [f64]; 2]) {
     let (theta, velocity, omega) = (theta[0], velocity[0], omega[0]);
     match class {
-        class::GENTLE_LIBRATION => wide(SharedState::<false, false> { theta, velocity, omega, dt, results }),
-        class::STEEP_LIBRATION => wide(SharedState::<false, true> { theta, velocity, omega, dt, results }),
-        class::FAST_ROTATION => wide(SharedState::<true, false> { theta, velocity, omega, dt, results }),
+        class::LIBRATION_CIRCULAR => {
+            wide(SharedState::<false, false> { theta, velocity, omega, dt, results })
+        }
+        class::LIBRATION_HYPERBOLIC => {
+            wide(SharedState::<false, true> { theta, velocity, omega, dt, results })
+        }
+        class::ROTATION_CIRCULAR => wide(SharedState::<true, false> { theta, velocity, omega, dt, results }),
         _ => wide(SharedState::<true, true> { theta, velocity, omega, dt, results }),
     }
 }
@@ -136,7 +144,7 @@ pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Op
     evaluated(class as usize, omega_rest, Once([theta, velocity, dt, omega]))
 }
 
-/// More rows than a lane: a set-up in common pays.
+/// More rows than the widest lane has places: from here on one set-up for all is faster.
 const ENOUGH: usize = 16;
 
 /// Up to a block of rows, by their classes; NaN for the fallback.
@@ -162,13 +170,13 @@ fn block(arguments: [&[f64]; 4], [theta_later, velocity_later]: [&mut [f64]; 2])
     for (class, members) in sorted.members.iter().enumerate() {
         let members = &members[..sorted.counts[class]];
         for (column, argument) in sorted.arguments.iter_mut().zip(arguments) {
-            for (place, row) in column.iter_mut().zip(members) {
-                *place = argument[usize::from(*row)];
+            for (entry, row) in column.iter_mut().zip(members) {
+                *entry = argument[usize::from(*row)];
             }
         }
         let gathered = first_rows(&sorted.arguments, members.len());
-        let places = sorted.results.each_mut().map(|column| &mut column[..members.len()]);
-        if evaluated(class, 0.0, Columns::new(gathered, places)).is_none() {
+        let later = sorted.results.each_mut().map(|column| &mut column[..members.len()]);
+        if evaluated(class, 0.0, Columns::new(gathered, later)).is_none() {
             for column in &mut sorted.results {
                 column[..members.len()].fill(f64::NAN);
             }

@@ -1,7 +1,7 @@
 //! The canonical motion: upwards through 0 at phase 0, in the units that the orbit has set up.
 //!
-//! Every solution of the pendulum gives it in its own way: by theta functions (theta_quotients.rs), by polynomials
-//! (interpolant.rs), or by hyperbolic functions (separatrix.rs).
+//! It is evaluated by theta functions (theta_quotients.rs), by polynomials (interpolant.rs), or on the separatrix by
+//! hyperbolic functions (separatrix.rs).
 
 use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
 use crate::float::Dd;
@@ -26,8 +26,7 @@ pub(super) trait CanonicalMotion {
     fn at<L: Lane>(&self, t: L) -> Canonical<L>;
 }
 
-/// Where whole half periods of a libration, or whole turns of a rotation, can no longer be told apart: 2^52 turns are
-/// 2^53 half periods.
+/// Where the count of half periods of a libration, or of turns of a rotation, ends: 2^52 turns are 2^53 half periods.
 pub(super) const fn last_count(rotation: bool) -> f64 {
     if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD }
 }

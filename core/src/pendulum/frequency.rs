@@ -23,6 +23,9 @@ pub struct Frequency {
 impl Frequency {
     /// From the arguments of a constructor: none (omega0 = 1), or exactly one of omega0, omega2 and length;
     /// gravity belongs to a length, and is 9.80665 where a length comes alone.
+    ///
+    /// # Errors
+    /// For another combination, and for values that the constructor of the one given refuses.
     pub fn from_arguments(
         omega0: Option<f64>,
         omega2: Option<f64>,
@@ -51,18 +54,34 @@ impl Frequency {
     }
 
     /// From the small-swing angular frequency omega0 >= 0, in rad/s; 0 is free rotation.
+    ///
+    /// # Errors
+    /// Where omega0 is negative or not finite.
     pub fn from_omega0(omega0: f64) -> Result<Frequency, Domain> {
         let omega0 = Domain::check("omega0", omega0, omega0.is_finite() && omega0 >= 0.0, NOT_NEGATIVE)?;
         Ok(Frequency { a: omega0, b: omega0, c: 1.0 })
     }
 
     /// From its square, in rad^2/s^2; negative hangs the pendulum from the other side.
+    ///
+    /// # Errors
+    /// Where omega2 is not finite.
     pub fn from_omega2(omega2: f64) -> Result<Frequency, Domain> {
         Domain::check("omega2", omega2, omega2.is_finite(), FINITE)?;
         Ok(Frequency { a: omega2, b: 1.0, c: 1.0 })
     }
 
-    /// From gravity in m/s^2 (any sign) and length in m: omega0^2 = g/L.
+    /// From gravity in m/s^2 (any sign) and length in m: omega0^2 = g/L, rounded nowhere.
+    ///
+    /// # Errors
+    /// Where the length is not positive, or one of both is not finite.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(0.0, 0.0, Frequency::from_gravity_length(9.8, 2.0)?)?;
+    /// assert_eq!(orbit.omega2(), 4.9);
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     pub fn from_gravity_length(gravity: f64, length: f64) -> Result<Frequency, Domain> {
         Domain::check("length", length, length.is_finite() && length > 0.0, POSITIVE)?;
         Domain::check("gravity", gravity, gravity.is_finite(), FINITE)?;
@@ -70,11 +89,15 @@ impl Frequency {
     }
 
     /// The three exact factors (a, b, c) of omega0^2 = a b / c.
+    #[must_use]
     pub fn factors(&self) -> (f64, f64, f64) {
         (self.a, self.b, self.c)
     }
 
     /// From the factors, as [`Frequency::factors`] gives them.
+    ///
+    /// # Errors
+    /// Where a factor is not finite, the second is negative, or the third is not positive.
     pub fn from_factors(a: f64, b: f64, c: f64) -> Result<Frequency, Domain> {
         Domain::check("omega2", a, a.is_finite(), FINITE)?;
         Domain::check("omega0", b, b.is_finite() && b >= 0.0, NOT_NEGATIVE)?;

@@ -51,19 +51,21 @@ impl<M: CanonicalMotion> Formula<1, RESULTS> for InFrame<'_, M> {
 /// The evaluation of the results from the FROM-th on, as many as it takes.
 struct Part<const FROM: usize, const COUNT: usize, E>(E);
 
-/// A formula cut down to these results.
-struct Cut<'a, const FROM: usize, F>(&'a F);
+/// A formula with these results only.
+struct PartOf<'a, const FROM: usize, F>(&'a F);
 
 impl<const FROM: usize, const COUNT: usize, E: Evaluation<1, COUNT>> Evaluation<1, RESULTS>
     for Part<FROM, COUNT, E>
 {
     type Output = E::Output;
     fn of<F: Formula<1, RESULTS>>(self, formula: &F) -> E::Output {
-        self.0.of(&Cut::<FROM, F>(formula))
+        self.0.of(&PartOf::<FROM, F>(formula))
     }
 }
 
-impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, COUNT> for Cut<'_, FROM, F> {
+impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, COUNT>
+    for PartOf<'_, FROM, F>
+{
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; 1]) -> [L; COUNT] {
         let all = self.0.at(arguments);
@@ -114,7 +116,7 @@ impl Orbit {
     /// ```
     /// use libration::{Frequency, Orbit};
     /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
-    /// assert_eq!(format!("{:.9}", orbit.theta(1.0)), "1.530313552");
+    /// assert_eq!(format!("{:.9}", orbit.theta(1.0)), "1.532727506");
     /// # Ok::<(), libration::Domain>(())
     /// ```
     #[must_use]
@@ -130,7 +132,7 @@ impl Orbit {
     /// ```
     /// use libration::{Frequency, Orbit};
     /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
-    /// assert_eq!(format!("{:.9}", orbit.velocity(1.0)), "-0.954744826");
+    /// assert_eq!(format!("{:.9}", orbit.velocity(1.0)), "-0.953106985");
     /// # Ok::<(), libration::Domain>(())
     /// ```
     #[must_use]
@@ -140,6 +142,14 @@ impl Orbit {
     }
 
     /// Angle and angular velocity at t, bit for bit those of [`Orbit::theta`] and [`Orbit::velocity`].
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// let (theta, velocity) = orbit.motion(1.0);
+    /// assert_eq!(format!("{theta:.9} {velocity:.9}"), "1.532727506 -0.953106985");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
         self.evaluated(Part::<0, 2, _>(Once([t]))).into()

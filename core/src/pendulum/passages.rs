@@ -15,7 +15,7 @@ use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::float::angle_reduction::{self, ReducedAngle};
 use crate::float::elementary::arctangent;
 use crate::float::exponent::ldexp;
-use crate::float::{Dd, PI, TWO_PI, Td};
+use crate::float::{Dd, PI, Scaled, TWO_PI, Td};
 use crate::motion::passages::Interval;
 
 pub use crate::motion::passages::MOST_TIMES;
@@ -159,14 +159,28 @@ impl Orbit {
     /// in libration, the unwrapped angle in rotation and on the separatrix. Rising; a turning angle once a
     /// swing (also as [`Orbit::theta_max`] and [`Orbit::extremes`] round it); none at rest.
     ///
-    /// An error for arguments that are NaN, a `start` after `stop`, more than [`MOST_TIMES`] passages, and an interval
-    /// that reaches beyond 2^53 half periods. **Error** such that the angle there is `theta` to 4 ulp of the largest
-    /// angle plus what an ulp of the time makes of it.
+    /// **Error** such that the angle there is `theta` to 4 ulp of the largest angle plus what an ulp of the time makes of
+    /// it. Source: DLMF 19.25.5, 22.15(ii).
+    ///
+    /// # Errors
+    /// For arguments that are NaN, a `start` after `stop`, more than [`MOST_TIMES`] passages, and an interval that reaches
+    /// beyond 2^53 half periods.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// let times = orbit.times(0.5, 0.0, 10.0)?;
+    /// assert_eq!(times.iter().map(|t| format!("{t:.6}")).collect::<Vec<_>>(), ["1.785845", "6.563908"]);
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     pub fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         self.times_unless(theta, start, stop, &|| false)
     }
 
     /// [`Orbit::times`], where `ended` is asked now and then: once it is true, the times are cut short and mean nothing.
+    ///
+    /// # Errors
+    /// As for [`Orbit::times`].
     pub fn times_unless(
         &self,
         theta: f64,
@@ -182,14 +196,14 @@ impl Orbit {
                 _ => Vec::new(),
             });
         };
-        let Some(place) = self.passage(&state, theta) else { return Ok(Vec::new()) };
-        let since_bottom = || place.sine * rf_of_roots(place.cosine, place.half_cosine);
+        let Some(passage) = self.passage(&state, theta) else { return Ok(Vec::new()) };
+        let since_bottom = || passage.sine * rf_of_roots(passage.cosine, passage.half_cosine);
         match &self.solution {
             Solution::Libration(elliptic) => {
                 let began = elliptic.phase.start;
-                if place.cosine.hi == 0.0 {
+                if passage.cosine.hi == 0.0 {
                     let nearest = self.to_turning(elliptic, &state);
-                    let other = place.sine.hi.signum() != 1f64.copysign(state.s.hi);
+                    let other = passage.sine.hi.signum() != 1f64.copysign(state.s.hi);
                     let at = if other { nearest + Dd::ONE } else { nearest };
                     return interval.repeated(elliptic.phase.rate, self.time_scale, &[at], 2.0);
                 }
@@ -203,12 +217,12 @@ impl Orbit {
             }
             Solution::Rotation(elliptic) => {
                 let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
-                let far = place.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
+                let far = passage.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
                 Domain::check("theta", theta, !far, "within 2^52 turns of theta0")?;
-                Ok(within(interval, self.time_of(&elliptic.phase, rest + Dd::from(place.turns))))
+                Ok(within(interval, self.time_of(&elliptic.phase, rest + Dd::from(passage.turns))))
             }
             Solution::Separatrix(Separatrix { phase, .. })
-                if place.turns == 0.0 && place.half_cosine.hi > 0.0 =>
+                if passage.turns == 0.0 && passage.half_cosine.hi > 0.0 =>
             {
                 Ok(within(interval, self.time_of(phase, since_bottom())))
             }
@@ -218,7 +232,18 @@ impl Orbit {
 
     /// All times from `start` to `stop` (in s, both included) at which a libration turns back; none in other regimes.
     ///
-    /// Errors as for [`Orbit::times`].
+    /// **Error** and source as for [`Orbit::times`].
+    ///
+    /// # Errors
+    /// As for [`Orbit::times`].
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// let times = orbit.turning_times(0.0, 10.0)?;
+    /// assert_eq!(times.iter().map(|t| format!("{t:.6}")).collect::<Vec<_>>(), ["0.000000", "4.174876", "8.349753"]);
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         self.turning_times_unless(start, stop, &|| false)
     }
@@ -253,11 +278,11 @@ impl Orbit {
 
     /// Time of an angle without force.
     fn force_free_time(&self, theta: f64) -> f64 {
-        (Dd::sum(0.5 * theta, -0.5 * self.theta0) / Dd::from(0.5 * self.velocity0)).value()
+        ((Scaled::from(theta) - Scaled::from(self.theta0)) / Scaled::from(self.velocity0)).value()
     }
 }
 
-/// The time, if it is in the interval.
+/// The time, if it is in the interval and in the range of doubles.
 fn within(interval: Interval<'_>, time: f64) -> Vec<f64> {
-    if interval.holds(time) { vec![time] } else { Vec::new() }
+    if time.is_finite() && interval.holds(time) { vec![time] } else { Vec::new() }
 }

@@ -5,9 +5,9 @@
 pub enum Regime {
     /// At the stable equilibrium (or anywhere, without force and velocity).
     Rest,
-    /// Swings between two turning angles.
+    /// Moves between two turning angles.
     Libration,
-    /// Exactly the energy of the upper equilibrium: approaches it for ever.
+    /// Exactly the energy of the upper equilibrium: approaches it and never arrives.
     Separatrix,
     /// Turns over the top (or turns freely).
     Rotation,
@@ -15,6 +15,7 @@ pub enum Regime {
 
 impl Regime {
     /// `rest`, `libration`, `separatrix` or `rotation`.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Regime::Rest => "rest",

@@ -1,4 +1,4 @@
-//! Second derivatives of angle and velocity by the start and the force, where closed forms keep their digits.
+//! Second derivatives of angle and velocity by the start and the force, where closed forms are accurate.
 //!
 //! The canonical motion Theta(tau; m), m = kappa^2, once more by m. With S, C, D = sn, cn, dn and the integral
 //! G = -mu int cn^2 of the lattice's parameter mu = m in libration, 1/m in rotation,
@@ -40,7 +40,7 @@ impl Hessians {
     }
 }
 
-/// Least and most kappa^2, and least |1 - kappa^2|, with digits left.
+/// Least and most kappa^2, and least |1 - kappa^2|, where the closed forms are accurate.
 const LEAST_RATIO: f64 = 1e-10;
 const MOST_RATIO: f64 = 1e16;
 const LEAST_COMPLEMENT: f64 = 1e-6;
@@ -57,8 +57,8 @@ struct Jet {
     mmt: Dd,
 }
 
-/// The lattice's functions at a phase u.
-struct Place {
+/// The lattice's functions at a phase u, and the integral G there.
+struct Functions {
     s: Dd,
     c: Dd,
     d: Dd,
@@ -68,7 +68,7 @@ struct Place {
 
 /// An orbit, set up once for many times.
 #[derive(Clone, Debug)]
-struct Set<'a> {
+struct SetUp<'a> {
     elliptic: &'a Elliptic,
     rotation: bool,
     /// kappa, and the lattice's parameter.
@@ -76,27 +76,27 @@ struct Set<'a> {
     parameter: Parameter,
 }
 
-impl Set<'_> {
-    /// The place of sn, cn, dn between the quarter periods, n half periods on.
-    fn place(&self, values: [Dd; 3], n: Dd, rest: Dd) -> Place {
+impl SetUp<'_> {
+    /// At sn, cn, dn between the quarter periods, n half periods on.
+    fn functions(&self, values: [Dd; 3], n: Dd, rest: Dd) -> Functions {
         let [s, c, d] = values;
         let half = self.elliptic.lattice.quarter.scale(2.0);
         let integral = cosine_integral(self.parameter.m, values);
         let whole = n * complete_difference_dd(self.parameter).scale(2.0);
-        Place { s, c, d, u: n * half + rest, g: -(whole + integral) }
+        Functions { s, c, d, u: n * half + rest, g: -(whole + integral) }
     }
 
     /// At a reduced phase.
-    fn at(&self, at: &ReducedPhase<f64>) -> Place {
+    fn at(&self, at: &ReducedPhase<f64>) -> Functions {
         let lattice = &self.elliptic.lattice;
         let rest = at.f.scale(at.sign) * lattice.quarter.scale(2.0);
         let values = lattice.long_values(&ReducedPhase { parity: 1.0, ..*at });
-        let place = self.place(values, at.n, rest);
-        Place { s: place.s.scale(at.parity), c: place.c.scale(at.parity), ..place }
+        let functions = self.functions(values, at.n, rest);
+        Functions { s: functions.s.scale(at.parity), c: functions.c.scale(at.parity), ..functions }
     }
 
-    fn jet(&self, place: &Place) -> Jet {
-        let Place { s, c, d, u, g } = *place;
+    fn jet(&self, functions: &Functions) -> Jet {
+        let Functions { s, c, d, u, g } = *functions;
         let Parameter { m: mu, mc: muc, .. } = self.parameter;
         let (one, two) = (Dd::ONE, Dd::from(2.0));
         // By the parameter, u held: am, then all the others.
@@ -153,7 +153,15 @@ impl Orbit {
     /// NaN where kappa^2 is below 1e-10, above 1e16 or within 1e-6 of 1, where omega0 is out of 1e-100..1e100, and as for
     /// [`Sensitivity::at`](super::Sensitivity::at). **Error** at most 1e-12 of the largest change of a matrix: its
     /// elements times the largest angle, the largest velocity and omega0. Next to t = 0, where all of them vanish, that
-    /// holds for |omega0 t| >= 1e-3 only.
+    /// holds for |omega0 t| >= 1e-3 only. Source: DLMF 22.13(i), 22.16(ii), 19.4(ii).
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// let by = orbit.second_sensitivities(1.0);
+    /// assert_eq!(format!("{:.6} {:.6}", by.theta[0][0], by.velocity[1][2]), "0.509444 -0.039893");
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
     #[must_use]
     pub fn second_sensitivities(&self, t: f64) -> Hessians {
         let Some(state) = self.state else { return Hessians::UNDEFINED };
@@ -165,12 +173,12 @@ impl Orbit {
         let omega = omega.ldexp(omega_power);
         let (set, start) = match &self.solution {
             Solution::Libration(elliptic) => {
-                let set = Set { elliptic, rotation: false, k, parameter: Parameter::new(m, mc) };
+                let set = SetUp { elliptic, rotation: false, k, parameter: Parameter::new(m, mc) };
                 (set, [s / k, x / k, c])
             }
             Solution::Rotation(elliptic) => {
                 let parameter = Parameter::new(Dd::ONE / m, -mc / m);
-                (Set { elliptic, rotation: true, k, parameter }, [s, c, x / k])
+                (SetUp { elliptic, rotation: true, k, parameter }, [s, c, x / k])
             }
             _ => return Hessians::UNDEFINED,
         };
@@ -184,7 +192,7 @@ impl Orbit {
             return Hessians::filled(0.0);
         }
         let began = phase.start * set.elliptic.lattice.quarter.scale(2.0);
-        let from = set.jet(&set.place(start, Dd::ZERO, began));
+        let from = set.jet(&set.functions(start, Dd::ZERO, began));
         let at = if set.rotation { ReducedPhase { parity: 1.0, ..at } } else { at };
         let to = set.jet(&set.at(&at));
         assembled(&from, &to, omega, x.scale(2.0), omega * t, frame.side)
@@ -202,12 +210,12 @@ fn assembled(from: &Jet, to: &Jet, omega: Dd, w: Dd, s: Dd, side: f64) -> Hessia
     };
     let (first, then) = (second(from), second(to));
     // First derivatives now, rows angle and velocity, columns the start; and the second by the start.
-    let slopes = [[to.t, to.m], [-to.sine, to.mt]];
-    let along = |row: usize, a: usize| slopes[row][0] * by[a][0] + slopes[row][1] * by[a][1];
+    let now = [[to.t, to.m], [-to.sine, to.mt]];
+    let along = |row: usize, a: usize| now[row][0] * by[a][0] + now[row][1] * by[a][1];
     let curved = |row: usize, a: usize, b: usize| {
         let bent = [form(first[0], by[a], by[b]), form(first[1], by[a], by[b])];
         let moved = [0, 1].map(|i| by[0][i] * bent[0] + by[1][i] * bent[1]);
-        form(then[row], by[a], by[b]) - slopes[row][0] * moved[0] - slopes[row][1] * moved[1]
+        form(then[row], by[a], by[b]) - now[row][0] * moved[0] - now[row][1] * moved[1]
     };
     let angle = |a| along(0, a);
     let [ff, fw, ww] = [curved(0, 0, 0), curved(0, 0, 1), curved(0, 1, 1)];

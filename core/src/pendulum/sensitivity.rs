@@ -12,7 +12,7 @@ use super::regime::Regime;
 use super::sensitivity_lanes::SensitivityLanes;
 use super::separatrix::Separatrix;
 use super::state::State;
-use super::variational::{Periodic, Solutions, Start, bounded, hyperbolic, on_separatrix};
+use super::variational::{Periodic, Solutions, VariationalSetUp, bounded, hyperbolic, on_separatrix};
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
@@ -47,7 +47,7 @@ impl Jacobian {
 
 /// The derivatives in terms of the solutions of the variational equation.
 #[derive(Clone, Debug)]
-enum Derivatives {
+enum ClosedForm {
     /// Without force, or faster than it counts: what omega0 changes is below 2^-100 of the rest, and left out.
     ForceFree,
     UpperEquilibrium,
@@ -66,8 +66,8 @@ enum Derivatives {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
-    derivatives: Derivatives,
-    start: Start,
+    closed_form: ClosedForm,
+    start: VariationalSetUp,
     /// The same in double over lanes, where that is accurate enough.
     lanes: Option<Box<SensitivityLanes>>,
 }
@@ -76,7 +76,7 @@ impl Sensitivity {
     /// Of an orbit, by its own initial angle, initial velocity and omega0 = sqrt|omega0^2|.
     #[must_use]
     pub fn new(orbit: &Orbit) -> Sensitivity {
-        let start = Start {
+        let start = VariationalSetUp {
             phase: Phase { rate: Dd::ZERO, start: Dd::ZERO },
             time_scale: orbit.time_scale,
             solutions: Solutions::ORIGIN,
@@ -88,15 +88,15 @@ impl Sensitivity {
             omega_power: 0,
             side: 1.0,
         };
-        let (derivatives, start) = match orbit.state {
+        let (closed_form, start) = match orbit.state {
             Some(state) => along(orbit, &state, start),
             None => not_shaped(orbit, start),
         };
-        let lanes = match &derivatives {
-            Derivatives::Periodic(periodic) => SensitivityLanes::new(&start, periodic).map(Box::new),
+        let lanes = match &closed_form {
+            ClosedForm::Periodic(periodic) => SensitivityLanes::new(&start, periodic).map(Box::new),
             _ => None,
         };
-        Sensitivity { derivatives, start, lanes }
+        Sensitivity { closed_form, start, lanes }
     }
 
     /// The derivatives at t (in s).
@@ -136,16 +136,16 @@ impl Sensitivity {
         if t == 0.0 {
             return Jacobian::of([1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
         }
-        let Start { ref phase, time_scale, .. } = self.start;
+        let VariationalSetUp { ref phase, time_scale, .. } = self.start;
         let passed = t * time_scale;
-        match &self.derivatives {
-            Derivatives::ForceFree => Jacobian::of([1.0, t, 0.0, 0.0, 1.0, 0.0]),
-            Derivatives::UpperEquilibrium => self.at_upper_equilibrium(bounded(phase.rate, passed)),
-            Derivatives::Separatrix => {
+        match &self.closed_form {
+            ClosedForm::ForceFree => Jacobian::of([1.0, t, 0.0, 0.0, 1.0, 0.0]),
+            ClosedForm::UpperEquilibrium => self.at_upper_equilibrium(bounded(phase.rate, passed)),
+            ClosedForm::Separatrix => {
                 let y = bounded(phase.rate, passed) + phase.start;
                 self.assembled(passed, &on_separatrix(y))
             }
-            Derivatives::Periodic(periodic) => {
+            ClosedForm::Periodic(periodic) => {
                 let at = phase.reduce(passed);
                 let half_periods = if periodic.rotation { 2.0 * at.n.hi } else { at.n.hi };
                 if half_periods.abs() < LAST_HALF_PERIOD {
@@ -158,7 +158,8 @@ impl Sensitivity {
     }
 
     fn assembled(&self, passed: f64, now: &Solutions) -> Jacobian {
-        let Start { solutions: start, k, x, stretch, omega, power, omega_power, side, .. } = &self.start;
+        let VariationalSetUp { solutions: start, k, x, stretch, omega, power, omega_power, side, .. } =
+            &self.start;
         let turned = Scaled::from(omega.ldexp(carried(*omega_power).0)) * passed;
         let [k, x, stretch, omega] = [k, x, stretch, omega].map(|value| Scaled::from(*value));
         let (k, x, omega) = (k.shift(*power), x.shift(*power), omega.shift(*omega_power));
@@ -182,9 +183,9 @@ impl Sensitivity {
 }
 
 /// At rest at the stable equilibrium, or without a force that counts.
-fn not_shaped(orbit: &Orbit, start: Start) -> (Derivatives, Start) {
+fn not_shaped(orbit: &Orbit, start: VariationalSetUp) -> (ClosedForm, VariationalSetUp) {
     let Some((root, omega_power)) = orbit.force.root().filter(|_| orbit.regime() == Regime::Rest) else {
-        return (Derivatives::ForceFree, start);
+        return (ClosedForm::ForceFree, start);
     };
     let (inside, outside) = carried(omega_power);
     let omega = root.to_dd();
@@ -195,14 +196,14 @@ fn not_shaped(orbit: &Orbit, start: Start) -> (Derivatives, Start) {
         shift: Scaled::ZERO,
     };
     let phase = Phase { rate: omega.ldexp(inside) / PI, start: Dd::ZERO };
-    let start = Start { phase, time_scale: ldexp(1.0, outside), omega, omega_power, ..start };
-    (Derivatives::Periodic(Box::new(periodic)), start)
+    let start = VariationalSetUp { phase, time_scale: ldexp(1.0, outside), omega, omega_power, ..start };
+    (ClosedForm::Periodic(Box::new(periodic)), start)
 }
 
 /// Of a motion that the force shapes.
-fn along(orbit: &Orbit, state: &State, start: Start) -> (Derivatives, Start) {
+fn along(orbit: &Orbit, state: &State, start: VariationalSetUp) -> (ClosedForm, VariationalSetUp) {
     let State { s, c, x, k, kc, m, mc, power, omega, omega_power, frame, .. } = *state;
-    let start = Start { k, x, power, omega, omega_power, side: frame.side, ..start };
+    let start = VariationalSetUp { k, x, power, omega, omega_power, side: frame.side, ..start };
     match &orbit.solution {
         Solution::Libration(elliptic) => {
             let parameter = Parameter::new(m.ldexp(2 * power), mc);
@@ -211,8 +212,8 @@ fn along(orbit: &Orbit, state: &State, start: Start) -> (Derivatives, Start) {
             let lattice = elliptic.lattice.clone();
             let periodic = Periodic { rotation: false, parameter, lattice, shift };
             let solutions = periodic.solutions([s / k, x / k, c]);
-            let start = Start { phase: elliptic.phase, solutions, ..start };
-            (Derivatives::Periodic(Box::new(periodic)), start)
+            let start = VariationalSetUp { phase: elliptic.phase, solutions, ..start };
+            (ClosedForm::Periodic(Box::new(periodic)), start)
         }
         Solution::Rotation(elliptic) => {
             let parameter = Parameter::new(Dd::ONE / m, -mc / m);
@@ -220,20 +221,23 @@ fn along(orbit: &Orbit, state: &State, start: Start) -> (Derivatives, Start) {
             let lattice = elliptic.lattice.clone();
             let periodic = Periodic { rotation: true, parameter, lattice, shift };
             let solutions = periodic.solutions([s, c, x / k]);
-            let start = Start { phase: elliptic.phase, solutions, stretch: k, ..start };
-            (Derivatives::Periodic(Box::new(periodic)), start)
+            let start = VariationalSetUp { phase: elliptic.phase, solutions, stretch: k, ..start };
+            (ClosedForm::Periodic(Box::new(periodic)), start)
         }
         Solution::Separatrix(Separatrix { phase, .. }) => {
             let (inverse, b, y) = (Scaled::ONE / Scaled::from(c), s * c, phase.start);
             let p = (inverse * Scaled::from(s) + Scaled::from(y * c)).shift(-1);
             let q = (inverse + Scaled::from(c - y * b)).shift(-1);
             let solutions = Solutions { a: c.into(), b: b.into(), p, q };
-            (Derivatives::Separatrix, Start { phase: *phase, solutions, ..start })
+            (ClosedForm::Separatrix, VariationalSetUp { phase: *phase, solutions, ..start })
         }
         Solution::Equilibrium | Solution::ForceFree => {
             let (inside, outside) = carried(omega_power);
             let phase = Phase { rate: omega.ldexp(inside), start: Dd::ZERO };
-            (Derivatives::UpperEquilibrium, Start { phase, time_scale: ldexp(1.0, outside), ..start })
+            (
+                ClosedForm::UpperEquilibrium,
+                VariationalSetUp { phase, time_scale: ldexp(1.0, outside), ..start },
+            )
         }
     }
 }

@@ -6,7 +6,7 @@
 //!   rotation   p = (dn (mc u + g) - m sn cn)/mc,   q = (1 - b p)/a.
 //! What cancels is 1/mc times larger than the result, so mc is bounded below. Source: DLMF 22.16(ii), 22.16.32, 20.2.
 
-use super::variational::{Periodic, Solutions, Start};
+use super::variational::{Periodic, Solutions, VariationalSetUp};
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
@@ -50,9 +50,9 @@ pub(super) struct SensitivityLanes {
 
 impl SensitivityLanes {
     /// `None` next to the separatrix, and for orbits of extreme size.
-    pub fn new(start: &Start, periodic: &Periodic) -> Option<SensitivityLanes> {
+    pub fn new(start: &VariationalSetUp, periodic: &Periodic) -> Option<SensitivityLanes> {
         let &Periodic { rotation, parameter, ref lattice, .. } = periodic;
-        let &Start { k, x, power, stretch, omega, omega_power, .. } = start;
+        let &VariationalSetUp { k, x, power, stretch, omega, omega_power, .. } = start;
         let Parameter { m, mc, .. } = parameter;
         let ordinary = power == 0 && omega_power.abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
         if mc.hi < LEAST_COMPLEMENT || !ordinary {

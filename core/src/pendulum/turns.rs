@@ -29,7 +29,7 @@ impl Orbit {
     /// use libration::{Frequency, Orbit};
     /// let orbit = Orbit::new(0.0, 3.0, Frequency::from_omega0(1.0)?)?;
     /// let turns = orbit.turns(100.0);
-    /// assert_eq!(format!("{} {:.9}", turns.count, turns.angle), "41 -2.197024846");
+    /// assert_eq!(format!("{} {:.9}", turns.count, turns.angle), "41 2.838957125");
     /// # Ok::<(), libration::Domain>(())
     /// ```
     #[must_use]
@@ -40,7 +40,7 @@ impl Orbit {
         }
         let (count, rest) = match self.solution {
             Solution::Equilibrium | Solution::ForceFree => {
-                // Far out the second word has turns of its own.
+                // Of a large angle the low word holds whole turns too.
                 let [hi, lo] = [local.hi, local.lo].map(angle_reduction::reduce);
                 let rest = (hi.from_bottom * hi.side + lo.from_bottom * lo.side).to_dd();
                 let shift = (rest.hi / TWO_PI.hi).round();

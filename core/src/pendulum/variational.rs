@@ -34,7 +34,7 @@ pub(super) struct Periodic {
 
 /// How the derivatives of an orbit follow from the solutions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Start {
+pub(super) struct VariationalSetUp {
     pub phase: Phase,
     /// Factor that brings t into the range where the phase is formed.
     pub time_scale: f64,
