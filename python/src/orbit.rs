@@ -94,7 +94,7 @@ impl Orbit {
 
     /// The first `n` amplitudes of angle and velocity.
     fn fourier<'py>(&self, py: Python<'py>, n: i64) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
-        let Fourier { theta, velocity } = py.detach(|| self.orbit.fourier(n)).map_err(refused)?;
+        let Fourier { theta, velocity, .. } = py.detach(|| self.orbit.fourier(n)).map_err(refused)?;
         Ok([theta.into_pyarray(py), velocity.into_pyarray(py)])
     }
 
