@@ -151,7 +151,7 @@ test/types: $(TOOLS)
 
 test/laws: $(TOOLS) $(VENV)/.built
 	$(call step,for law in $(LAWS); do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed")
-LAWS := rooms names functions pages links
+LAWS := rooms circles names type_names functions pages links
 
 test/checks-tested: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) checks)
@@ -192,4 +192,4 @@ export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER := qemu-aarch64 -L /usr/aar
 
 test-arm: ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
 	@rustup target list --installed | grep -q $(ARM) || rustup target add $(ARM)
-	cargo test --release --locked --target $(ARM) --test suite -- --nocapture
+	CARGO_TARGET_DIR=target/arm cargo test --release --locked --target $(ARM) --test suite -- --nocapture
