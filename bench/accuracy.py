@@ -7,7 +7,7 @@ So an angle near zero, after a billion periods, is measured by what the inputs d
 conditioning term is 2^-100 * cond. Reference values are hi + lo; differences are exact (fractions).
 
     python bench/accuracy.py            measure, write docs/accuracy.md, exit 1 if a promise of functions.toml breaks
-    python bench/accuracy.py --check    measure and compare with the page as it stands instead of writing it
+    python bench/accuracy.py --check    measure and compare with the page instead of writing it
 """
 
 import csv

@@ -121,7 +121,10 @@ def difference(old: list[np.ndarray], new: list[np.ndarray]) -> str:
             places = [np.where(x < 0, -(x + 2**63), x) for x in bits]  # ordered as the doubles are
             worst = max([worst, *abs(places[0] - places[1])[unequal]])
         count, total = count + int(np.sum(unequal)), total + a.size
-    return f"{count:,} of {total:,} differ" + (f", {float(worst):.3g} ulp" if worst else "") if count else "same"
+    if not count:
+        return "same"
+    kind = f", {float(worst):.3g} ulp" if worst else ", sign of zero" if old[0].dtype.kind in "fc" else ""
+    return f"{count:,} of {total:,} differ{kind}"
 
 
 def measured(pair: tuple[Build, Build], name: str, rounds: int) -> list[tuple[float, float]]:

@@ -1,15 +1,14 @@
-"""Reference values for Jacobi functions, complete and incomplete elliptic integrals; writes four CSV files.
+"""Reference values for Jacobi functions, complete and incomplete elliptic integrals, by mpmath.
 
 A real parameter is given as m, as mc = 1 - m or as k (m = k^2), a double taken as an exact rational, so m and
 mc are both exact. Jacobi: descending Landen chain for the amplitude (DLMF 22.20.6), reciprocal parameter for
 m > 1 (22.17.2-4). Integrals: Carlson's R_F, R_D, R_G (19.25.1, 19.25.5, 19.25.9-10). Nome: exp(-pi K'/K), for
-m < 0 its analytic continuation q(m) = -q(-m/(1-m)). Run: python elliptic.py (half a minute).
+m < 0 its analytic continuation q(m) = -q(-m/(1-m)).
 """
 
 import math
 from fractions import Fraction
 
-import exact
 import mpmath as mp
 from exact import agreed, decimal, hi_lo, mpf, real
 
@@ -214,14 +213,3 @@ FILES = {
     "complete.csv": (COMPLETE, complete_row),
     "incomplete.csv": (INCOMPLETE, incomplete_row),
 }
-
-
-def main():
-    for name, (header, row) in FILES.items():
-        exact.write(name, header, map(row, elliptic_inputs.rows(name)))
-
-
-if __name__ == "__main__":
-    import elliptic_inputs
-
-    main()

@@ -1,15 +1,14 @@
-"""Reference values for the whole elliptic family in Arb balls; writes eight CSV files.
+"""Reference values for the whole elliptic family in Arb balls.
 
 Jacobi's functions: theta quotients (balls.py), of complex arguments too; inverses: R_F (DLMF 19.25.29 to 19.25.34);
 epsilon: E(am u), zeta: its definition; theta functions: Arb's; the other integrals in integrals.py. Every value is a
-ball narrower than 2^-140. Run: python family.py (15 s).
+ball narrower than 2^-140. elliptic_vectors.py writes the files.
 """
 
 import math
 from fractions import Fraction
 
 import balls
-import exact
 from adaptive_precision import STEP, columns
 from balls import ball, nint
 from elliptic import parameters
@@ -330,14 +329,3 @@ def row_of(name):
 
 
 FILES = {name: (header(fields, names), row_of(name)) for name, (fields, names, _) in TABLE.items()}
-
-
-def main():
-    for name, (names, row) in FILES.items():
-        exact.write(name, names, map(row, family_inputs.rows(name)))
-
-
-if __name__ == "__main__":
-    import family_inputs
-
-    main()

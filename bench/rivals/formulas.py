@@ -136,7 +136,7 @@ def by_scipy():
 
 
 def sine_and_cosine(theta, velocity, dt) -> Call:
-    """np.sin(a) + np.cos(a), the yardstick of `advance`: not a motion at all."""
+    """np.sin(a) + np.cos(a), a measure of cost for `advance`; it is no motion."""
     return lambda: (np.sin(theta) + np.cos(theta),)
 
 

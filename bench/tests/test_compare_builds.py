@@ -50,7 +50,7 @@ def test_a_missing_interpreter_is_named():
 def test_difference_counts_values_and_units():
     one = np.array([1.0, -0.0, np.nan, 2.0])
     assert difference([one], [one.copy()]) == "same"
-    assert difference([one], [np.array([1.0, 0.0, -np.nan, 2.0])]) == "1 of 4 differ"  # +0 and -0 are 0 ulp apart
+    assert difference([one], [np.array([1.0, 0.0, -np.nan, 2.0])]) == "1 of 4 differ, sign of zero"
     assert difference([one], [np.array([1.0, -5e-324, np.nan, 2.0])]) == "1 of 4 differ, 1 ulp"
     assert difference([one], [np.array([1.0, -0.0, 1.0, 2.0])]).startswith("1 of 4 differ")
     assert difference([one], [one[:3]]) == "types or shapes differ"

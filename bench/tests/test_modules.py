@@ -1,4 +1,4 @@
-"""No file of bench/ stands in front of a package that a rival is imported from, and the rooms import one way only."""
+"""No file of bench/ hides a package that a rival is imported from, and the rooms import in one direction only."""
 
 import ast
 import subprocess
