@@ -14,15 +14,15 @@ from elliptic import parameters
 from exact import real
 
 MOST, LEAST = sys.float_info.max, 5e-324
-FAR = 2.0**300  # beyond 2^390 the steps of the conditions pass a period
+FAR = 2.0**120  # further out the steps of the conditions pass a period
 BELOW, ABOVE = math.nextafter(1.0, 0.0), math.nextafter(1.0, 2.0)
 PARAMETERS = [
     *(("m", x) for x in (-MOST, -1e300, -1e66, -LEAST, 0.5, LEAST, 1e-310, 1e66, MOST)),
     *(("mc", x) for x in (MOST, LEAST, 2.0**-108, -LEAST, -1e-16)),
     *(("k", x) for x in (LEAST, 1e-162, -1e-155, 1e150)),
 ]
-# The second route of epsilon is a quadrature that takes minutes where m is huge.
-MODERATE = [(given, parameter) for given, parameter in PARAMETERS if parameters(given, parameter)[0] < 2]
+# The second route of epsilon is a quadrature that takes minutes for m > 1.
+MODERATE = [(given, parameter) for given, parameter in PARAMETERS if parameters(given, parameter)[0] <= 1]
 
 
 def value(x):

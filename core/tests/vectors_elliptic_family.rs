@@ -129,7 +129,7 @@ fn second(row: &Row) -> Vec<f64> {
 }
 
 fn of_second(values: impl Fn(&Row) -> Vec<f64>) -> Table {
-    of_columns(SECOND, 701, &["epsilon", "zeta"], values)
+    of_columns(SECOND, 693, &["epsilon", "zeta"], values)
 }
 
 fn heuman(row: &Row) -> Vec<f64> {

@@ -19,7 +19,7 @@ TWELVE = "sn cn dn ns nc nd sc cs sd ds cd dc".split()
 ROWS = {
     "glaisher": 649,
     "inverse_jacobi": 2182,
-    "second_kind": 701,
+    "second_kind": 693,
     "theta_functions": 534,
     "heuman": 616,
     "carlson": 1022,
