@@ -109,11 +109,11 @@ impl Orbit {
     ///
     /// The action of a libration is at least 0 and below 8 omega0/pi, that of a rotation above 4 omega0/pi.
     ///
-    /// **Error** as for [`state_of`]. The state is rounded to doubles, so [`Orbit::action`] and [`Orbit::phase`] give back
-    /// what its rounding leaves. An angle that is wrong by half a unit u of its last place changes the action by up to
-    /// omega0^2 (|sin theta0| u + u^2/2)/|frequency|, beside a few units of its own last place. Next to an equilibrium at
-    /// pi, where omega2 is negative, u is at least 2.2e-16: a libration narrower than that is not held by theta0 at all, and
-    /// an action below 2.5e-32 omega0 is lost.
+    /// **Error** as for [`state_of`]. The state is rounded to doubles, and [`Orbit::action`] and [`Orbit::phase`] give back
+    /// what the rounding leaves. With u for half a unit in the last place of theta0, the action changes by up to
+    /// omega0^2 (|sin theta0| u + u^2/2)/|frequency|, besides some units of its own last place. Where omega2 is negative
+    /// the stable equilibrium is at pi, and u is 2.2e-16 there: theta0 cannot hold a narrower libration, and an action
+    /// below 2.5e-32 omega0 is lost.
     ///
     /// # Errors
     /// For an action or a phase that is not finite, an action out of the range of its motion, a direction that is none of

@@ -16,14 +16,25 @@ pub(super) struct Canonical<L: Lane> {
     pub velocity: L,
 }
 
+impl<L: Lane> Canonical<L> {
+    /// At the bottom after these turns, without a velocity.
+    #[inline(always)]
+    pub fn at_bottom(turns: L, sign: L) -> Self {
+        let zero = L::splat(0.0);
+        let (opposite, adjacent) = (Dd::from_double(zero), Dd::from_double(L::splat(1.0)));
+        Canonical { turns, sign, opposite, adjacent, velocity: zero }
+    }
+}
+
 /// A formula for the canonical motion.
 pub(super) trait CanonicalMotion {
     /// Whether it makes whole turns.
     const TURNS: bool;
     /// Whether `opposite` is the angle itself.
     const DIRECT: bool = false;
-    /// At one lane of times; `#[inline(always)]`, so that what is not asked for is not computed.
-    fn at<L: Lane>(&self, t: L) -> Canonical<L>;
+    /// At one lane of times, `#[inline(always)]`. What is not asked for, angle or velocity, may be left at any value: the
+    /// compiler does not drop it by itself.
+    fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L>;
 }
 
 /// Where the count of half periods of a libration, or of turns of a rotation, ends: 2^52 turns are 2^53 half periods.

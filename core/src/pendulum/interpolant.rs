@@ -98,19 +98,24 @@ impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
     const DIRECT: bool = true;
     #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> Canonical<L> {
+    fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
         let ByInterpolant(elliptic, interpolant) = self;
         let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
         let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
-        let velocity = if interpolant.has_velocity() {
-            interpolant.velocity::<ROTATION, L>(f) * sign
-        } else {
-            let size = f.scale(L::splat(1.0).copysign(f.hi));
-            let thetas = elliptic.lattice.thetas_on::<true, L>(size);
-            let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
-            quotient(numerator, denominator).value() * sign
-        };
-        let adjacent = Dd::from_double(L::splat(1.0));
-        Canonical { turns, sign, opposite: interpolant.angle(f), adjacent, velocity }
+        let mut motion = Canonical::at_bottom(turns, sign);
+        if ANGLE {
+            motion.opposite = interpolant.angle(f);
+        }
+        if VELOCITY {
+            motion.velocity = if interpolant.has_velocity() {
+                interpolant.velocity::<ROTATION, L>(f) * sign
+            } else {
+                let size = f.scale(L::splat(1.0).copysign(f.hi));
+                let thetas = elliptic.lattice.thetas_on::<true, L>(size);
+                let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
+                quotient(numerator, denominator).value() * sign
+            };
+        }
+        motion
     }
 }

@@ -1,7 +1,6 @@
 //! Angle and velocity of an orbit at any time: the canonical motion (canonical.rs) in the frame of the orbit.
 //!
-//! The formula is chosen once, outside of the kernels; every formula gives angle, velocity and turns, and what a call
-//! does not ask for is not computed.
+//! The formula is chosen once, outside of the kernels. It is compiled for the angle, for the velocity and for both.
 
 use super::canonical::{CanonicalMotion, RESULTS};
 use super::force_free::{AtEquilibrium, ForceFree};
@@ -12,15 +11,24 @@ use crate::float::elementary::arctangent;
 use crate::float::{Dd, TWO_PI};
 use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
-/// A canonical motion in the frame of an orbit.
-struct InFrame<'a, M>(&'a Orbit, M);
+/// A canonical motion in the frame of an orbit, asked for the angle, the velocity, or both.
+struct InFrame<'a, M, const ANGLE: bool, const VELOCITY: bool>(&'a Orbit, M);
 
-impl<M: CanonicalMotion> Formula<1, RESULTS> for InFrame<'_, M> {
+impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RESULTS>
+    for InFrame<'_, M, ANGLE, VELOCITY>
+{
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let InFrame(orbit, motion) = self;
         let frame = &orbit.frame;
-        let canonical = motion.at(t * L::splat(orbit.time_scale));
+        let canonical = motion.at::<ANGLE, VELOCITY, L>(t * L::splat(orbit.time_scale));
+        // The start is returned as it was given.
+        let start = t.equal(L::splat(0.0));
+        let velocity = canonical.velocity * L::splat(orbit.velocity_scale);
+        let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
+        if !ANGLE {
+            return [velocity; RESULTS];
+        }
         let (side, two) = (L::splat(frame.side), L::splat(2.0));
         let (turns, sign) = (canonical.turns * side, canonical.sign * side);
         let (turns, local) = if M::DIRECT {
@@ -39,11 +47,7 @@ impl<M: CanonicalMotion> Formula<1, RESULTS> for InFrame<'_, M> {
         } else {
             Dd::splat(frame.base).plain_sum(turned).value()
         };
-        let velocity = canonical.velocity * L::splat(orbit.velocity_scale);
-        // The start is returned as it was given.
-        let start = t.equal(L::splat(0.0));
         let theta = L::select(start, L::splat(orbit.theta0), theta);
-        let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
         [theta, velocity, turns, local.hi, local.lo]
     }
 }
@@ -70,7 +74,11 @@ impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, C
     fn at<L: Lane>(&self, arguments: [L; 1]) -> [L; COUNT] {
         let all = self.0.at(arguments);
         let mut part = [L::splat(0.0); COUNT];
-        part.copy_from_slice(&all[FROM..FROM + COUNT]);
+        let mut i = 0;
+        while i < COUNT {
+            part[i] = all[FROM + i];
+            i += 1;
+        }
         part
     }
 }
@@ -78,33 +86,44 @@ impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, C
 impl Orbit {
     /// The angle at t as whole turns from those of the frame, and a rest; without a force no turns are taken out.
     pub(super) fn turned(&self, t: f64) -> (f64, Dd) {
-        let [turns, hi, lo] = self.evaluated(Part::<2, 3, _>(Once([t])));
+        let [turns, hi, lo] = self.evaluated::<true, false, _>(Part::<2, 3, _>(Once([t])));
         (turns, Dd::new(hi, lo))
     }
 
-    /// The answer of the formula of this orbit.
-    fn evaluated<E: Evaluation<1, RESULTS>>(&self, evaluation: E) -> E::Output {
+    /// The answer of the formula of this orbit, asked for the angle, the velocity, or both.
+    fn evaluated<const ANGLE: bool, const VELOCITY: bool, E: Evaluation<1, RESULTS>>(
+        &self,
+        evaluation: E,
+    ) -> E::Output {
         match &self.solution {
             Solution::Equilibrium => evaluation.of(&AtEquilibrium::new(self)),
             Solution::ForceFree => evaluation.of(&ForceFree::new(self)),
-            Solution::Libration(elliptic) => self.elliptic::<false, E>(elliptic, evaluation),
-            Solution::Rotation(elliptic) => self.elliptic::<true, E>(elliptic, evaluation),
-            Solution::Separatrix(separatrix) => evaluation.of(&InFrame(self, separatrix)),
+            Solution::Libration(elliptic) => self.elliptic::<false, ANGLE, VELOCITY, E>(elliptic, evaluation),
+            Solution::Rotation(elliptic) => self.elliptic::<true, ANGLE, VELOCITY, E>(elliptic, evaluation),
+            Solution::Separatrix(separatrix) => self.framed::<ANGLE, VELOCITY, _, E>(separatrix, evaluation),
         }
     }
 
-    fn elliptic<const ROTATION: bool, E: Evaluation<1, RESULTS>>(
+    fn elliptic<const ROTATION: bool, const ANGLE: bool, const VELOCITY: bool, E: Evaluation<1, RESULTS>>(
         &self,
         elliptic: &Elliptic,
         evaluation: E,
     ) -> E::Output {
         if let Some(interpolant) = self.interpolant.get::<ROTATION>(elliptic) {
-            evaluation.of(&InFrame(self, ByInterpolant::<ROTATION>(elliptic, interpolant)))
+            self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
         } else if elliptic.lattice.hyperbolic() {
-            evaluation.of(&InFrame(self, ByThetaFunctions::<ROTATION, true>(elliptic)))
+            self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, true>(elliptic), evaluation)
         } else {
-            evaluation.of(&InFrame(self, ByThetaFunctions::<ROTATION, false>(elliptic)))
+            self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, false>(elliptic), evaluation)
         }
+    }
+
+    fn framed<const ANGLE: bool, const VELOCITY: bool, M: CanonicalMotion, E: Evaluation<1, RESULTS>>(
+        &self,
+        motion: M,
+        evaluation: E,
+    ) -> E::Output {
+        evaluation.of(&InFrame::<M, ANGLE, VELOCITY>(self, motion))
     }
 
     /// Angle at t (in s), continuous through the turns.
@@ -121,7 +140,7 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn theta(&self, t: f64) -> f64 {
-        let [theta] = self.evaluated(Part::<0, 1, _>(Once([t])));
+        let [theta] = self.evaluated::<true, false, _>(Part::<0, 1, _>(Once([t])));
         theta
     }
 
@@ -137,7 +156,7 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
-        let [velocity] = self.evaluated(Part::<1, 1, _>(Once([t])));
+        let [velocity] = self.evaluated::<false, true, _>(Part::<1, 1, _>(Once([t])));
         velocity
     }
 
@@ -152,21 +171,21 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        self.evaluated(Part::<0, 2, _>(Once([t]))).into()
+        self.evaluated::<true, true, _>(Part::<0, 2, _>(Once([t]))).into()
     }
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        self.evaluated(Part::<0, 1, _>(Columns::new([t], [theta])));
+        self.evaluated::<true, false, _>(Part::<0, 1, _>(Columns::new([t], [theta])));
     }
 
     /// [`Orbit::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        self.evaluated(Part::<1, 1, _>(Columns::new([t], [velocity])));
+        self.evaluated::<false, true, _>(Part::<1, 1, _>(Columns::new([t], [velocity])));
     }
 
     /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
-        self.evaluated(Part::<0, 2, _>(Columns::new([t], [theta, velocity])));
+        self.evaluated::<true, true, _>(Part::<0, 2, _>(Columns::new([t], [theta, velocity])));
     }
 }

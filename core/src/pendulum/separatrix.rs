@@ -22,7 +22,7 @@ const FAR: f64 = 1e6;
 impl CanonicalMotion for &Separatrix {
     const TURNS: bool = false;
     #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> Canonical<L> {
+    fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
         let Separatrix { phase: Phase { rate, start }, speed } = self;
         let (passed, error) = t.two_product(L::splat(rate.hi));
         let error = t.mul_add(L::splat(rate.lo), error);
@@ -34,13 +34,14 @@ impl CanonicalMotion for &Separatrix {
         let y = Dd::ordered_sum(y, rest + (error + L::splat(start.lo)));
         let sign = L::splat(1.0).copysign(y.hi);
         let y = y.scale(sign);
-        let (factor, power) = sech(y);
-        Canonical {
-            turns: L::splat(0.0),
-            sign,
-            opposite: saturated_sinh_cosh(y).0,
-            adjacent: Dd::from_double(L::splat(1.0)),
-            velocity: (factor * Dd::splat(*speed)).value() * power,
+        let mut motion = Canonical::at_bottom(L::splat(0.0), sign);
+        if ANGLE {
+            motion.opposite = saturated_sinh_cosh(y).0;
         }
+        if VELOCITY {
+            let (factor, power) = sech(y);
+            motion.velocity = (factor * Dd::splat(*speed)).value() * power;
+        }
+        motion
     }
 }

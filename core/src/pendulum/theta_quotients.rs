@@ -56,15 +56,20 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> CanonicalMotion
 {
     const TURNS: bool = ROTATION;
     #[inline(always)]
-    fn at<L: Lane>(&self, t: L) -> Canonical<L> {
+    fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
         let elliptic = self.0;
         let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
         let sign = L::splat(1.0).copysign(f.hi);
         let (turns, parity) = turns_and_sign::<ROTATION, L>(n);
         let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
-        let [opposite, adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
-        let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
-        let velocity = quotient(numerator, denominator).value() * parity;
-        Canonical { turns, sign: sign * parity, opposite, adjacent, velocity }
+        let mut motion = Canonical::at_bottom(turns, sign * parity);
+        if ANGLE {
+            [motion.opposite, motion.adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
+        }
+        if VELOCITY {
+            let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
+            motion.velocity = quotient(numerator, denominator).value() * parity;
+        }
+        motion
     }
 }

@@ -63,6 +63,7 @@ impl Orbit {
 
 /// A whole number as an integer, if it fits.
 fn whole(count: Dd) -> Option<i64> {
-    // Both words are whole numbers; a conversion that does not fit gives the largest integer, which is refused.
-    i64::try_from((count.hi as i128).saturating_add(count.lo as i128)).ok()
+    // Both words are whole numbers, and of a larger count neither conversion would be exact.
+    const FAR: f64 = 18_446_744_073_709_551_616.0; // 2^64
+    if count.hi.abs() < FAR { i64::try_from(count.hi as i128 + count.lo as i128).ok() } else { None }
 }

@@ -213,8 +213,8 @@ class Pendulum(Constants):
         Parameters
         ----------
         t : scalar or array
-            Time in s, of any shape and sign. Where `theta` is NaN, `n` is 0 and `angle` NaN; a number of turns
-            beyond int64 is given as the int64 nearest to it.
+            Time in s, of any shape and sign. Where `theta` is NaN, and where the number of turns is beyond int64
+            (an angle above 5.79e19), `n` is 0 and `angle` NaN.
 
         Returns
         -------
