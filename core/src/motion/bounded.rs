@@ -96,12 +96,12 @@ impl<Q: QuarterPeriod> EvenFunctions for BoundedFunctions<Q> {
 }
 
 /// A bounded motion by its polynomials, at any time.
-pub(crate) struct ByInterpolant<'a>(pub &'a Bounded, pub &'a Interpolant);
+pub(crate) struct BoundedByInterpolant<'a>(pub &'a Bounded, pub &'a Interpolant);
 
-impl Formula<1, 2> for ByInterpolant<'_> {
+impl Formula<1, 2> for BoundedByInterpolant<'_> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let ByInterpolant(Bounded { origin, removed, phase, time, scales }, interpolant) = self;
+        let BoundedByInterpolant(Bounded { origin, removed, phase, time, scales }, interpolant) = self;
         let (n, f) = phase.spread::<L>().count(t * L::splat(*time), LAST_HALF_PERIOD);
         let (p, r) = (interpolant.first(f), interpolant.second(f));
         let along = Unnormalised::from(f);

@@ -150,12 +150,12 @@ impl Escape {
 }
 
 /// An escape by its polynomials, at any time; NaN beyond the poles.
-pub(crate) struct ByInterpolant<'a>(pub &'a Escape, pub &'a Interpolant);
+pub(crate) struct EscapeByInterpolant<'a>(pub &'a Escape, pub &'a Interpolant);
 
-impl Formula<1, 2> for ByInterpolant<'_> {
+impl Formula<1, 2> for EscapeByInterpolant<'_> {
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let ByInterpolant(escape, interpolant) = self;
+        let EscapeByInterpolant(escape, interpolant) = self;
         let (half, one) = (L::splat(0.5), L::splat(1.0));
         let Position { f, sign, size, rest } = escape.position(t);
         // False for NaN as well.

@@ -7,8 +7,8 @@ use super::root_quotient::RootFormula;
 use super::set_up::{ElementaryLanes, Solution};
 use super::theta_motion::{Quotient, ThetaMotion};
 use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, Second, WIDEST};
-use crate::motion::bounded;
-use crate::motion::escape;
+use crate::motion::bounded::BoundedByInterpolant;
+use crate::motion::escape::EscapeByInterpolant;
 use crate::motion::samples::{FromStart, InterpolantKind};
 
 /// A motion that lanes do not serve: one sample after the other.
@@ -58,10 +58,10 @@ impl CubicQuintic {
         let (clock, neville) = (&motion.clock, &motion.neville);
         match (motion.interpolant(), kind, &motion.quotient) {
             (Some(interpolant), InterpolantKind::Bounded(bounded), _) => {
-                self.from_start(evaluation, bounded::ByInterpolant(bounded, interpolant))
+                self.from_start(evaluation, BoundedByInterpolant(bounded, interpolant))
             }
             (Some(interpolant), InterpolantKind::Escape(escape), _) => {
-                self.from_start(evaluation, escape::ByInterpolant(escape, interpolant))
+                self.from_start(evaluation, EscapeByInterpolant(escape, interpolant))
             }
             (_, InterpolantKind::Bounded(_), Quotient::Pq(quotient)) => {
                 if hyperbolic {
