@@ -9,9 +9,9 @@
 //! | turning point | e P | f R |
 //! | turning point of a well | P | f e R |
 //!
-//! The origin is the one from which the singularities of the motion are furthest. Those on the imaginary axis of f, at
-//! i a and i b, are removed where they are near: with y = (f^2 + a^2)(f^2 + b^2) u takes 1/sqrt y and u' 1/(y sqrt y).
-//! With a = b they are poles, and no root is left.
+//! The origin is the one from which the singularities of the motion are farthest. Those on the imaginary axis of f, at
+//! i a and i b, are removed where they are near: with y = (f^2 + a^2)(f^2 + b^2), u has the factor 1/sqrt y and u' the
+//! factor 1/(y sqrt y). With a = b they are poles, and there is no square root.
 
 use super::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
@@ -38,10 +38,10 @@ pub(crate) enum Removed {
     BranchPoints([f64; 2]),
 }
 
-/// Most that the terms of the polynomials after the first may add up to: an error of some units of the least |u|, |u'|.
+/// Largest sum of the terms after the first, relative to the least value: some units of the least |u| and |u'|.
 pub(crate) const CONDITION: f64 = 2.5;
 
-/// How a bounded motion goes with time, and what its polynomials lack of u and u'.
+/// The phase of a bounded motion, and the factors of u and u' that its polynomials leave out.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded {
     pub origin: Origin,
@@ -54,13 +54,13 @@ pub(crate) struct Bounded {
     pub scales: [f64; 2],
 }
 
-/// u and u' in a quarter period of a motion by theta functions, but for the factors of its [`Bounded`].
+/// u and u' in a quarter period, without the factors of [`Bounded`].
 pub(crate) trait QuarterPeriod {
     /// At f and 1/2 - f half periods from the base of the theta functions, in (0, 1/2); `#[inline(always)]`.
     fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2];
 }
 
-/// A quarter period as even functions about the origin, which is its far end or not.
+/// A quarter period as even functions about the origin; `far` where the origin is its far end.
 pub(crate) struct BoundedFunctions<Q> {
     pub quarter: Q,
     pub origin: Origin,

@@ -1,8 +1,8 @@
 //! Polynomials through the Chebyshev points of [-1, 1], in powers of the variable.
 //!
 //! The matrix from values to coefficients is made once for each count of points, in double-double: its entries grow as
-//! 2.4^n and would lose the digits of a double. Powers serve functions that stay smooth well beyond the interval, where
-//! they decay faster than 2.4^-k; then evaluation is one multiply-add each.
+//! 2.4^n, so doubles would lose digits. Powers are used for functions that are analytic well beyond the interval: their
+//! coefficients decay faster than 2.4^-k, and each term costs one multiply-add.
 //! Source: DLMF 18.3, 3.11(ii).
 
 use crate::float::series::long_sin_cos;

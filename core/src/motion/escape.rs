@@ -3,12 +3,12 @@
 //! With f in units of the time from pole to pole, -1/2 and 1/2 at the poles, e = 1/4 - f^2, and P and R even in f:
 //!   a simple pole                     u = P/e,  u' = R/e^2,
 //!   a branch point, y = e (e + gap)   u = P/sqrt y,  u' = R/(y sqrt y),
-//! where gap + 1/4 is the square of the f of the next real branch points, which close in on these where the root goes;
-//! times f whichever is odd about the middle.
+//! where gap + 1/4 is the square of the f of the next real branch points. They come together with the poles where the
+//! branch point becomes a pole. Of u and u' the one that is odd about the middle has the factor f besides.
 //!
-//! Past a saddle u' nearly vanishes, and complex branch points lie near the real axis. Each are four, +-h +- i k in f:
-//! a factor (x - c)^2 + s of x = f^2, c = h^2 - k^2 and s = 4 h^2 k^2. That of the branch points goes with y, that of
-//! the zeros of u' with u'.
+//! Near a saddle u' is almost zero, and complex branch points lie near the real axis. There are four of each, +-h +- i k in
+//! f: a factor (x - c)^2 + s of x = f^2, c = h^2 - k^2 and s = 4 h^2 k^2. That of the branch points multiplies y, that of
+//! the zeros of u' multiplies u'.
 
 use super::interpolant::{EvenFunctions, Interpolant, Node, rounded_product};
 use crate::elliptic::phase::Phase;
@@ -54,10 +54,10 @@ fn quartet<L: Lane>(x: Unnormalised<L>, [c, s]: &[f64; 2]) -> Unnormalised<L> {
     distance.square() + Unnormalised::from_double(L::splat(*s))
 }
 
-/// Most that the terms of the polynomials after the first may add up to: an error of a unit of |u| or two.
+/// Largest sum of the terms after the first, relative to the least value: an error of a unit of |u| or two.
 pub(crate) const CONDITION: f64 = 2.0;
 
-/// How an escape goes with time, and what its polynomials lack of u and u'.
+/// The phase of an escape, and the factors of u and u' that its polynomials leave out.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Escape {
     pub pole: EscapePole,
@@ -75,7 +75,7 @@ pub(crate) struct Escape {
     pub scales: [f64; 2],
 }
 
-/// Where a time is on an escape.
+/// The position of a time on an escape.
 pub(crate) struct Position<L: Lane> {
     /// From the middle.
     pub f: Dd<L>,
@@ -86,13 +86,13 @@ pub(crate) struct Position<L: Lane> {
     pub rest: Dd<L>,
 }
 
-/// u and u' between the middle and a pole, but for the factors of its [`Escape`].
+/// u and u' between the middle and a pole, without the factors of [`Escape`].
 pub(crate) trait ToPole {
     /// At f and 1/2 - f from the middle, in (0, 1/2); `#[inline(always)]`.
     fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2];
 }
 
-/// The way to a pole as even functions about the middle.
+/// The motion from the middle to a pole as even functions about the middle.
 pub(crate) struct EscapeFunctions<P> {
     pub to_pole: P,
     pub odd: bool,
@@ -123,12 +123,12 @@ impl<P: ToPole> EvenFunctions for EscapeFunctions<P> {
 }
 
 impl Escape {
-    /// Whether the squares of its distances to the poles are in range.
+    /// Whether the squares of the distances from the start to the poles are in range.
     pub fn starts_in_range(&self) -> bool {
         !self.from_pole || self.phase.start.hi > 1e-60
     }
 
-    /// Where the time t is.
+    /// The position at the time t.
     #[inline(always)]
     pub fn position<L: Lane>(&self, t: L) -> Position<L> {
         let passed = self.phase.counted(t * L::splat(self.time));
@@ -143,7 +143,7 @@ impl Escape {
         let size = f.scale(sign);
         let (hi, lo) = fast_two_sum(half, -size.hi);
         let rest = Dd::ordered_sum(hi, lo - size.lo);
-        // To the pole next to the start its own count is exact while it is near.
+        // The distance to the pole next to the start is counted from the start, so it keeps its digits.
         let rest = if self.from_pole { Dd::select(passed.hi.less(half), passed, rest) } else { rest };
         Position { f, sign, size, rest }
     }

@@ -1,10 +1,10 @@
 //! Half a period of a motion as polynomials: no sine, no theta function, no arctangent per sample.
 //!
-//! With f in [-1/2, 1/2] half periods from the base of the motion and x = f^2, a function that is even about the base
-//! is a polynomial in t = (w + b)/(1 + b w), w = 8 x - 1; an odd one takes a factor f, one that vanishes at the ends
-//! 1/4 - x. As functions of w they are analytic up to the nearest singularities, and the map with the best b sends
-//! these as far out as they will go: a third to a half of the terms are saved. The leading coefficient stands for most
-//! of the sum and is carried as hi + lo. Coefficients by interpolation, when the first sample is asked for:
+//! Let f in [-1/2, 1/2] be half periods from the base of the motion, and x = f^2. A function that is even about the base
+//! is a polynomial in t = (w + b)/(1 + b w), w = 8 x - 1. An odd function has a factor f besides, and one that is zero at
+//! the ends has 1/4 - x. As functions of w they are analytic up to the nearest singularities. The Moebius parameter b is
+//! the one that maps these farthest from [-1, 1]: this saves a third to a half of the terms. The leading coefficient is
+//! most of the sum, so it is kept as hi + lo. The coefficients are found by interpolation when the first sample is needed:
 //! docs/decisions/0011.
 
 use super::chebyshev::{COUNTS, Interpolation, MOST};
@@ -41,10 +41,10 @@ pub(crate) struct ConformalMap {
     moebius: f64,
 }
 
-/// Most that the last term may be of a value: those left out are some tenths of it.
+/// Largest last term, relative to a value. The terms that are left out are about a tenth of it.
 const LAST_TERM: f64 = 2.3e-16; // 2^-52
 
-/// Most that a rounding of t may cost, in its units.
+/// Largest error that a rounding of t may cause, in units of that rounding.
 const STEEPEST: f64 = 2.0;
 
 /// A node of the interpolation.
@@ -56,9 +56,9 @@ pub(crate) struct Node<L: Lane> {
     pub to_ends: Unnormalised<L>,
 }
 
-/// Two functions of f, even about the base and with the factors that a sample takes again divided out.
+/// Two functions of f, even about the base. The factors that every sample has (f, 1/4 - f^2 and so on) are divided out.
 pub(crate) trait EvenFunctions {
-    /// At a place; `#[inline(always)]`.
+    /// Their values at a node; `#[inline(always)]`.
     fn at<L: Lane>(&self, place: Node<L>) -> [Unnormalised<L>; 2];
 }
 
@@ -67,7 +67,7 @@ fn semi_axes(foot: f64) -> f64 {
     foot + (foot * foot - 1.0).sqrt()
 }
 
-/// Finest step of b.
+/// b to a multiple of 2^-20.
 fn rounded(moebius: f64) -> f64 {
     (1_048_576.0 * moebius).round() / 1_048_576.0
 }
@@ -129,11 +129,11 @@ impl Monomials {
         Monomials { lead: coefficients[0], first_rest: coefficients[1].lo, pairs }
     }
 
-    /// Whether it keeps the digits of the values at the points it goes through; the first doubt ends the look.
+    /// Whether the polynomial is as accurate as the values that it interpolates.
     ///
-    /// The terms after the leading one add up to at most `most` times the least value: a unit of its last place each is
-    /// what the sum may lose. The last term, or a sixteenth of the one before, is small: a singularity nearer than those
-    /// of the map shows there. A rounding of t, which grows from its end at -1, where x is 0, costs little.
+    /// Three conditions hold. The terms after the leading one add up to at most `most` times the least value, so that their
+    /// rounding is small. The last term, and a sixteenth of the one before, are small: otherwise there is a singularity
+    /// nearer than those of the map. A rounding of t, which is largest far from t = -1 (x = 0), has a small effect.
     fn keeps(&self, points: &[f64], values: &[f64], most: f64) -> bool {
         let terms = &self.pairs.as_flattened()[..values.len() - 1];
         let least = values.iter().fold(f64::INFINITY, |least, value| least.min(value.abs()));
@@ -154,7 +154,7 @@ impl Monomials {
     /// At t.
     #[inline(always)]
     fn at<L: Lane>(&self, count: usize, t: L) -> Dd<L> {
-        // Odd and even powers apart: two chains, half as long.
+        // Odd and even powers separately: two chains of half the length.
         let square = t * t;
         let (mut odd, mut even) = (L::splat(0.0), L::splat(0.0));
         for [a, b] in self.pairs[..count / 2].iter().rev() {
@@ -167,13 +167,13 @@ impl Monomials {
 }
 
 impl Interpolant {
-    /// Through a functions.
+    /// The interpolant of two functions.
     pub fn new(map: ConformalMap, functions: &impl EvenFunctions) -> Interpolant {
         Interpolant::through(map, functions).0
     }
 
-    /// Through a functions, if no digits are lost; `most` is what the terms after the leading one may add up to, in units of
-    /// the least value.
+    /// The interpolant of two functions, if no digits are lost. `most` is the largest sum of the terms after the leading one,
+    /// in units of the least value.
     pub fn faithful(map: ConformalMap, functions: &impl EvenFunctions, most: f64) -> Option<Interpolant> {
         let (arc, values) = Interpolant::through(map, functions);
         let count = map.count;
@@ -182,7 +182,7 @@ impl Interpolant {
         (keeps(&arc.first, &values[0]) && keeps(&arc.second, &values[2])).then_some(arc)
     }
 
-    /// Through a functions; both functions at the points of the interpolation, each as hi and lo.
+    /// The interpolant of two functions, and their values at the nodes, each as hi and lo.
     #[cold]
     #[inline(never)]
     fn through(map: ConformalMap, functions: &impl EvenFunctions) -> (Interpolant, [[f64; MOST]; 4]) {

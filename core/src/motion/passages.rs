@@ -1,10 +1,10 @@
-//! The times at which a motion comes by, again and again: what all passages share.
+//! Times of repeated passages: the part that all motions share.
 
 use crate::domain::Domain;
 use crate::elliptic::phase::LAST_HALF_PERIOD;
 use crate::float::Dd;
 
-/// Most passages in one answer.
+/// Largest number of times in one answer.
 pub const MOST_TIMES: f64 = 1e7;
 
 /// An interval of times, both ends included.

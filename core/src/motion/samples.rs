@@ -13,7 +13,7 @@ pub(crate) enum InterpolantKind {
     Escape(Escape),
 }
 
-/// A motion and its polynomials: none where too many terms would be needed.
+/// The kind of a motion, and its polynomials; `None` where they would need too many terms.
 #[derive(Clone, Debug)]
 pub(crate) struct LazyInterpolant {
     pub kind: InterpolantKind,
