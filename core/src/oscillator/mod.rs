@@ -19,6 +19,7 @@ mod nonzero_energy;
 pub mod passages;
 mod pq_elementary;
 mod pq_quotient;
+mod quadratic;
 mod quotient_factors;
 pub mod regime;
 mod root_quotient;

@@ -10,6 +10,7 @@
 //! Source: DLMF 19.29.4, 19.25(v); Carlson, Math. Comp. 56 (1991) 267, (2.1).
 
 use super::energy::{EnergyPolynomial, Outline};
+use super::quadratic::Quadratic;
 use super::roots::{Cubic, Distances, less};
 use crate::elliptic::integrals::carlson::{artanh, rf_of_roots};
 use crate::float::dyadic::Dyadic;
@@ -43,10 +44,49 @@ pub(super) struct Argument {
     pub pole: Scaled,
 }
 
+/// C(v), by its roots.
+#[derive(Clone, Debug)]
+pub(super) enum Polynomial {
+    Cubic(Cubic),
+    /// Without a quintic force.
+    Quadratic(Quadratic),
+}
+
+/// What both polynomials answer.
+macro_rules! of_both {
+    ($($(#[$about:meta])* $method:ident($($name:ident: $type:ty),*) -> $result:ty;)*) => {$(
+        $(#[$about])*
+        fn $method(&self $(, $name: $type)*) -> $result {
+            match self {
+                Polynomial::Cubic(cubic) => cubic.$method($($name),*),
+                Polynomial::Quadratic(quadratic) => quadratic.$method($($name),*),
+            }
+        }
+    )*};
+}
+
+impl Polynomial {
+    fn new(energy: &EnergyPolynomial) -> Polynomial {
+        let EnergyPolynomial { a, b, c, d } = energy.clone();
+        if energy.cubic() {
+            Polynomial::Quadratic(Quadratic::new(a, b, c))
+        } else {
+            Polynomial::Cubic(Cubic::new(a, b, c, d))
+        }
+    }
+    of_both! {
+        roots() -> Distances;
+        gaps() -> Option<[Scaled; 3]>;
+        pair() -> Option<[Scaled; 2]>;
+        of_square(y: &Dyadic, value: &Dyadic) -> Distances;
+        all_on_one_side(y: &Dyadic) -> bool;
+    }
+}
+
 /// All that the arguments of an orbit with E != 0 need.
 #[derive(Clone, Debug)]
 pub(super) struct NonzeroEnergy {
-    pub cubic: Cubic,
+    polynomial: Polynomial,
     pub case: RootCase,
     /// The roots; of a pair the real one, and of the others the square of the modulus and the real part.
     pub roots: Distances,
@@ -75,11 +115,10 @@ fn artanh_of_squares(t: Scaled, s: Scaled, n: Scaled) -> Scaled {
 impl NonzeroEnergy {
     /// Of an orbit through u^2 = y.
     pub fn new(energy: &EnergyPolynomial, y: &Dyadic) -> NonzeroEnergy {
-        let EnergyPolynomial { a, b, c, d } = energy.clone();
-        let positive = a.sign() > 0;
-        let speed = (a.to_scaled().abs() / Scaled::from(6.0)).sqrt();
-        let cubic = Cubic::new(a, b, c, d);
-        let roots = cubic.roots();
+        let positive = energy.a.sign() > 0;
+        let speed = (energy.a.to_scaled().abs() / Scaled::from(6.0)).sqrt();
+        let polynomial = Polynomial::new(energy);
+        let roots = polynomial.roots();
         let none = Scaled::ZERO;
         let mut found = NonzeroEnergy {
             case: RootCase::Crossing,
@@ -89,11 +128,11 @@ impl NonzeroEnergy {
             omega: Scaled::ONE,
             mc: none,
             pole: None,
-            cubic,
+            polynomial,
         };
-        match (roots, found.cubic.gaps(), found.cubic.pair()) {
+        match (roots, found.polynomial.gaps(), found.polynomial.pair()) {
             (Distances::Three(_), Some(gaps), _) => {
-                let all = found.cubic.all_on_one_side(y);
+                let all = found.polynomial.all_on_one_side(y);
                 let [upper, lower, total] = gaps;
                 found.gaps = gaps;
                 found.case = match (positive, all) {
@@ -195,7 +234,7 @@ impl NonzeroEnergy {
 
     /// From y = u^2 and 6 u'^2 there.
     pub fn argument(&self, y: &Dyadic, square_speed: &Dyadic) -> Argument {
-        let distances = self.cubic.of_square(y, square_speed);
+        let distances = self.polynomial.of_square(y, square_speed);
         let y = y.to_scaled();
         match (distances, self.roots) {
             (Distances::Three(g), Distances::Three(v)) => {
