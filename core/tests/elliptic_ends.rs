@@ -1,9 +1,9 @@
-//! Elliptic functions and integrals at the ends of the range of doubles: values from mpmath 1.4 with 400 digits and more, the
-//! calls as they stand in the comments.
+//! Elliptic functions and integrals at the ends of the range of doubles. The values are those of mpmath 1.4 with 400 digits and
+//! more, by the calls in the comments, or of Arb (python-flint) where the comment says so.
 
 use libration::{
-    Glaisher, Jacobi, Parameter, SecondKind, Theta, ThetaFunction, carlson_rj, complete_e, complete_k,
-    heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
+    Glaisher, Jacobi, Parameter, SecondKind, Theta, ThetaFunction, carlson_rc, carlson_rj, complete_e,
+    complete_k, complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
 };
 
 /// Within a few units in the last place.
@@ -94,4 +94,20 @@ fn next_to_one_the_third_kind_keeps_the_digits_of_the_complements() {
     close(incomplete_pi(-1.0, 1.5707963167948964, Parameter::from_mc(-1e-16)), 10.29608115858961);
     let n = 1.0 + f64::EPSILON;
     close(incomplete_pi(n, 1.5707963118937356, Parameter::from_mc(1e-16)), 33335661341906691.0);
+}
+
+/// Arb, by the formulas of reference/integrals.py and family.py.
+#[test]
+fn the_third_kind_and_carlson_at_the_largest_doubles() {
+    let (least, most) = (m(-f64::MAX), m(f64::MAX));
+    close(complete_pi(-f64::MAX, least), 7.458340731200207e-155);
+    close(complete_pi(1.0 - f64::EPSILON / 2.0, least), 1.1118802528273103e-146);
+    close(incomplete_pi(-1.0, 1.0, least), 2.6502052148243773e-152);
+    close(incomplete_pi(f64::MAX, 1.0, least), 4.648226193249911e-155);
+    close(incomplete_pi(f64::MAX, f64::MAX, least), 5.319648495704459e153);
+    close(incomplete_pi(f64::MAX, 3.7291703656001034e-155, most), 4.306075028866389e-155);
+    close(SecondKind::new(most).epsilon(5.857767112277025e-155), 4.7934687389385644e-155);
+    close(carlson_rj(0.0, 5e-324, f64::MAX, -1.0), -8.343940749071736e-152);
+    close(carlson_rj(5e-324, 1.0, f64::MAX, -5e-324), 62735906.82290711);
+    close(carlson_rc(f64::MAX, -5e-324), 5.428214241961166e-152);
 }

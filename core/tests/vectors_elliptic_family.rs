@@ -107,7 +107,7 @@ fn carlson(row: &Row) -> f64 {
 }
 
 fn of_carlson(value: impl Fn(&Row) -> f64) -> Table {
-    of_rows(CARLSON, 1022, value)
+    of_rows(CARLSON, 978, value)
 }
 
 fn given_name(row: &Row) -> Glaisher {
@@ -150,7 +150,7 @@ fn third(row: &Row) -> f64 {
 }
 
 fn of_third(value: impl Fn(&Row) -> f64) -> Table {
-    of_rows(THIRD, 1061, value)
+    of_rows(THIRD, 914, value)
 }
 
 fn thetas(row: &Row) -> Vec<f64> {

@@ -22,8 +22,8 @@ ROWS = {
     "second_kind": 693,
     "theta_functions": 534,
     "heuman": 616,
-    "carlson": 1022,
-    "third_kind": 1061,
+    "carlson": 978,
+    "third_kind": 914,
     "jacobi_complex": 575,
 }
 PARTS = [f"{name}_{part}" for name in ("sn", "cn", "dn") for part in ("re", "im")]

@@ -1,15 +1,15 @@
 //! Legendre's integrals and Jacobi's functions of a parameter m carried with its complement mc = 1 - m.
 //!
-//! By chapter of the DLMF: [`integrals`] (19), [`theta`] (20), [`jacobi`] (22).
+//! By chapter of the DLMF: integrals/ (19), theta/ (20), jacobi/ (22).
 
-pub mod agm;
+pub(crate) mod agm;
 pub(crate) mod amplitude;
-pub mod integrals;
-pub mod jacobi;
-pub mod nome;
-pub mod parameter;
-pub mod phase;
-pub mod theta;
+pub(crate) mod integrals;
+pub(crate) mod jacobi;
+pub(crate) mod nome;
+pub(crate) mod parameter;
+pub(crate) mod phase;
+pub(crate) mod theta;
 
 pub use integrals::{
     carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda,

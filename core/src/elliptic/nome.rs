@@ -37,9 +37,21 @@ pub(crate) fn minus_log_nome(k: Dd, kc: Dd) -> Dd {
     PI * agm(kc) / agm(k)
 }
 
-/// The nome of any m < 1, q(1) = 1; NaN for m > 1.
+/// The nome q = exp(-pi K'/K), for m < 0 its analytic continuation -q(-m/(1 - m)).
+///
+/// | argument | domain |
+/// |---|---|
+/// | `parameter` | m <= 1, else NaN; 1 at m = 1 |
 ///
 /// **Error** at most 3 ulp.
+///
+/// **Source** DLMF 22.2.1, 19.5.5.
+///
+/// ```
+/// use libration::{Parameter, nome};
+/// assert_eq!(format!("{:.12}", nome(Parameter::from_m(0.5))), "0.043213918264");
+/// ```
+#[must_use]
 pub fn nome(parameter: Parameter) -> f64 {
     let Parameter { m, mc, .. } = parameter;
     if mc.hi == 0.0 {

@@ -3,7 +3,17 @@
 
 use crate::float::{Dd, Scaled};
 
-/// m and mc as double-doubles; m + mc = 1 to 2^-106.
+/// The parameter m = k^2 and its complement mc = 1 - m, both with all their digits.
+///
+/// Whichever is given is exact. A parameter that is not finite makes every function NaN.
+///
+/// **Source** DLMF 19.2.8, 22.2; A&S 17.2.
+///
+/// ```
+/// use libration::{Parameter, complete_k};
+/// // m would round to 1, where K is infinite.
+/// assert_eq!(format!("{:.10}", complete_k(Parameter::from_mc(1e-20))), "24.4121452911");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     pub(crate) m: Dd,
@@ -21,24 +31,29 @@ impl Parameter {
         Parameter { m, mc, small_modulus: 0.0 }
     }
     /// From the parameter m, any real number.
+    #[must_use]
     pub fn from_m(m: f64) -> Parameter {
         Parameter::new(Dd::from(m), Dd::sum(1.0, -m)).checked(m)
     }
     /// From the complement mc = 1 - m, any real number.
+    #[must_use]
     pub fn from_mc(mc: f64) -> Parameter {
         Parameter::new(Dd::sum(1.0, -mc), Dd::from(mc)).checked(mc)
     }
-    /// From the modulus k, |k| <= 1e150; only k^2 counts.
+    /// From the modulus k, |k| <= 1e150, else NaN; only m = k^2 counts.
+    #[must_use]
     pub fn from_modulus(k: f64) -> Parameter {
         let (m, mc) = (Dd::product(k, k), Dd::sum(1.0, -k) * Dd::sum(1.0, k));
         let small_modulus = if k.abs() < SMALL_MODULUS { k.abs() } else { 0.0 };
         Parameter { m, mc, small_modulus }.checked(if k.abs() <= 1e150 { k } else { f64::NAN })
     }
     /// The parameter, rounded.
+    #[must_use]
     pub fn m(&self) -> f64 {
         self.m.value()
     }
     /// Its complement, rounded.
+    #[must_use]
     pub fn mc(&self) -> f64 {
         self.mc.value()
     }

@@ -175,3 +175,26 @@ fn to_td(limbs: &[u64; 7], point: usize) -> Td {
     let top = top as i32;
     Td::normalised(chunk(top), chunk(top - 53), chunk(top - 106))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// n = nint(theta/(2 pi)) and theta - 2 pi n by mpmath with 1400 bits; n as the nearest double and what is left.
+    #[test]
+    fn every_turn_is_counted() {
+        for (theta, turns, rest, remainder) in [
+            (1e16, 1591549430918953.0, 0.0, 2.2474252491623665),
+            (1.7 * exp2(115), 1.123876407009419e34, -6.425198102947197e17, -0.6563587281167025),
+            (exp2(116), 1.32220753765814e34, -8.174202486453809e17, 2.9210280651744706),
+            (1e300, 1.5915494309189535e299, -6.349999441769617e282, -2.1838724841522326),
+            (-f64::MAX, -2.861117485757028e307, -4.431116688417145e289, -3.1366306784390060),
+        ] {
+            let reduced = reduce(theta);
+            assert_eq!(reduced.turns, turns, "{theta:e}");
+            let allowed = turns.abs() * exp2(-105);
+            assert!((reduced.turns_rest - rest).abs() <= allowed, "{theta:e} {}", reduced.turns_rest);
+            assert!((reduced.side * reduced.from_bottom.hi - remainder).abs() <= 4e-16, "{theta:e}");
+        }
+    }
+}

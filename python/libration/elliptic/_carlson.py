@@ -52,7 +52,7 @@ def carlson_rf(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) ->
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.16.1.
+    Error promised: 3 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.16.1.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def carlson_rc(x: Any, y: Any, *, out: Any = None, where: Any = True) -> Any:
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.2.17, 19.2.20.
+    Error promised: 3 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.2.17, 19.2.20.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def carlson_rd(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) ->
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.16.5.
+    Error promised: 3 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.16.5.
 
     Examples
     --------
@@ -182,7 +182,7 @@ def carlson_rj(x: Any, y: Any, z: Any, p: Any, *, out: Any = None, where: Any = 
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.16.2, 19.20.14.
+    Error promised: 3 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.16.2, 19.20.14.
 
     Examples
     --------

@@ -40,7 +40,7 @@ _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in u and the parameter), next to zeros and poles too. Source: DLMF
+    Error promised: 3 (ulp + 2**-100 of the condition in u and the parameter), next to zeros and poles too. Source: DLMF
     {source}, 22.17.
 
     Examples
@@ -76,8 +76,8 @@ _INVERSE = """Inverse of Jacobi's elliptic function {name}: the u with {name}(u 
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in x and the parameter); at an end of the range, where the
-    condition is infinite, 5 ulp. Source: DLMF {source}, 19.25.28 to 19.25.34.
+    Error promised: 3 (ulp + 2**-100 of the condition in x and the parameter); at an end of the range, where the
+    condition is infinite, 3 ulp. Source: DLMF {source}, 19.25.28 to 19.25.34.
 
     Examples
     --------

@@ -227,7 +227,7 @@ def jacobi_complex(
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in all arguments) for the real and the imaginary part of each. A
+    Error promised: 3 (ulp + 2**-100 of the condition in all arguments) for the real and the imaginary part of each. A
     pole, if a double ever meets one, has an infinite real part and NaN beside it. Source: DLMF 22.8.1 to 22.8.3, 22.17.
 
     Examples

@@ -122,7 +122,7 @@ def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in n and the parameter). Source: DLMF 19.2.8, 19.6.5, 19.25.2.
+    Error promised: 3 (ulp + 2**-100 of the condition in n and the parameter). Source: DLMF 19.2.8, 19.6.5, 19.25.2.
 
     Examples
     --------
@@ -247,7 +247,7 @@ def incomplete_pi(
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.2.7, 19.7.8 to 19.7.10, 19.25.14.
+    Error promised: 3 (ulp + 2**-100 of the condition in all arguments). Source: DLMF 19.2.7, 19.7.8 to 19.7.10, 19.25.14.
 
     Examples
     --------
@@ -288,7 +288,7 @@ def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in phi and the parameter). Source: Byrd & Friedman, Handbook of
+    Error promised: 3 (ulp + 2**-100 of the condition in phi and the parameter). Source: Byrd & Friedman, Handbook of
     Elliptic Integrals, 150.03; Abramowitz & Stegun 17.4.39.
 
     Examples

@@ -40,7 +40,7 @@ def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in u and the parameter). Source: DLMF 22.16.14, 22.16.17, 22.16.20.
+    Error promised: 3 (ulp + 2**-100 of the condition in u and the parameter). Source: DLMF 22.16.14, 22.16.17, 22.16.20.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in u and the parameter), next to the zeros too. Source: DLMF 22.16.32.
+    Error promised: 3 (ulp + 2**-100 of the condition in u and the parameter), next to the zeros too. Source: DLMF 22.16.32.
 
     Examples
     --------

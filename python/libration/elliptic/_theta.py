@@ -78,7 +78,7 @@ _DOCUMENT = """Jacobi's theta function theta_{index}(z, q).
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in z and the keyword), next to the zeros and for q next to 1 too.
+    Error promised: 3 (ulp + 2**-100 of the condition in z and the keyword), next to the zeros and for q next to 1 too.
     Source: DLMF {source}.
 
     Examples

@@ -1,14 +1,14 @@
 //! Carlson's symmetric integrals of any real arguments, into the ends of the range: R_F, R_C, R_D, R_J.
 //!
-//! Method: the arguments as numbers without an end of range (Scaled); while they lie many powers of two apart, duplication
-//! in those, which halves their distance in powers; then carlson.rs. Cauchy's principal values by a connection
-//! formula to positive arguments.
+//! Method: the arguments are numbers without an end of range (Scaled). While they lie many powers of two apart, duplication
+//! in these numbers halves their distance in powers; then carlson_duplication.rs takes over. Cauchy's principal values follow
+//! from positive arguments by a connection formula.
 //! Source: DLMF 19.16, 19.20, 19.26.18 to 19.26.22.
 
 use super::carlson_duplication;
 use crate::float::Scaled;
 
-/// Powers of two that the arguments of carlson.rs may lie apart: cubes and their squares stay in range.
+/// Powers of two that the arguments of carlson_duplication.rs may lie apart: cubes and their squares stay in range.
 const APART: i32 = 110;
 
 /// The largest power of the arguments, made even, and whether the others are near; zeros count as near.
@@ -172,8 +172,8 @@ fn rj_principal(x: Scaled, y: Scaled, z: Scaled, q: Scaled) -> Scaled {
     (second - first) / sum
 }
 
-/// What the arguments >= 0 of an integral leave to do.
-fn edge(arguments: &[f64]) -> Option<f64> {
+/// The value where an argument is zero, infinite or out of the domain; none where the integral has to be calculated.
+fn limit(arguments: &[f64]) -> Option<f64> {
     if arguments.iter().any(|x| x.is_nan() || *x < 0.0) {
         return Some(f64::NAN);
     }
@@ -196,8 +196,13 @@ fn edge(arguments: &[f64]) -> Option<f64> {
 /// **Error** at most 3 ulp.
 ///
 /// **Source** DLMF 19.16.1, 19.26.18, 19.36.1.
+///
+/// ```
+/// assert_eq!(format!("{:.12}", libration::carlson_rf(1.0, 2.0, 3.0)), "0.726945935469");
+/// ```
+#[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
-    edge(&[x, y, z]).unwrap_or_else(|| rf(x.into(), y.into(), z.into()).value())
+    limit(&[x, y, z]).unwrap_or_else(|| rf(x.into(), y.into(), z.into()).value())
 }
 
 /// R_C(x, y) = 1/2 int_0^inf dt / ((t + y) sqrt(t + x)), for y < 0 Cauchy's principal value.
@@ -210,6 +215,11 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
 /// **Error** at most 3 ulp.
 ///
 /// **Source** DLMF 19.2.17, 19.2.20.
+///
+/// ```
+/// assert_eq!(format!("{:.12}", libration::carlson_rc(1.0, 2.0)), "0.785398163397");
+/// ```
+#[must_use]
 pub fn carlson_rc(x: f64, y: f64) -> f64 {
     let undecided = y == 0.0 && x.is_infinite();
     if x.is_nan() || y.is_nan() || x < 0.0 || undecided {
@@ -233,10 +243,15 @@ pub fn carlson_rc(x: f64, y: f64) -> f64 {
 /// **Error** at most 3 ulp.
 ///
 /// **Source** DLMF 19.16.5, 19.36.2.
+///
+/// ```
+/// assert_eq!(format!("{:.12}", libration::carlson_rd(1.0, 2.0, 3.0)), "0.290460281029");
+/// ```
+#[must_use]
 pub fn carlson_rd(x: f64, y: f64, z: f64) -> f64 {
-    match edge(&[x, y, z]) {
+    match limit(&[x, y, z]) {
         Some(0.0) if z == 0.0 => f64::NAN,
-        Some(limit) => limit,
+        Some(value) => value,
         None if z == 0.0 => f64::INFINITY,
         None => rd(x.into(), y.into(), z.into()).value(),
     }
@@ -252,15 +267,20 @@ pub fn carlson_rd(x: f64, y: f64, z: f64) -> f64 {
 /// **Error** at most 3 ulp, plus 2^-98 of the condition next to the zeros of the principal value.
 ///
 /// **Source** DLMF 19.16.2, 19.20.14, 19.26.22.
+///
+/// ```
+/// assert_eq!(format!("{:.12}", libration::carlson_rj(1.0, 2.0, 3.0, 4.0)), "0.239848099750");
+/// ```
+#[must_use]
 pub fn carlson_rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
     if p.is_nan() {
         return f64::NAN;
     }
-    match edge(&[x, y, z]) {
+    match limit(&[x, y, z]) {
         // Infinity against zero.
         Some(0.0) if p == 0.0 => return f64::NAN,
         Some(f64::INFINITY) if p < 0.0 || p.is_infinite() => return f64::NAN,
-        Some(limit) => return limit,
+        Some(value) => return value,
         None if p == 0.0 => return f64::INFINITY,
         None if p.is_infinite() => return 0.0,
         None => {}

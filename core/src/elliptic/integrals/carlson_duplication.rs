@@ -2,7 +2,7 @@
 //! (not the last of R_D, R_C and R_J).
 //!
 //! Method: duplication until the arguments agree to 2^-14, then the series in their elementary symmetric
-//! functions. All terms are positive. The squares and cubes must stay in range: symmetric.rs takes any arguments.
+//! functions. All terms are positive. Squares and cubes of the arguments must stay in range; carlson.rs takes any arguments.
 //! Source: DLMF 19.26.18, 19.26.22, 19.36.1, 19.36.2; Carlson, Numer. Algorithms 10 (1995) 13.
 
 use crate::elliptic::agm::quarter_period;

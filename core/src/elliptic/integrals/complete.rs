@@ -31,9 +31,21 @@ pub(crate) fn complete_difference_dd(Parameter { m, mc, .. }: Parameter) -> Dd {
     if mc.hi < 1e-200 { Dd::ONE } else { m * (mc * rd(Dd::ZERO, Dd::ONE, mc)) * THIRD }
 }
 
-/// K(m) = int_0^(pi/2) dphi / sqrt(1 - m sin^2 phi); inf at m = 1, NaN for m > 1.
+/// K(m) = int_0^(pi/2) dphi / sqrt(1 - m sin^2 phi).
+///
+/// | argument | domain |
+/// |---|---|
+/// | `parameter` | m < 1; inf at m = 1, NaN above |
 ///
 /// **Error** at most 3 ulp.
+///
+/// **Source** DLMF 19.2.8, 19.8.5.
+///
+/// ```
+/// use libration::{Parameter, complete_k};
+/// assert_eq!(format!("{:.12}", complete_k(Parameter::from_m(0.5))), "1.854074677301");
+/// ```
+#[must_use]
 pub fn complete_k(parameter: Parameter) -> f64 {
     match parameter.mc.hi {
         mc if mc > 0.0 => complete_k_dd(parameter).value(),
@@ -42,9 +54,21 @@ pub fn complete_k(parameter: Parameter) -> f64 {
     }
 }
 
-/// E(m) = int_0^(pi/2) sqrt(1 - m sin^2 phi) dphi; 1 at m = 1, NaN for m > 1.
+/// E(m) = int_0^(pi/2) sqrt(1 - m sin^2 phi) dphi.
+///
+/// | argument | domain |
+/// |---|---|
+/// | `parameter` | m <= 1, else NaN |
 ///
 /// **Error** at most 3 ulp.
+///
+/// **Source** DLMF 19.2.8, 19.7.5, 19.25.1.
+///
+/// ```
+/// use libration::{Parameter, complete_e};
+/// assert_eq!(format!("{:.12}", complete_e(Parameter::from_m(0.5))), "1.350643881048");
+/// ```
+#[must_use]
 pub fn complete_e(parameter: Parameter) -> f64 {
     match parameter.mc.hi {
         mc if mc > 0.0 => complete_e_dd(parameter).value(),

@@ -28,6 +28,7 @@ const TWO_OVER_PI: Dd = Dd::new(0.6366197723675814, -3.935735335036497e-17);
 /// use libration::{Parameter, heuman_lambda};
 /// assert_eq!(format!("{:.12}", heuman_lambda(0.5, Parameter::from_m(0.5))), "0.414660142135");
 /// ```
+#[must_use]
 pub fn heuman_lambda(phi: f64, parameter: Parameter) -> f64 {
     let Parameter { m, mc, .. } = parameter;
     if m.hi.is_nan() || m.hi < 0.0 || mc.hi < 0.0 || phi.is_nan() {

@@ -1,8 +1,8 @@
 //! The incomplete integrals F(phi | m) and E(phi | m) for every real phi, and every real m for which the
 //! integrand stays real.
 //!
-//! Method: phi = n pi + r with r reduced in triple-double, then Carlson's integrals in the one of DLMF
-//! 19.25.5, 19.25.9 to 19.25.11 whose terms are all positive for the given m, plus 2 n K or 2 n E.
+//! Method: phi = n pi + r with r in triple-double. The integral up to r is the one of DLMF 19.25.5, 19.25.9 to 19.25.11 whose
+//! terms are all positive for the given m. Added are 2 n K or 2 n E.
 
 use super::carlson;
 use super::carlson_duplication::{THIRD, rd, rf};
@@ -127,15 +127,40 @@ fn incomplete(integral: Integral, phi: f64, parameter: Parameter) -> f64 {
 
 /// F(phi | m) = int_0^phi dt / sqrt(1 - m sin^2 t).
 ///
-/// Infinite phi gives its infinity for m <= 1. For m > 1 real only while m sin^2 t <= 1 on the way, NaN beyond; at m = 1 infinite beyond pi/2.
+/// | argument | domain |
+/// |---|---|
+/// | `phi` | any; infinite phi gives its infinity for m <= 1 |
+/// | `parameter` | m sin^2 t <= 1 on the way, else NaN; at m = 1 infinite beyond pi/2 |
+///
 /// **Error** at most 3 ulp.
+///
+/// **Source** DLMF 19.2.4, 19.25.5.
+///
+/// ```
+/// use libration::{Parameter, incomplete_f};
+/// assert_eq!(format!("{:.12}", incomplete_f(1.0, Parameter::from_m(0.5))), "1.083216772845");
+/// ```
+#[must_use]
 pub fn incomplete_f(phi: f64, parameter: Parameter) -> f64 {
     incomplete(Integral::First, phi, parameter)
 }
 
-/// E(phi | m) = int_0^phi sqrt(1 - m sin^2 t) dt, with the domain of [`incomplete_f`].
+/// E(phi | m) = int_0^phi sqrt(1 - m sin^2 t) dt.
+///
+/// | argument | domain |
+/// |---|---|
+/// | `phi` | any; infinite phi gives its infinity for m <= 1 |
+/// | `parameter` | m sin^2 t <= 1 on the way, else NaN |
 ///
 /// **Error** at most 3 ulp.
+///
+/// **Source** DLMF 19.2.5, 19.25.9 to 19.25.11.
+///
+/// ```
+/// use libration::{Parameter, incomplete_e};
+/// assert_eq!(format!("{:.12}", incomplete_e(1.0, Parameter::from_m(0.5))), "0.927329883624");
+/// ```
+#[must_use]
 pub fn incomplete_e(phi: f64, parameter: Parameter) -> f64 {
     incomplete(Integral::Second, phi, parameter)
 }

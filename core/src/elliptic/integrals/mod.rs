@@ -1,11 +1,11 @@
 //! Elliptic integrals: Carlson's symmetric ones, Legendre's complete and incomplete ones. Source: DLMF chapter 19.
 
-pub mod carlson;
-pub mod carlson_duplication;
-pub mod complete;
-pub mod heuman_lambda;
-pub mod incomplete;
-pub mod third_kind;
+pub(crate) mod carlson;
+pub(crate) mod carlson_duplication;
+pub(crate) mod complete;
+pub(crate) mod heuman_lambda;
+pub(crate) mod incomplete;
+pub(crate) mod third_kind;
 
 pub use carlson::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
 pub use complete::{complete_e, complete_k};

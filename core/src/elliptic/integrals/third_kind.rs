@@ -97,6 +97,7 @@ fn partial(given: Given, sine: Scaled, cosine: Scaled) -> Scaled {
 /// use libration::{Parameter, complete_pi};
 /// assert_eq!(format!("{:.12}", complete_pi(0.5, Parameter::from_m(0.5))), "2.701287762095");
 /// ```
+#[must_use]
 pub fn complete_pi(n: f64, parameter: Parameter) -> f64 {
     let mc = parameter.mc.hi;
     if n.is_nan() || mc.is_nan() || mc < 0.0 {
@@ -126,6 +127,12 @@ pub fn complete_pi(n: f64, parameter: Parameter) -> f64 {
 /// **Error** at most 3 ulp, plus 2^-98 of the condition in all arguments.
 ///
 /// **Source** DLMF 19.2.7, 19.25.14, 19.7.8, 19.7.9.
+///
+/// ```
+/// use libration::{Parameter, incomplete_pi};
+/// assert_eq!(format!("{:.12}", incomplete_pi(0.5, 1.0, Parameter::from_m(0.5))), "1.288978174245");
+/// ```
+#[must_use]
 pub fn incomplete_pi(n: f64, phi: f64, parameter: Parameter) -> f64 {
     let mc = parameter.mc.hi;
     if n.is_nan() || phi.is_nan() || mc.is_nan() {

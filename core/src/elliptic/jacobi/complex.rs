@@ -58,6 +58,7 @@ pub struct JacobiComplexValues {
 
 impl JacobiComplex {
     /// Sets up one parameter.
+    #[must_use]
     pub fn new(parameter: Parameter) -> JacobiComplex {
         let factor = parameter.argument_factor();
         let unit = parameter.unit();

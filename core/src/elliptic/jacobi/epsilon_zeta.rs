@@ -32,6 +32,7 @@ pub struct SecondKind {
 
 impl SecondKind {
     /// Sets up one parameter.
+    #[must_use]
     pub fn new(parameter: Parameter) -> SecondKind {
         let (m, mc) = (Scaled::from(parameter.m), Scaled::from(parameter.mc));
         let (quarter, second) = if mc.is_positive() {
@@ -53,6 +54,7 @@ impl SecondKind {
     /// **Error** at most 3 ulp (plus 2^-100 of the condition).
     ///
     /// **Source** DLMF 22.16.17, 22.16.20.
+    #[must_use]
     pub fn epsilon(&self, u: f64) -> f64 {
         if u == 0.0 && !self.m.is_nan() {
             return u;
@@ -74,6 +76,7 @@ impl SecondKind {
     /// **Error** at most 3 ulp (plus 2^-100 of the condition), also next to the zeros.
     ///
     /// **Source** DLMF 22.16.32; Carlson, Numer. Math. 33 (1979) 1.
+    #[must_use]
     pub fn zeta(&self, u: f64) -> f64 {
         if self.mc.is_negative() || self.mc.is_nan() {
             return f64::NAN;

@@ -83,6 +83,7 @@ impl<L: Lane> NevilleValues<L> {
 
 impl Jacobi {
     /// Sets up one parameter.
+    #[must_use]
     pub fn new(parameter: Parameter) -> Jacobi {
         Jacobi::with_range(parameter.range(), parameter.unit(), parameter.argument_factor())
     }

@@ -117,6 +117,7 @@ fn even(p: NevilleIndex, q: NevilleIndex, x: f64, parameter: Parameter) -> Scale
 /// let u = inverse_jacobi(Glaisher::Sn, 0.5, Parameter::from_m(0.5));
 /// assert_eq!(format!("{u:.12}"), "0.535622732805");
 /// ```
+#[must_use]
 pub fn inverse_jacobi(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
     let [p, q] = which.pq();
     if x.is_nan() || parameter.mc.hi.is_nan() {

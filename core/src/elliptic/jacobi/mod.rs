@@ -1,10 +1,10 @@
 //! Jacobi's elliptic functions of real and complex argument, their inverses, epsilon and zeta. Source: DLMF chapter 22.
 
-pub mod complex;
-pub mod epsilon_zeta;
-pub mod functions;
-pub mod glaisher;
-pub mod inverse;
+pub(crate) mod complex;
+pub(crate) mod epsilon_zeta;
+pub(crate) mod functions;
+pub(crate) mod glaisher;
+pub(crate) mod inverse;
 
 pub use complex::{Complex, JacobiComplex, JacobiComplexValues};
 pub use epsilon_zeta::SecondKind;

@@ -1,5 +1,4 @@
-//! Jacobi's theta functions theta_1 ... theta_4 of real z and real nome q (theta.rs has them in the normalisation of Jacobi's sn,
-//! cn, dn).
+//! Jacobi's theta functions theta_1 ... theta_4 of real z and real nome q.
 //!
 //! Method: z = n pi + r, reduced in triple-double. For q <= e^-pi the series in q, as polynomials in sin^2 r; above, Jacobi's
 //! imaginary transformation: with t = -ln q/pi and q' = e^(-pi/t) <= e^-pi
@@ -71,6 +70,7 @@ enum Expansion {
 
 impl Theta {
     /// From the nome, 0 <= q < 1; for -1 < q < 0 theta_3 and theta_4 are real.
+    #[must_use]
     pub fn from_nome(q: f64) -> Theta {
         let size = q.abs();
         let expansion = if size.is_nan() || size >= 1.0 {
@@ -84,6 +84,7 @@ impl Theta {
     }
 
     /// From the parameter m < 1 whose nome it is: negative for m < 0.
+    #[must_use]
     pub fn from_parameter(parameter: Parameter) -> Theta {
         let Parameter { m, mc, .. } = parameter;
         let expansion = if mc.hi.is_nan() || mc.hi <= 0.0 {

@@ -1,8 +1,8 @@
 //! Theta functions: Jacobi's four, and Neville's, whose quotients are Jacobi's elliptic functions.
 //! Source: DLMF chapter 20, Abramowitz & Stegun 16.36.
 
-pub mod functions;
-pub mod neville;
+pub(crate) mod functions;
+pub(crate) mod neville;
 pub(crate) mod neville_lanes;
 
 pub use functions::{Theta, ThetaFunction};

@@ -59,7 +59,7 @@ impl Correction {
     }
 }
 
-/// The period lattice of one parameter and its theta functions, set up once.
+/// The theta functions of one parameter, from which Neville's follow, and their periods; set up once.
 #[derive(Clone, Debug)]
 pub struct NevilleTheta {
     side: Side,
@@ -155,7 +155,7 @@ impl NevilleTheta {
         self.side == Side::Hyperbolic
     }
 
-    /// Theta functions at v = 2K f, 0 <= f <= 1/2, for a lattice on that side.
+    /// Theta functions at v = 2K f, 0 <= f <= 1/2, for a parameter on that side.
     #[inline(always)]
     pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
         let (folded, v) = fold(f);

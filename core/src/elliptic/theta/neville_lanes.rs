@@ -4,7 +4,7 @@
 //! p : q = sn : cn, the common factor is s = sqrt(p^2 + q^2) and dn = sqrt(q^2 + mc p^2)/s. So sn^2 + cn^2 = 1 and
 //! dn^2 + m sn^2 = 1 hold to double-double whatever the rounding of the theta functions, and a step repeated
 //! for ever keeps its energy. K by the arithmetic-geometric mean of fixed length.
-//! Source: as theta.rs and agm.rs.
+//! Source: as neville.rs and agm.rs.
 //!
 //! [`NevilleTheta`]: super::neville::NevilleTheta
 
@@ -22,7 +22,7 @@ pub(crate) const LEAST_COMPLEMENT: f64 = 1e-12;
 /// 1/pi.
 const INVERSE_PI: Dd = Dd::new(0.3183098861837907, -1.9678676675182486e-17);
 
-/// The lattices of one parameter per lane, all with m <= 1/2 or all above.
+/// The theta functions of one parameter per lane, all with m <= 1/2 or all above.
 pub(crate) struct NevilleThetaLanes<L: Lane> {
     /// 1/2K.
     pub frequency: Unnormalised<L>,
