@@ -175,7 +175,7 @@ impl AngleApproximation {
         }
     }
 
-    /// The approximate minus the exact angle in rad at t (in s).
+    /// The approximate minus the exact angle in rad at t (in s); NaN also where both are beyond the doubles.
     ///
     /// **Error** of `harmonic` and of the two Fourier series at most 1e-10 of the difference itself, from the terms they
     /// leave out; of the others that of the two angles.

@@ -21,8 +21,8 @@ impl Orbit {
     /// The angle at t (in s) as whole turns and a rest, theta = 2 pi count + angle.
     ///
     /// The bounds of the rest are those of doubles: pi rounded to a double is given as minus itself, one turn on. The
-    /// angle is NaN and the count 0 where theta is NaN, and where the count would be 2^63 or more (|theta| above
-    /// 5.79e19). **Error** of the rest: 4 ulp of pi, plus 2^-100 of the condition. Source: as [`Orbit::theta`], without
+    /// angle is NaN and the count 0 where theta is NaN, and where the count, rounded to a double, is 2^63 or more
+    /// (|theta| above 5.79e19). **Error** of the rest: 4 ulp of pi, plus 2^-100 of the condition. Source: as [`Orbit::theta`], without
     /// the last sum.
     ///
     /// ```
@@ -63,7 +63,7 @@ impl Orbit {
 
 /// A whole number as an integer, if it fits.
 fn whole(count: Dd) -> Option<i64> {
-    // Both words are whole numbers, and of a larger count neither conversion would be exact.
-    const FAR: f64 = 18_446_744_073_709_551_616.0; // 2^64
-    if count.hi.abs() < FAR { i64::try_from(count.hi as i128 + count.lo as i128).ok() } else { None }
+    // Both words are whole numbers, and the low one is at most half a unit of the high one: each conversion is exact.
+    const END: f64 = 9_223_372_036_854_775_808.0; // 2^63
+    if count.hi.abs() < END { (count.hi as i64).checked_add(count.lo as i64) } else { None }
 }
