@@ -121,7 +121,6 @@ impl AngleFormula {
         let order = self.named.order;
         let shape = match (&orbit.solution, self.kind) {
             (Solution::Equilibrium, _) => Shape::Exact,
-            (Solution::ForceFree, AngleRule::Linear) if orbit.force.root().is_none() => Shape::Exact,
             (_, AngleRule::Linear) => Shape::Linear(Linear::new(orbit)),
             (Solution::ForceFree, AngleRule::SmallM) => {
                 let allowed = "large beside the velocity for small-m";
@@ -186,15 +185,13 @@ impl AngleApproximation {
         }
     }
 
-    /// The approximate minus the exact angle in rad at t (in s).
+    /// The approximate minus the exact angle in rad at t (in s); NaN where one of them is, and where both are infinite.
     ///
     /// **Error** of `harmonic` and of the two Fourier series at most 1e-10 of the difference itself, from the terms they
     /// leave out; of the others that of the two angles.
     pub fn difference(&self, t: f64) -> f64 {
         match &self.shape {
-            // Both are one number, which may be beyond the doubles.
-            Shape::Exact if self.orbit.theta(t).is_nan() => f64::NAN,
-            Shape::Exact => 0.0,
+            Shape::Exact => 0.0 * self.orbit.theta(t),
             Shape::Harmonic(shape) => shape.difference(&self.orbit, t),
             Shape::Arcsine(shape) => shape.difference(&self.orbit, t),
             Shape::Series(shape) => shape.difference(&self.orbit, t),
