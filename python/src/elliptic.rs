@@ -7,8 +7,7 @@ use libration::{
 use libration::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
 use pyo3::prelude::*;
 
-use crate::kernels::nothing;
-use crate::ufunc::{BLOCK, add, each, whole};
+use crate::ufunc::{BLOCK, add, each, nothing, whole};
 
 /// A constructor of parameters, one per keyword.
 type From = fn(f64) -> Parameter;

@@ -9,10 +9,9 @@ use libration::pendulum::fourier::harmonic_distortion;
 use libration::{Frequency, Orbit, Sensitivity, Turns};
 use pyo3::prelude::*;
 
-use crate::elliptic;
-use crate::ufunc::{BLOCK, add, each, whole};
+use crate::ufunc::{BLOCK, add, each, nothing, whole};
 
-/// Adds the ufuncs of the pendulum, and the elliptic ones.
+/// Adds the ufuncs of the pendulum.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(
         module,
@@ -50,9 +49,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "frequency", |of| Some(state(of)?.frequency()), each(kept))?;
     add(module, "phase", |of| Some(state(of)?.phase(0.0)), each(kept))?;
     add(module, "from_action_phase", frequency, each(from_action_phase))?;
-    add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))?;
-
-    elliptic::add_all(module)
+    add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))
 }
 
 /// The one column of results of a block of rows.
@@ -71,11 +68,6 @@ fn velocity(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut Colum
 
 fn motion(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta, velocity]: &mut Columns) {
     orbit.motion_into(t, &mut theta[..rows], &mut velocity[..rows]);
-}
-
-/// Rows that bring their own state have no set-up in common.
-pub fn nothing([]: [f64; 0]) -> Option<()> {
-    Some(())
 }
 
 fn state_theta((): &(), operands: [&[f64]; 4], rows: usize, [theta]: &mut Column) {

@@ -26,5 +26,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     approx_period::add_all(module)?;
     oscillator::add_all(module)?;
     numerical::add_all(module)?;
+    elliptic::add_all(module)?;
     kernels::add_all(module)
 }

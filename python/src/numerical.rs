@@ -1,4 +1,4 @@
-//! The numerical rivals of the exact solution, by name, as arrays.
+//! The numerical solutions by name, as arrays.
 
 use libration::approx::Scheme;
 use numpy::{IntoPyArray, PyArray1};

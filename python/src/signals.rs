@@ -6,9 +6,12 @@
 //! Source: the Python C API, `PyErr_CheckSignals`, <https://docs.python.org/3/c-api/exceptions.html#signal-handling>.
 
 use std::cell::{Cell, RefCell};
+use std::process;
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
+
+use crate::ufunc::interpreter::with_interpreter;
 
 /// Time between two questions.
 pub const INTERVAL: Duration = Duration::from_millis(50);
@@ -21,6 +24,8 @@ thread_local! {
     static COUNTED: Cell<usize> = const { Cell::new(0) };
     /// When this thread asked last.
     static ASKED: Cell<Option<Instant>> = const { Cell::new(None) };
+    /// Whether this thread runs signal handlers, in the process that found out.
+    static MAIN: Cell<Option<(u32, bool)>> = const { Cell::new(None) };
     /// Whether a ufunc of this thread left an error for NumPy to find.
     static LEFT: Cell<bool> = const { Cell::new(false) };
 }
@@ -43,8 +48,23 @@ pub fn asked() -> Option<PyErr> {
         return None;
     }
     ASKED.set(Some(now));
-    // An interpreter that shuts down has no handlers left to run.
-    Python::try_attach(|py| py.check_signals().err()).flatten()
+    // Other threads have no handlers to run; and while the interpreter shuts down they must not wait for it.
+    if MAIN.get().is_some_and(|(process, main)| process == process::id() && !main) {
+        return None;
+    }
+    with_interpreter(|py| {
+        if MAIN.get().is_none_or(|(process, _)| process != process::id()) {
+            MAIN.set(Some((process::id(), is_main(py).unwrap_or(true))));
+        }
+        py.check_signals().err()
+    })
+}
+
+/// Whether this is the thread that runs signal handlers.
+fn is_main(py: Python<'_>) -> PyResult<bool> {
+    let threading = py.import("threading")?;
+    let main = threading.call_method0("main_thread")?.getattr("ident")?;
+    main.eq(threading.call_method0("get_ident")?)
 }
 
 /// Does work of this thread, which may be without the interpreter; the error if a signal ended it.
@@ -68,14 +88,14 @@ pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce(Stop<'_>) -> T + Send
 
 /// Leaves an error where NumPy looks for one after the loops of a ufunc.
 pub fn leave(error: PyErr) {
-    Python::attach(|py| error.restore(py));
+    with_interpreter(|py| error.restore(py));
     LEFT.set(true);
 }
 
 /// Whether the error that this thread left still stands: the ufunc is at its end, and its other loops have no work.
 pub fn ending() -> bool {
     LEFT.get() && {
-        let stands = Python::attach(|py| PyErr::occurred(py));
+        let stands = with_interpreter(|py| PyErr::occurred(py));
         LEFT.set(stands);
         stands
     }

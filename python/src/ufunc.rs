@@ -1,4 +1,4 @@
-//! Kernels as real NumPy ufuncs; the only file of the door with `unsafe`.
+//! Kernels as real NumPy ufuncs; with ufunc/interpreter.rs all `unsafe` of the binding.
 //!
 //! A kernel is two functions: `set_up` makes of the last operands of a row what belongs to them alone (an orbit, a
 //! parameter), and `block` makes of that and of columns of the first operands the columns of results, a block of rows
@@ -6,6 +6,8 @@
 //! overlapping memory are NumPy's. Long loops are shared out to the threads of pool.rs and end at a signal: NumPy runs
 //! them without the interpreter, and looks for an error when they are done.
 //! Source: the NumPy C API, "UFunc API", <https://numpy.org/doc/stable/reference/c-api/ufunc.html>.
+
+pub mod interpreter;
 
 use std::array;
 use std::ffi::{CString, c_char, c_int, c_long, c_void};
@@ -137,6 +139,11 @@ pub fn each<S, R: Row, const X: usize>(
             value(set_up, samples.map(|column| column[row])).put(columns, row);
         }
     })
+}
+
+/// The set-up of kernels whose rows have none in common.
+pub fn nothing([]: [f64; 0]) -> Option<()> {
+    Some(())
 }
 
 /// The operands of a set-up by their bits, and what was made of them (`None`: refused).

@@ -112,3 +112,25 @@ def test_any_text_gives_a_finite_double_or_a_refusal(text):
         assert math.isfinite(quantity("--x", text, ANGLE))
     except Refusal as refusal:
         assert str(refusal).startswith("--x = ")
+
+
+LONG = 1_000_000
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (LONG * "1" + "," + LONG * "1", "has a decimal comma"),
+        (LONG * "1" + "." + LONG * "1" + ".", "is not a number with a unit"),
+        ("1" + LONG * " " + "x", "unknown unit 'x'"),
+        ("1x" + LONG * " " + "y", "unknown unit"),
+        (LONG * " " + "x", "is not a number with a unit"),
+        ("1e" + LONG * "1" + ".", "unknown unit"),
+        ("1." + LONG * "0" + "deg" + LONG * " " + "deg", "unknown unit"),
+    ],
+)
+def test_time_grows_with_the_length(text, said):
+    """What takes the square of it would take hours; the refusal is short."""
+    with pytest.raises(Refusal, match=said) as caught:
+        quantity("--theta0", text, ANGLE)
+    assert len(str(caught.value)) < 300

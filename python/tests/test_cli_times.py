@@ -1,10 +1,12 @@
 """Instants from a text file: which column, which unit, which order."""
 
+import csv
+
 import numpy as np
 import pytest
 
 from libration.cli.parser import Refusal
-from libration.cli.times import BLOCK, even_times, file_times
+from libration.cli.times import BLOCK, even_times, file_times, name_and_unit, row
 
 
 @pytest.fixture
@@ -89,6 +91,75 @@ def test_refusals(read, content, column, said):
     with pytest.raises(Refusal) as caught:
         read(content, column)
     assert said in str(caught.value)
+
+
+LONG = 500_000
+
+
+@pytest.mark.parametrize(
+    ("content", "column", "expected", "name"),
+    [
+        # A cell longer than the csv module takes; as many brackets, blanks and quotes as patterns would stumble over.
+        ('t,"' + 131_073 * "x" + '"\n1,2\n', None, [1], "t"),
+        ('"' + 131_073 * "x" + '",t\n1,2\n', None, [2], "t"),
+        ('t,"' + LONG // 2 * '""' + '"\n1,2\n', None, [1], "t"),
+        ("t,x" + LONG * "(" + "\n1,2\n", None, [1], "t"),
+        ("t,x" + LONG // 2 * "[(" + "\n1,2\n", None, [1], "t"),
+        ("t,x" + LONG * " " + "y\n1,2\n", None, [1], "t"),
+        ("t,x" + LONG * "_" + "\n1,2\n", None, [1], "t"),
+        ("t,x" + LONG // 2 * " /" + "\n1,2\n", None, [1], "t"),
+        (LONG * "\n" + "t [ms]\n" + LONG * " \n" + "1\n", None, [0.001], "t [ms]"),
+        (LONG * "\r\n" + "t" + LONG * "\r" + "1\r\n2", None, [1, 2], "t"),
+    ],
+)
+def test_time_grows_with_the_length(read, content, column, expected, name):
+    """What takes the square of it would take hours."""
+    assert read(content, column) == (expected, name)
+
+
+def test_lines_are_counted_over_blank_ones(read):
+    with pytest.raises(Refusal, match=f"line {3 * LONG + 2} 'x' is not a number"):
+        read("t\n" + 3 * LONG * "\n" + "x\n")
+    with pytest.raises(Refusal, match="holds no instants: it is empty, but for comments"):
+        read(100_000_000 * "\n")
+    with pytest.raises(Refusal, match="line 2 has 1048577 characters, more than the 1048576 that are read"):
+        read("t\n" + (2**20 + 1) * "1")
+
+
+@pytest.mark.parametrize(
+    ("cell", "expected"),
+    [
+        ("t", ("t", None)),
+        ("t [ms]", ("t", "ms")),
+        ("t[ ms ]", ("t", "ms")),
+        ("t [a] [b]", ("t", "a] [b")),
+        ("t (h)", ("t", "h")),
+        ("t)", ("t)", None)),
+        ("t / s", ("t", "s")),
+        ("t_start_min", ("t_start", "min")),
+        ("t_start", ("t_start", None)),
+        ("/s", ("", "s")),
+        ("", ("", None)),
+    ],
+)
+def test_the_unit_of_a_header(cell, expected):
+    assert name_and_unit(cell) == expected
+
+
+@pytest.mark.parametrize(
+    ("line", "cells"),
+    [
+        ('"a, b",c', ["a, b", "c"]),
+        ('"say ""x""",', ['say "x"', ""]),
+        ('"open, to the end', ["open, to the end"]),
+        ('"a"b"c",d', ['ab"c"', "d"]),
+        ('a"b,"c"', ['a"b', "c"]),
+        ('"",""', ["", ""]),
+        ('""""', ['"']),
+    ],
+)
+def test_cells_in_quotes_are_those_of_the_csv_module(line, cells):
+    assert row(line, ",") == cells == next(csv.reader([line]))
 
 
 def test_doubles_read_back_bit_equal(read):

@@ -7,7 +7,7 @@ import pytest
 
 import libration
 from libration.papers import Erratum, Kind, errata
-from libration.papers.erratum import largest, motion_residual, second_derivative, swing_residual
+from libration.papers._erratum import largest, motion_residual, second_derivative, swing_residual
 
 ROWS = errata()
 NAMES = [f"{row.work} {row.place}" for row in ROWS]

@@ -1,6 +1,8 @@
 """The exact forms of the papers: right where they hold, and beside the truth where they do not."""
 
+import itertools
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -85,3 +87,32 @@ def test_failing_numbers(name, state, t, given, truth):
 
 def test_from_the_top_downward_juchem_neto_holds():
     assert juchem_neto(0.5, math.pi, -1.0) == pytest.approx(libration.theta(0.5, math.pi, -1.0), abs=1e-12)
+
+
+# Beyond what floats of Python may be squared, divided by or divided: each is a number to NumPy.
+HOSTILE = [0, 1, -1.0, 1e200, -1e308, 5e-324, math.nan, math.inf, -math.inf, 10**300, True]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_any_numbers_give_numbers(form):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for given in itertools.product(HOSTILE, repeat=4):
+            value = form(*given)
+            assert type(value) is np.float64, given
+            # The same as from arrays, which never raised.
+            assert np.array_equal(value, form(*(np.array([float(each)]) for each in given))[0], equal_nan=True)
+
+
+def test_a_square_beyond_the_doubles():
+    assert math.isnan(salas_24(1, 1, 0, 1e200))
+    assert salas_24(1e-200, 1.0, 0.0, 1e100) == pytest.approx(1.0, abs=1e-15)
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize(("place", "name"), [(0, "t"), (1, "theta0"), (2, "velocity0"), (3, "omega0")])
+def test_integers_beyond_the_doubles_are_refused(form, place, name):
+    given = [1.0, 1.0, 0.5, 1.0]
+    given[place] = 10**400
+    with pytest.raises(ValueError, match=f"^{name} = an integer beyond the doubles: must be finite$"):
+        form(*given)

@@ -6,7 +6,7 @@ import math
 import pytest
 
 from libration.papers import Claim, Verdict, claims
-from libration.papers.claim import rounded, within
+from libration.papers._claim import rounded, within
 
 ROWS = claims()
 

@@ -9,7 +9,7 @@ import pytest
 
 from libration import papers
 from libration.cli import main
-from libration.papers import claims, claims_lima, pictures
+from libration.papers import claims, lima, pictures
 
 FILES = {f"{picture.name}.{form}" for picture in pictures() for form in ("svg", "png")} | {"claims.csv"}
 
@@ -57,8 +57,8 @@ def test_one_paper_and_lima_needs_no_scipy(said, tmp_path, monkeypatch):
 
 
 def test_a_claim_that_does_not_stand_is_named(said, monkeypatch):
-    spoiled = dataclasses.replace(claims_lima.ROWS[4], measured=lambda: 3.0)
-    monkeypatch.setattr(claims_lima, "ROWS", (*claims_lima.ROWS[:4], spoiled))
+    spoiled = dataclasses.replace(lima.CLAIMS[4], measured=lambda: 3.0)
+    monkeypatch.setattr(lima, "CLAIMS", (*lima.CLAIMS[:4], spoiled))
     code, _, line = said("lima")
     assert code == 1
     assert line.startswith("libration papers: Lima 2019, section 4, fig. 2: largest error of the Fourier-based")

@@ -10,7 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from libration import Pendulum, papers
-from libration.papers.salas import EXAMPLE2
+from libration.papers.salas._figures import EXAMPLE2
 from libration.plot import linear_theta
 
 PICTURES = {picture.name: picture for picture in papers.pictures()}

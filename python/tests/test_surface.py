@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import libration
-from libration import Pendulum, Regime
+from libration import Pendulum, Regime, _core
 
 PACKAGE = Path(libration.__file__).parent
 
@@ -162,6 +162,23 @@ def test_turns_counts_whole_turns():
     assert n.dtype == np.int64
     assert np.all((-math.pi <= angle) & (angle < math.pi))
     assert np.allclose(2 * math.pi * n + angle, Pendulum(0.0, 3.0).theta(np.linspace(-1e6, 1e6, 2001)), rtol=1e-15)
+
+
+def test_turns_beyond_the_integers_have_no_answer():
+    """The largest count is 2**63 - 1; the truth is by mpmath at 1,400 bits."""
+    n, angle = Pendulum(5.7e19).turns(0.0)
+    assert (int(n), float(angle)) == (9071831756238034139, -1.0909211136875014)
+    for theta0 in (5.9e19, -5.9e19, 1e300):
+        for t in (0.0, np.zeros(2)):
+            n, angle = Pendulum(theta0).turns(t)
+            assert np.all(n == 0), theta0
+            assert np.all(np.isnan(angle)), theta0
+
+
+def test_motions_can_be_weakly_referenced():
+    orbits = [_core.Orbit(1.0, 0.0), _core.Duffing(1.0, 0.0, 1.0, 1.0), _core.CubicQuintic(1.0, 0.0, 1.0, 1.0, 1.0)]
+    for orbit in [*orbits, _core.DuffingForm("cn", 1.0, 1.0, 1.0, 0.0), _core.AngleFormula("linear")]:
+        assert weakref.ref(orbit)() is orbit
 
 
 def test_advance_is_the_flow_and_goes_on_through_turns():

@@ -82,6 +82,16 @@ def test_a_bad_number_of_threads_is_refused_by_the_import(threads):
     assert done.stderr.count("Error") == 1
 
 
+@pytest.mark.skipif(os.name == "nt", reason="the environment is text there")
+def test_a_number_of_threads_that_is_no_text_is_refused_by_the_import():
+    run, environment = [sys.executable, "-c", "import libration"], dict(os.environb)
+    environment[b"LIBRATION_NUM_THREADS"] = b"2\xff"
+    done = subprocess.run(run, env=environment, capture_output=True, timeout=LIMIT)
+    assert done.returncode == 1
+    said = "ValueError: LIBRATION_NUM_THREADS = 2\ufffd: must be a whole number from 1 to 1024"
+    assert done.stderr.decode("utf-8", "replace").splitlines()[-1].replace("\\ufffd", "\ufffd") == said
+
+
 @pytest.mark.parametrize("threads", ["", " 2 ", "1024"])
 def test_a_good_number_of_threads_is_taken(threads):
     assert python("import libration", threads=threads).returncode == 0

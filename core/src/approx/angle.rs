@@ -4,7 +4,7 @@
 //! All phases are exact in double-double, so that an approximation that repeats stays right for all times.
 //! Where a formula has no value it gives NaN; nothing is clipped. Sources: the table in angle_entries.rs.
 
-use super::angle_entries::{Kind, TABLE};
+use super::angle_entries::{AngleRule, TABLE};
 use super::angle_oscillator::{Linear, SineModel, Trigonometric};
 use super::angle_series::{Arcsine, Harmonic, Series};
 use super::angle_small::{Bounded, Secular};
@@ -26,7 +26,7 @@ use crate::pendulum::{Orbit, Regime};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AngleFormula {
     named: Named,
-    kind: Kind,
+    kind: AngleRule,
 }
 
 /// A formula for the angle set up for one orbit.
@@ -64,7 +64,7 @@ enum Serves {
 impl AngleFormula {
     /// Finds `linear`, `fourier:4` and so on; the error names the nearest entries first.
     pub fn named(name: &str) -> Result<AngleFormula, Domain> {
-        let (named, &kind) = Named::find("formula", &TABLE, name)?;
+        let (named, &kind) = Named::find("formula", TABLE, name)?;
         Ok(AngleFormula { named, kind })
     }
 
@@ -90,11 +90,13 @@ impl AngleFormula {
     /// Refuses what the formula is not written for.
     fn refuse(&self, orbit: &Orbit) -> Result<(), Domain> {
         let (serves, about_bottom) = match self.kind {
-            Kind::Linear | Kind::SmallM | Kind::Cubic | Kind::CubicQuintic => (Serves::All, true),
-            Kind::SmallMBounded | Kind::Trigonometric => (Serves::Libration, true),
-            Kind::Harmonic | Kind::Fourier => (Serves::Libration, false),
-            Kind::FourierTheta => (Serves::Periodic, false),
-            Kind::Taylor => (Serves::All, false),
+            AngleRule::Linear | AngleRule::SmallM | AngleRule::Cubic | AngleRule::CubicQuintic => {
+                (Serves::All, true)
+            }
+            AngleRule::SmallMBounded | AngleRule::Trigonometric => (Serves::Libration, true),
+            AngleRule::Harmonic | AngleRule::Fourier => (Serves::Libration, false),
+            AngleRule::FourierTheta => (Serves::Periodic, false),
+            AngleRule::Taylor => (Serves::All, false),
         };
         let regime = orbit.regime();
         let served = match serves {
@@ -119,29 +121,37 @@ impl AngleFormula {
         let order = self.named.order;
         let shape = match (&orbit.solution, self.kind) {
             (Solution::Equilibrium, _) => Shape::Exact,
-            (_, Kind::Linear) => Shape::Linear(Linear::new(orbit)),
-            (Solution::ForceFree, Kind::SmallM) => {
+            (_, AngleRule::Linear) => Shape::Linear(Linear::new(orbit)),
+            (Solution::ForceFree, AngleRule::SmallM) => {
                 let allowed = "large beside the velocity for small-m";
                 return Err(Domain::new("omega0", format!("{:?}", orbit.omega0()), allowed));
             }
-            (Solution::ForceFree, kind) if orbit.force.root().is_none() || kind == Kind::FourierTheta => {
+            (Solution::ForceFree, kind)
+                if orbit.force.root().is_none() || kind == AngleRule::FourierTheta =>
+            {
                 Shape::Exact
             }
-            (_, Kind::Cubic) => Shape::Model(SineModel::cubic(orbit)?),
-            (_, Kind::CubicQuintic) => Shape::Model(SineModel::cubic_quintic(orbit)?),
-            (_, Kind::Taylor) => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
-            (_, Kind::SmallM) => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
-            (Solution::Libration(e), Kind::SmallMBounded) => {
+            (_, AngleRule::Cubic) => Shape::Model(SineModel::cubic(orbit)?),
+            (_, AngleRule::CubicQuintic) => Shape::Model(SineModel::cubic_quintic(orbit)?),
+            (_, AngleRule::Taylor) => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
+            (_, AngleRule::SmallM) => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
+            (Solution::Libration(e), AngleRule::SmallMBounded) => {
                 Bounded::new(orbit, e).map_or(Shape::Exact, Shape::Bounded)
             }
-            (Solution::Libration(e), Kind::Trigonometric) => {
+            (Solution::Libration(e), AngleRule::Trigonometric) => {
                 Trigonometric::new(orbit, e).map_or(Shape::Exact, Shape::Trigonometric)
             }
-            (Solution::Libration(_), Kind::Harmonic) => Shape::Harmonic(Harmonic::new(orbit)),
-            (Solution::Libration(_), Kind::Fourier) => Shape::Arcsine(Arcsine::new(orbit, order)),
-            (_, Kind::FourierTheta) => Shape::Series(Series::new(orbit, order)),
+            (Solution::Libration(_), AngleRule::Harmonic) => Shape::Harmonic(Harmonic::new(orbit)),
+            (Solution::Libration(_), AngleRule::Fourier) => Shape::Arcsine(Arcsine::new(orbit, order)),
+            (_, AngleRule::FourierTheta) => Shape::Series(Series::new(orbit, order)),
             // Other courses of these are refused above.
-            (_, Kind::Harmonic | Kind::Fourier | Kind::Trigonometric | Kind::SmallMBounded) => {
+            (
+                _,
+                AngleRule::Harmonic
+                | AngleRule::Fourier
+                | AngleRule::Trigonometric
+                | AngleRule::SmallMBounded,
+            ) => {
                 return Err(self.regime_refused(orbit, "libration"));
             }
         };
@@ -175,7 +185,7 @@ impl AngleApproximation {
         }
     }
 
-    /// The approximate minus the exact angle in rad at t (in s); NaN also where both are beyond the doubles.
+    /// The approximate minus the exact angle in rad at t (in s); NaN where one of them is, and where both are infinite.
     ///
     /// **Error** of `harmonic` and of the two Fourier series at most 1e-10 of the difference itself, from the terms they
     /// leave out; of the others that of the two angles.

@@ -16,7 +16,7 @@ const PLAIN: Entry = Entry {
 
 /// What an entry is evaluated by (angle.rs).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum AngleRule {
     Linear,
     Harmonic,
     Fourier,
@@ -29,7 +29,7 @@ pub(super) enum Kind {
     Taylor,
 }
 
-pub(super) static TABLE: [Row<Kind>; 10] = [
+pub(super) const TABLE: &[Row<AngleRule>] = &[
     row(
         Entry {
             name: "linear",
@@ -39,7 +39,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             undefined: "",
             ..PLAIN
         },
-        Kind::Linear,
+        AngleRule::Linear,
     ),
     row(
         Entry {
@@ -48,7 +48,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             source: "Lima 2019 (17)",
             ..PLAIN
         },
-        Kind::Harmonic,
+        AngleRule::Harmonic,
     ),
     row(
         Entry {
@@ -60,7 +60,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             stated_range: Some([0.0, core::f64::consts::PI]),
             undefined: "where |k sn_N| > 1: from 131.55 deg with N = 1, nearer to 180 deg the larger N; rotation, separatrix",
         },
-        Kind::Fourier,
+        AngleRule::Fourier,
     ),
     row(
         Entry {
@@ -72,7 +72,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             undefined: "separatrix",
             ..PLAIN
         },
-        Kind::FourierTheta,
+        AngleRule::FourierTheta,
     ),
     row(
         Entry {
@@ -84,7 +84,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             stated_range: Some([0.0, DEGREES_120]),
             ..PLAIN
         },
-        Kind::Trigonometric,
+        AngleRule::Trigonometric,
     ),
     row(
         Entry {
@@ -96,7 +96,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             undefined: "",
             ..PLAIN
         },
-        Kind::SmallM,
+        AngleRule::SmallM,
     ),
     row(
         Entry {
@@ -106,7 +106,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             source: "derived here from Salas 2019 (23), DLMF 22.10.1-22.10.3 and 22.11",
             ..PLAIN
         },
-        Kind::SmallMBounded,
+        AngleRule::SmallMBounded,
     ),
     row(
         Entry {
@@ -118,7 +118,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             undefined: "from its escape on: released from rest beyond 141.2 deg, or with the energy of 121.2 deg",
             ..PLAIN
         },
-        Kind::Cubic,
+        AngleRule::Cubic,
     ),
     row(
         Entry {
@@ -130,7 +130,7 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             undefined: "",
             ..PLAIN
         },
-        Kind::CubicQuintic,
+        AngleRule::CubicQuintic,
     ),
     row(
         Entry {
@@ -141,12 +141,12 @@ pub(super) static TABLE: [Row<Kind>; 10] = [
             undefined: "",
             ..PLAIN
         },
-        Kind::Taylor,
+        AngleRule::Taylor,
     ),
 ];
 
 /// The approximations of the angle, by name.
-pub static ANGLES: [Entry; 10] = entries(&TABLE);
+pub static ANGLES: [Entry; TABLE.len()] = entries(TABLE);
 
 #[cfg(test)]
 mod tests {

@@ -17,7 +17,7 @@ use crate::pendulum::state::State;
 use crate::pendulum::theta_quotients::Elliptic;
 
 /// The elliptic orbit, in libration or rotation, and the point of its phase: whole half periods, rest, sine and cosine.
-struct Point<'a> {
+struct PhasePoint<'a> {
     elliptic: &'a Elliptic,
     n: f64,
     f: Dd,
@@ -25,8 +25,8 @@ struct Point<'a> {
     cosine: Dd,
 }
 
-impl Point<'_> {
-    fn new(orbit: &Orbit, t: f64) -> Option<Point<'_>> {
+impl PhasePoint<'_> {
+    fn new(orbit: &Orbit, t: f64) -> Option<PhasePoint<'_>> {
         let (elliptic, turn) = match &orbit.solution {
             Solution::Libration(elliptic) => (elliptic, 1.0),
             Solution::Rotation(elliptic) => (elliptic, 2.0),
@@ -39,11 +39,11 @@ impl Point<'_> {
         let (sine, cosine) = half_turn(f);
         if turn == 1.0 {
             let side = alternating(n);
-            return Some(Point { elliptic, n, f, sine: sine.scale(side), cosine: cosine.scale(side) });
+            return Some(PhasePoint { elliptic, n, f, sine: sine.scale(side), cosine: cosine.scale(side) });
         }
         // Twice the angle: (cosine - sine)(cosine + sine) keeps the digits of both.
         let doubled = (sine * cosine).scale(2.0);
-        Some(Point { elliptic, n, f, sine: doubled, cosine: (cosine - sine) * (cosine + sine) })
+        Some(PhasePoint { elliptic, n, f, sine: doubled, cosine: (cosine - sine) * (cosine + sine) })
     }
 
     /// cos(theta/2), never negative in libration.
@@ -188,7 +188,7 @@ impl Series {
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let mut angle = self.cut.head.at(point.sine, point.cosine);
         if matches!(orbit.solution, Solution::Rotation(_)) {
             angle = Scaled::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
@@ -197,7 +197,7 @@ impl Series {
     }
 
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         -(self.cut.tail.at(point.sine, point.cosine) * orbit.frame.side).value()
     }
 }
@@ -219,13 +219,13 @@ impl Harmonic {
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         framed(orbit, self.theta_max * Scaled::from(point.sine))
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let left = self.tail.at(point.sine, point.cosine);
         ((self.top * Scaled::from(point.sine) - left) * orbit.frame.side).value()
     }
@@ -255,19 +255,19 @@ impl Arcsine {
 
     /// 1 - |k sn_N|: below 0 the arcsine has no value.
     pub fn margin(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         (Scaled::ONE - self.cut.head.at(point.sine, point.cosine).abs()).value()
     }
 
     /// k sn_N and the cosine that belongs to it.
-    fn side(&self, point: &Point) -> Option<(Scaled, Dd)> {
+    fn side(&self, point: &PhasePoint) -> Option<(Scaled, Dd)> {
         let sine = self.cut.head.at(point.sine, point.cosine);
         let square = (Scaled::ONE - sine) * (Scaled::ONE + sine);
         if square.is_negative() { None } else { Some((sine, square.sqrt().to_dd())) }
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let Some((sine, cosine)) = self.side(&point) else { return f64::NAN };
         framed(orbit, arcsine(sine, cosine))
     }
@@ -275,7 +275,7 @@ impl Arcsine {
     /// tan of a quarter of the difference is (sin a - sin b)/(cos a + cos b) of the halves, and sin a - sin b is what the
     /// series leaves out.
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
-        let Some(point) = Point::new(orbit, t) else { return f64::NAN };
+        let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let Some((_, cosine)) = self.side(&point) else { return f64::NAN };
         let left = self.cut.tail.at(point.sine, point.cosine);
         let tangent = left / Scaled::from(cosine + point.half_cosine());

@@ -73,8 +73,8 @@ pub(super) const fn row<R>(entry: Entry, rule: R) -> Row<R> {
     Row { entry, rule }
 }
 
-/// What the doors list of a table.
-pub(super) const fn entries<R, const N: usize>(table: &[Row<R>; N]) -> [Entry; N] {
+/// What the bindings list of a table, N being its length.
+pub(super) const fn entries<R, const N: usize>(table: &[Row<R>]) -> [Entry; N] {
     let mut entries = [table[0].entry; N];
     let mut i = 1;
     while i < N {

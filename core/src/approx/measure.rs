@@ -135,7 +135,7 @@ impl AngleApproximation {
         let (size, mut stride) = self.look(0.0);
         let mut here = (0.0, size);
         let mut last = false;
-        // Ends: each step is the next of the multiples or one of MOST_POINTS between them.
+        // Ends: each step is the next of the multiples, or one of those between them, of which there are BETWEEN for each.
         while !last && !ended() {
             let after = match grid.next(here.0, stride) {
                 Some(t) => {
@@ -230,6 +230,13 @@ pub(super) fn check_periods(periods: f64) -> Result<f64, Domain> {
     Domain::check("periods", periods, periods > 0.0 && periods <= MOST_PERIODS, allowed)
 }
 
+/// Of a step: what is shorter the differences of late times do not hold.
+const FINEST: f64 = 1e-7;
+/// Most times between two multiples of the step, in the mean and beyond a beginning: the time of a search is that of its
+/// multiples. A swing from rest takes three.
+const BETWEEN: f64 = 16.0;
+const BEGINNING: f64 = 64.0;
+
 /// The times of a search: multiples of a step, so that nothing adds up, and times between where they are asked for.
 struct Grid {
     step: f64,
@@ -243,7 +250,9 @@ impl Grid {
     /// The time after another one, at most a stride later; `None` after the last.
     fn next(&mut self, t: f64, stride: f64) -> Option<f64> {
         let after = (self.even + 1.0) * self.step;
-        if t + stride < after && self.even < self.points && self.between < MOST_POINTS {
+        let stride = stride.max(FINEST * self.step);
+        let allowed = BETWEEN * (self.even + BEGINNING);
+        if t + stride < after && self.even < self.points && self.between < allowed {
             self.between += 1.0;
             return Some(t + stride);
         }
@@ -262,4 +271,53 @@ fn estimate(&[low, here, high]: &[Point; 3]) -> f64 {
     let (bend, slope) = ((rise + fall) / (before + after), (rise * after - fall * before) / (before + after));
     let above = if bend > 0.0 { slope * slope / (4.0 * bend) } else { 0.0 };
     if above.is_finite() { here.1.max(low.1).max(high.1) + above } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::angle::AngleFormula;
+    use crate::{Frequency, Orbit};
+
+    /// The truth by mpmath at 30 digits from a dense search of Salas's formula for a release from rest, written out.
+    #[test]
+    fn secular_errors_over_many_periods() {
+        let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
+        let made = AngleFormula::named("small-m").unwrap().of(&orbit).unwrap();
+        let found = made.largest_error(100.0).unwrap();
+        assert!((found.difference / 5.132768906092901 - 1.0).abs() < 1e-9, "{found:?}");
+        assert!((found.t - 830.801832358).abs() < 1e-4, "{found:?}");
+    }
+
+    /// The number of looks grows with the number of periods, not with its square.
+    #[test]
+    fn the_work_grows_with_the_time() {
+        let orbit = Orbit::new(2.0, 0.3, Frequency::from_omega0(1.0).unwrap()).unwrap();
+        let made = AngleFormula::named("small-m").unwrap().of(&orbit).unwrap();
+        let looks = |periods: f64| {
+            let count = core::cell::Cell::new(0u32);
+            let ended = || {
+                count.set(count.get() + 1);
+                false
+            };
+            made.largest_error_unless(periods, &ended).unwrap();
+            f64::from(count.get())
+        };
+        let [short, long] = [10.0, 160.0].map(looks);
+        assert!(long < 2.0 * 16.0 * short, "{short} {long}");
+    }
+
+    #[test]
+    fn a_search_ends_when_its_caller_gives_up() {
+        let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
+        let formula = AngleFormula::named("small-m").unwrap();
+        let made = formula.of(&orbit).unwrap();
+        let count = core::cell::Cell::new(0);
+        let ended = || {
+            count.set(count.get() + 1);
+            count.get() > 100
+        };
+        made.largest_error_unless(10_000.0, &ended).unwrap();
+        formula.ranges_unless(1e-3, 10_000.0, &ended).unwrap();
+        assert!(count.get() < 1000, "{}", count.get());
+    }
 }

@@ -1,6 +1,6 @@
 //! Approximations of the pendulum by name: of its angle over time, of its period, of the sine of its force.
 //!
-//! Each kind is a table of entries (entry.rs) that every door lists alike.
+//! Each kind is a table of entries (entry.rs) that every binding lists alike.
 
 pub mod angle;
 mod angle_entries;
@@ -13,7 +13,7 @@ mod angle_taylor;
 pub mod entry;
 pub mod measure;
 pub mod period;
-mod period_rules;
+mod period_formulas;
 mod remez;
 mod salas;
 mod search;

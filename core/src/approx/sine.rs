@@ -16,13 +16,13 @@ const STATES_NO_RANGE: Entry =
     Entry { name: "", orders: None, formula: "", source: "", stated: "", stated_range: None, undefined: "" };
 
 /// Where the coefficients come from; Salas's after the first.
-enum Kind {
+enum SineRule {
     Salas(&'static [[f64; 2]]),
     Taylor,
     Best,
 }
 
-static TABLE: [Row<Kind>; 4] = [
+const TABLE: &[Row<SineRule>] = &[
     row(
         Entry {
             name: "salas-2",
@@ -32,7 +32,7 @@ static TABLE: [Row<Kind>; 4] = [
             stated_range: Some([0.0, DEGREES_70]),
             ..STATES_NO_RANGE
         },
-        Kind::Salas(&[CUBIC]),
+        SineRule::Salas(&[CUBIC]),
     ),
     row(
         Entry {
@@ -43,7 +43,7 @@ static TABLE: [Row<Kind>; 4] = [
             stated_range: Some([0.0, DEGREES_120]),
             ..STATES_NO_RANGE
         },
-        Kind::Salas(&[CUBIC, QUINTIC]),
+        SineRule::Salas(&[CUBIC, QUINTIC]),
     ),
     row(
         Entry {
@@ -53,7 +53,7 @@ static TABLE: [Row<Kind>; 4] = [
             source: "Taylor series, DLMF 4.19.1",
             ..STATES_NO_RANGE
         },
-        Kind::Taylor,
+        SineRule::Taylor,
     ),
     row(
         Entry {
@@ -64,12 +64,12 @@ static TABLE: [Row<Kind>; 4] = [
             stated: "|φ| ≤ phi_max",
             ..STATES_NO_RANGE
         },
-        Kind::Best,
+        SineRule::Best,
     ),
 ];
 
 /// Every polynomial for sin(phi); N is its degree, odd.
-pub static SINES: [Entry; 4] = entries(&TABLE);
+pub static SINES: [Entry; TABLE.len()] = entries(TABLE);
 
 /// Terms of a polynomial's distance from the sine after its own: they are below 2^-157 of it up to twice pi.
 const TERMS: usize = 48;
@@ -133,11 +133,13 @@ fn ordered(value: Td) -> (f64, f64, f64) {
 impl SineFormula {
     /// By its name, `name` or `name:N`; `phi_max` in (0, 2 pi] belongs to `best:N` and to it alone.
     pub fn named(name: &str, phi_max: Option<f64>) -> Result<SineFormula, Domain> {
-        let (named, kind) = Named::find("sine", &TABLE, name)?;
+        let (named, kind) = Named::find("sine", TABLE, name)?;
         let count = named.order.div_ceil(2) as usize;
         let (departures, exact) = match (kind, phi_max) {
-            (Kind::Best, None) => return Err(Domain::new("phi_max", "none".to_string(), "given for best:N")),
-            (Kind::Best, Some(phi_max)) => {
+            (SineRule::Best, None) => {
+                return Err(Domain::new("phi_max", "none".to_string(), "given for best:N"));
+            }
+            (SineRule::Best, Some(phi_max)) => {
                 let phi_max = allowed(phi_max)?;
                 let departures = remez::departures(count, phi_max);
                 let allowed = "where the exchange of Remez ends";
@@ -146,11 +148,11 @@ impl SineFormula {
                 let exact = taylor(count).into_iter().zip(&departures).map(|(c, d)| c + *d).collect();
                 (departures, exact)
             }
-            (Kind::Taylor | Kind::Salas(_), Some(phi_max)) => {
+            (SineRule::Taylor | SineRule::Salas(_), Some(phi_max)) => {
                 return Err(Domain::new("phi_max", format!("{phi_max:?}"), "left out but for best:N"));
             }
-            (Kind::Taylor, None) => (vec![Td::ZERO; count], taylor(count)),
-            (Kind::Salas(quotients), None) => {
+            (SineRule::Taylor, None) => (vec![Td::ZERO; count], taylor(count)),
+            (SineRule::Salas(quotients), None) => {
                 let rest = quotients.iter().map(|[above, below]| Td::from(*above) / Td::from(*below));
                 let exact: Vec<Td> = core::iter::once(Td::ONE).chain(rest).collect();
                 (exact.iter().zip(taylor(exact.len())).map(|(c, t)| *c - t).collect(), exact)

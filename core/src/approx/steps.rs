@@ -12,7 +12,7 @@ use crate::float::series::sin_cos;
 /// From a state to the next: the step h and omega0^2.
 type Step = fn(State, f64, f64) -> State;
 
-static TABLE: [Row<Step>; 3] = [
+const TABLE: &[Row<Step>] = &[
     row(
         scheme(
             "euler",
@@ -33,7 +33,7 @@ static TABLE: [Row<Step>; 3] = [
 ];
 
 /// The schemes, each of a fixed step.
-pub static SCHEMES: [Entry; 3] = entries(&TABLE);
+pub static SCHEMES: [Entry; TABLE.len()] = entries(TABLE);
 
 const fn scheme(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
     Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
@@ -94,7 +94,7 @@ fn rk4(state: State, h: f64, omega2: f64) -> State {
 impl Scheme {
     /// By its name; the error lists the nearest first.
     pub fn named(name: &str) -> Result<Scheme, Domain> {
-        let (_, &step) = Named::find("scheme", &TABLE, name)?;
+        let (_, &step) = Named::find("scheme", TABLE, name)?;
         Ok(Scheme { step })
     }
 

@@ -46,7 +46,7 @@ impl Series {
     }
 
     /// a_j, however small.
-    fn amplitude(&self, j: u64) -> Scaled {
+    fn coefficient(&self, j: u64) -> Scaled {
         let order = j as f64;
         let argument = self.decay * order;
         if argument.hi > FAR {
@@ -111,7 +111,7 @@ impl Orbit {
             for j in (1..=n as u64).step_by(series.step as usize) {
                 let side = if turned && j % 2 == 1 { -1.0 } else { 1.0 };
                 // a_j and j a_j fall with j: after the first that are below every double all are.
-                if !put(j, series.amplitude(j) * side) {
+                if !put(j, series.coefficient(j) * side) {
                     break;
                 }
             }

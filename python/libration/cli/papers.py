@@ -81,7 +81,7 @@ def run(words):
 
 def chosen_works(paper):
     """The papers asked for, or a Refusal."""
-    from libration.papers.work import chosen
+    from libration.papers._works import chosen
 
     try:
         return chosen(paper)

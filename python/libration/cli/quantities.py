@@ -116,7 +116,11 @@ def split(option, text, dimension):
     number, unit = parts(text)
     bare = text.replace("\N{MINUS SIGN}", "-").strip()
     if comma := COMMA.match(bare):
-        raise refusal(option, text, f"has a decimal comma; write {shown(f'{comma[1]}.{comma[2]}' if comma[1] else f'0.{comma[2]}')}")
+        raise refusal(
+            option,
+            text,
+            f"has a decimal comma; write {shown(f'{comma[1]}.{comma[2]}' if comma[1] else f'0.{comma[2]}')}",
+        )
     if NOT_FINITE.match(bare):
         raise refusal(option, text, "must be a finite number")
     first, *others = dimension.units

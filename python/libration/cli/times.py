@@ -15,6 +15,8 @@ from libration.cli.parser import Refusal, quoted, refusal, shown
 from libration.cli.quantities import ONE, TIME, quantity, scaled
 
 LARGEST_FILE = 256 * 2**20
+# More characters in a line are no row of a table.
+LONGEST_LINE = 2**20
 # Four columns of doubles, and as much again while they are formed and compared.
 BYTES_PER_SAMPLE = 64
 BLOCK = 100_000
@@ -65,7 +67,7 @@ def fits_memory(option, text, count):
 def file_times(path, column):
     """The instants in a column of a text file, in seconds, as an array, and the column's name."""
     data = text_bytes(path)
-    lines = numbered(data)
+    lines = numbered(path, data)
     first = next(lines, None)
     if first is None:
         raise refusal("--times", path, "holds no instants: it is empty, but for comments")
@@ -107,8 +109,8 @@ def text_bytes(path):
     return b"".join(parts)
 
 
-def numbered(data):
-    """The lines that are not blank and not comments, with their numbers; UTF-8, or else Latin-1."""
+def numbered(path, data):
+    """The lines that are not blank and not comments, with their numbers; UTF-8, or else Latin-1; a Refusal for a long one."""
     encoding = encoding_of(data)
     number = 1
     for chunk in chunks(data.removeprefix(BYTE_ORDER_MARK) if encoding == "utf-8" else data):
@@ -119,6 +121,9 @@ def numbered(data):
             # Tabs at the end stay: they may separate empty cells.
             kept = line.strip(" ")
             if kept and not kept.isspace() and not kept.startswith("#"):
+                if len(kept) > LONGEST_LINE:
+                    reason = f"line {number} has {len(kept)} characters, more than the {LONGEST_LINE} that are read"
+                    raise refusal("--times", path, reason)
                 yield number, kept
             number += 1
 

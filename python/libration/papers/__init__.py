@@ -11,11 +11,12 @@ Examples
 '0.600085366 1.634282841'
 """
 
-from .claim import Claim, Verdict, claims
-from .erratum import Erratum, Kind, errata
-from .exact import juchem_neto, salas_22, salas_23, salas_24
-from .limit import Limit, limits
-from .picture import Picture, pictures
+from ._claim import Claim, Verdict
+from ._erratum import Erratum, Kind
+from ._exact import juchem_neto, salas_22, salas_23, salas_24
+from ._limit import Limit, limits
+from ._picture import Picture
+from ._works import claims, errata, pictures
 
 __all__ = [
     "Claim",

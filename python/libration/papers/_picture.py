@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from ..plot._style import BLACK, DASHED, DOTTED, EXACT, LINEAR, SEPARATRIX, head, legend, quiet, save_figure
-from .work import chosen
 
 # The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
 RED, BLUE, GREY = SEPARATRIX, EXACT, LINEAR
@@ -79,35 +78,6 @@ class Picture:
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
 
         save_figure(files, self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
-
-
-def pictures(work: str | None = None) -> tuple[Picture, ...]:
-    """The figures of the three papers, and two that one of them wished for.
-
-    Parameters
-    ----------
-    work : str, optional
-        `salas`, `lima` or `horsley`; by default all three.
-
-    Returns
-    -------
-    tuple of Picture
-
-    Raises
-    ------
-    ValueError
-        For another name.
-
-    Examples
-    --------
-    >>> from libration.papers import pictures
-    >>> print(*(picture.name for picture in pictures("horsley")))
-    horsley-1 horsley-2 horsley-3 horsley-phase-space horsley-ellipse
-    """
-    from . import horsley, lima, salas
-
-    parts = {"salas": salas.PICTURES, "lima": lima.PICTURES, "horsley": horsley.PICTURES}
-    return tuple(picture for name in chosen(work) for picture in parts[name])
 
 
 def panels(figure, heights=(2.1, 1)):

@@ -9,13 +9,13 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..elliptic import complete_k, jacobi
-from ..pendulum import Pendulum
-from ..plot import linear_theta
-from ..plot._style import angle_ticks, quiet
-from .diagram import angle, arrow, bare, bob, letter, path, rod, vertical
-from .picture import BLACK, BLUE, GREY, RED, Picture, named, panels
+from ... import approx
+from ...elliptic import complete_k, jacobi
+from ...pendulum import Pendulum
+from ...plot import linear_theta
+from ...plot._style import angle_ticks, quiet
+from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical
+from .._picture import BLACK, BLUE, GREY, RED, Picture, named, panels
 
 GRAVITY, LENGTH = 9.8, 1.0
 DARK_RED, GREEN = "#7a1f12", "#3f7d3f"

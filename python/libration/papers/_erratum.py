@@ -92,26 +92,6 @@ class Erratum:
         return self.residual(form) <= self.tolerance
 
 
-@functools.cache
-def errata() -> tuple[Erratum, ...]:
-    """The errata of the three papers, each with a check that its printed form fails and its corrected form passes.
-
-    Returns
-    -------
-    tuple of Erratum
-
-    Examples
-    --------
-    >>> from libration.papers import errata
-    >>> all(row.holds(row.corrected_form) and not row.holds(row.printed_form) for row in errata())
-    True
-    """
-    from . import errata_horsley, errata_lima, errata_salas, errata_salas_periods
-
-    parts = (errata_salas, errata_salas_periods, errata_lima, errata_horsley)
-    return tuple(row for part in parts for row in part.ROWS)
-
-
 # Central difference of eighth order for a second derivative (Fornberg 1988, table 1), and its step: with rates near 1
 # the formula errs by 1e-15 and the rounding of the doubles by 1e-12.
 WEIGHTS = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])

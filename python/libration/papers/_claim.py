@@ -107,33 +107,3 @@ def rounded(text: str) -> Interval:
     """The values that round to a printed decimal number: half a unit of its last place to both sides."""
     half = 0.5 * 10.0 ** -len(text.partition(".")[2])
     return float(text) - half, float(text) + half
-
-
-def claims(work: str | None = None) -> tuple[Claim, ...]:
-    """The numerical claims of the three papers, each with its measured value.
-
-    Parameters
-    ----------
-    work : str, optional
-        `salas`, `lima` or `horsley`; by default all three.
-
-    Returns
-    -------
-    tuple of Claim
-
-    Raises
-    ------
-    ValueError
-        For another name.
-
-    Examples
-    --------
-    >>> from libration.papers import claims
-    >>> all(row.stands for row in claims())
-    True
-    """
-    from . import claims_horsley, claims_lima, claims_salas
-    from .work import chosen
-
-    parts = {"salas": claims_salas.ROWS, "lima": claims_lima.ROWS, "horsley": claims_horsley.ROWS}
-    return tuple(row for name in chosen(work) for row in parts[name])

@@ -7,12 +7,12 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..pendulum import Pendulum
-from ..plot._style import angle_ticks
-from .diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical
-from .exact import salas_23
-from .picture import BLACK, BLUE, DASHED, DOTTED, GREY, RED, Picture, dashed, dotted, exact, named, panels
+from ... import approx
+from ...pendulum import Pendulum
+from ...plot._style import angle_ticks
+from .._diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical
+from .._exact import salas_23
+from .._picture import BLACK, BLUE, DASHED, DOTTED, GREY, RED, Picture, dashed, dotted, exact, named, panels
 
 # Chosen: a libration with a velocity, a rotation, and a small swing with a velocity; omega0 = 1.
 EXAMPLE1 = (1.0, 1.2)

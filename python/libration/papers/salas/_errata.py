@@ -5,12 +5,12 @@ from decimal import Decimal, localcontext
 
 import numpy as np
 
-from .. import elliptic
-from ..elliptic import cn, dn, jacobi, nc, sn
-from ..oscillator import Duffing, DuffingForm
-from ..pendulum import Pendulum, theta
-from .erratum import SWINGS, Erratum, Kind, largest, motion_residual, swing_residual
-from .exact import salas_23
+from ... import elliptic
+from ...elliptic import cn, dn, jacobi, nc, sn
+from ...oscillator import Duffing, DuffingForm
+from ...pendulum import Pendulum, theta
+from .._erratum import SWINGS, Erratum, Kind, largest, motion_residual, swing_residual
+from .._exact import salas_23
 
 # Duffing oscillators with real solutions: c1, c2, p, q.
 SPRINGS = ((1.0, 0.3, 1.0, 0.8), (0.7, -0.6, 0.4, 1.5))
@@ -157,7 +157,7 @@ def in_modulus(name, t, theta0, velocity0):
 MOTION = "largest |u″ + p u + q u³|"
 SWING = "largest |φ″ + sin φ|"
 SALAS = functools.partial(Erratum, "Salas 2019")
-ROWS = (
+ERRATA = (
     SALAS(
         "(9), first line",
         "2p u̇₀² + p + q u₀⁴ + 2u₀² − ω² = 0",

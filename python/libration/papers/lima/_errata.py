@@ -4,10 +4,10 @@ import functools
 
 import numpy as np
 
-from .. import approx
-from ..elliptic import complete_k, jacobi, sn
-from ..pendulum import Pendulum, theta
-from .erratum import Erratum, Kind, largest, motion_residual, second_derivative, swing_residual
+from ... import approx
+from ...elliptic import complete_k, jacobi, sn
+from ...pendulum import Pendulum, theta
+from .._erratum import Erratum, Kind, largest, motion_residual, second_derivative, swing_residual
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
 RELEASES = ((0.3, 0.0), (1.0, 0.0), (2.5, 0.0))
@@ -85,7 +85,7 @@ def percent(order, theta0):
 
 
 LIMA = functools.partial(Erratum, "Lima 2019")
-ROWS = (
+ERRATA = (
     LIMA(
         "(1)",
         "−m g ℓ sin θ = I θ",

@@ -1,9 +1,10 @@
 """The exact solutions as the papers give them, slips mended: Salas (22), (23), (24) and Juchem Neto's formula.
 
 They are kept as they stand, arctan and arcsin included, in plain double: right where the authors may use them, and
-wrong or without a value where `libration.theta` goes on (see limits.py). Each takes arrays of times and states.
+wrong or without a value where `libration.theta` goes on (see _limit.py). Each takes arrays of times and states.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -42,10 +43,11 @@ def salas_22(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     >>> f"{salas_22(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
+    t, theta0, velocity0, omega0 = _doubles(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
     with np.errstate(all="ignore"):
-        half, rate = _half(theta0), _rate(velocity0, omega0)
+        half, rate = theta0 / 2, velocity0 / (2 * omega0)
         m = np.cos(half) ** 2 - rate**2
-        sn, cn, dn = jacobi_complex(1j * np.asarray(omega0 * np.asarray(t, dtype=float)), m=m)
+        sn, cn, dn = jacobi_complex(1j * np.asarray(omega0 * t), m=m)
         above = np.tan(half) * cn - 1j * rate / np.cos(half) ** 2 * dn * sn
         below = 1 + (rate**2 / np.cos(half) ** 2 - 1) * sn**2
         return 2 * np.arctan((above / below).real)
@@ -82,9 +84,10 @@ def salas_23(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     >>> f"{salas_23(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
+    t, theta0, velocity0, omega0 = _doubles(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
     with np.errstate(all="ignore"):
-        half, rate = _half(theta0), _rate(velocity0, omega0)
-        sn, cn, dn, _ = jacobi(omega0 * np.asarray(t, dtype=float), m=np.sin(half) ** 2 + rate**2)
+        half, rate = theta0 / 2, velocity0 / (2 * omega0)
+        sn, cn, dn, _ = jacobi(omega0 * t, m=np.sin(half) ** 2 + rate**2)
         above = np.tan(half) * cn + rate / np.cos(half) ** 2 * dn * sn
         below = 1 - rate**2 / np.cos(half) ** 2 * sn**2
         return 2 * np.arctan(above / below)
@@ -121,9 +124,9 @@ def salas_24(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     >>> f"{salas_24(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
+    t, theta0, velocity0, omega0 = _doubles(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
     with np.errstate(all="ignore"):
-        theta0, velocity0 = np.asarray(theta0, dtype=float), np.asarray(velocity0, dtype=float)
-        u = omega0 * np.asarray(t, dtype=float)
+        u = omega0 * t
         m = (2 * (1 - np.cos(theta0)) + velocity0**2 / omega0**2) / 4
         above = 2 * omega0 * (omega0 * np.sin(theta0) * nc(u, m=m) + velocity0 * dc(u, m=m) * sc(u, m=m))
         rest = 2 * omega0**2 * (1 + np.cos(theta0))
@@ -163,24 +166,24 @@ def juchem_neto(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) ->
     >>> f"{juchem_neto(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
+    t, theta0, velocity0, omega0 = _doubles(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
     with np.errstate(all="ignore"):
-        half, rate = _half(theta0), _rate(velocity0, omega0)
+        half, rate = theta0 / 2, velocity0 / (2 * omega0)
         k = np.abs(np.sin(half))
         gamma0 = np.sqrt(1 + (rate / k) ** 2)
         m = (gamma0 * k) ** 2
         # F of an arcsine by DLMF 19.25.5: the two squares that cancel at the top are known without subtraction.
         start = carlson_rf(rate**2 / m, np.cos(half) ** 2, 1.0) / gamma0
         sense = np.where(rate > 0, 1.0, -1.0)
-        sn = jacobi(start + sense * omega0 * np.asarray(t, dtype=float), m=m).sn
+        sn = jacobi(start + sense * omega0 * t, m=m).sn
         # At the top gamma0 k sn is 1, give or take its rounding.
         return 2 * np.arcsin(np.clip(gamma0 * k * sn, -1, 1))
 
 
-def _half(theta0):
-    """Half the initial angle."""
-    return np.asarray(theta0, dtype=float) / 2
-
-
-def _rate(velocity0, omega0):
-    """The initial velocity over that of the separatrix at the bottom."""
-    return np.asarray(velocity0, dtype=float) / (2 * np.asarray(omega0, dtype=float))
+def _doubles(**arguments: Any) -> Iterator[Any]:
+    """The arguments as doubles of NumPy, whose arithmetic overflows to infinity and divides by zero as IEEE 754 says."""
+    for name, value in arguments.items():
+        try:
+            yield np.asarray(value, dtype=float)[()]
+        except OverflowError:
+            raise ValueError(f"{name} = an integer beyond the doubles: must be finite") from None

@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..elliptic import incomplete_f, jacobi
-from ..pendulum import Pendulum
-from ..plot import linear_theta
-from .claim import Claim, rounded
-from .horsley import swing
+from ... import approx
+from ...elliptic import incomplete_f, jacobi
+from ...pendulum import Pendulum
+from ...plot import linear_theta
+from .._claim import Claim, rounded
+from ._figures import swing
 
 HORSLEY = functools.partial(Claim, "Horsley 2025")
 TIMES = np.linspace(0, 10, 500)
@@ -57,7 +57,7 @@ def bluntness():
     return swing(3.0).omega2 * math.sin(3.0) / (3.0 * (math.tau / swing(3.0).period) ** 2)
 
 
-ROWS = (
+CLAIMS = (
     HORSLEY(
         "historical development",
         "years from Huygens' analysis to Newton's laws",

@@ -5,9 +5,9 @@ import functools
 
 import numpy as np
 
-from ..elliptic import carlson_rf, incomplete_e, incomplete_f, jacobi
-from .erratum import Erratum, Kind, largest, motion_residual, swing_residual
-from .exact import juchem_neto
+from ...elliptic import carlson_rf, incomplete_e, incomplete_f, jacobi
+from .._erratum import Erratum, Kind, largest, motion_residual, swing_residual
+from .._exact import juchem_neto
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
 BELOW = ((-1.0, 0.0), (-0.6, 0.9), (-2.0, -0.3))
@@ -86,7 +86,7 @@ def syntax_residual(code):
 
 SWING = "largest |θ″ + sin θ|, or miss of the initial state"
 HORSLEY = functools.partial(Erratum, "Horsley 2025")
-ROWS = (
+ERRATA = (
     HORSLEY(
         "(3), factor",
         "2 arcsin[(γ₀/√k) sn(…)]",

@@ -5,11 +5,11 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..elliptic import complete_k, nome
-from ..pendulum import Pendulum
-from .claim import Claim, rounded
-from .errata_lima import highest, share_of_largest
+from ... import approx
+from ...elliptic import complete_k, nome
+from ...pendulum import Pendulum
+from .._claim import Claim, rounded
+from ._errata import highest, share_of_largest
 
 LIMA = functools.partial(Claim, "Lima 2019")
 
@@ -55,7 +55,7 @@ def order_at_60():
     return percent("harmonic", math.pi / 3)() / percent("fourier:1", math.pi / 3)()
 
 
-ROWS = (
+CLAIMS = (
     LIMA(
         "section 2",
         "error of the period of small swings for amplitudes below 10°",

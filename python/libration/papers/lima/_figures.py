@@ -5,10 +5,10 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..pendulum import Pendulum
-from .diagram import angle, arrow, bare, bob, letter, path, rod, vertical
-from .picture import BLUE, DASHED, DOTTED, RED, Picture, dashed, dotted, exact, named, panels
+from ... import approx
+from ...pendulum import Pendulum
+from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical
+from .._picture import BLUE, DASHED, DOTTED, RED, Picture, dashed, dotted, exact, named, panels
 
 
 def draw_pendulum(figure):

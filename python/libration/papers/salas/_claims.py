@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..pendulum import Pendulum, theta
-from .claim import Claim, rounded
-from .errata_salas import TWELVE, forms_missing
-from .errata_salas_periods import swing_time
-from .exact import salas_22, salas_23, salas_24
+from ... import approx
+from ...pendulum import Pendulum, theta
+from .._claim import Claim, rounded
+from .._exact import salas_22, salas_23, salas_24
+from ._errata import TWELVE, forms_missing
+from ._errata_periods import swing_time
 
 SALAS = functools.partial(Claim, "Salas 2019")
 NO_DATA = "its data are not in the text at hand; the figure is drawn for chosen ones"
@@ -99,7 +99,7 @@ def system_33():
     return max(abs(first), abs(second)) / 95499
 
 
-ROWS = (
+CLAIMS = (
     sine_row("(2)", "salas-2", 70, "|φ| < 70°"),
     sine_row("(3)", "salas-3", 120, "|φ| ≤ 120°"),
     SALAS(

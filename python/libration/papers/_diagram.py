@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .picture import BLACK
+from ._picture import BLACK
 
 ROD = "#5a5a5a"
 

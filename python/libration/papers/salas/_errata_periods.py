@@ -5,10 +5,10 @@ import math
 
 import numpy as np
 
-from .. import approx
-from ..elliptic import complete_k
-from ..pendulum import Pendulum
-from .erratum import Erratum, Kind, largest
+from ... import approx
+from ...elliptic import complete_k
+from ...pendulum import Pendulum
+from .._erratum import Erratum, Kind, largest
 
 # Librations: theta0 and omega0.
 LIBRATIONS = ((0.4, 1.0), (1.0, 3.0), (2.5, 0.5))
@@ -76,7 +76,7 @@ def small_m_residual(bound):
 
 
 SALAS = functools.partial(Erratum, "Salas 2019")
-ROWS = (
+ERRATA = (
     SALAS(
         "(25)",
         "T = K(m)/ω",

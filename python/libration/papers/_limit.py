@@ -1,6 +1,6 @@
 """Where the exact forms of the papers end: states at which each gives another angle than the pendulum's, or none.
 
-The sources are the forms themselves (exact.py); the truth beside them is `libration.theta`.
+The sources are the forms themselves (_exact.py); the truth beside them is `libration.theta`.
 """
 
 import math
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..pendulum import theta
-from .exact import juchem_neto, salas_22, salas_23, salas_24
+from ._exact import juchem_neto, salas_22, salas_23, salas_24
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class Limit:
     Parameters
     ----------
     form : callable
-        A function of exact.py.
+        A function of _exact.py.
     theta0, velocity0, t : float
         The state, and the instant, at which it fails.
     why : str

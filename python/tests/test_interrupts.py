@@ -1,0 +1,126 @@
+"""Ctrl-C ends every long call: KeyboardInterrupt in Python, exit code 130 and no file in the command line.
+
+Every call here would take minutes. A child process says when it begins; a call that goes on kills it by its alarm, long
+after a signal should have ended it on the busiest machine.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT from another process")
+
+LIMIT = 300
+# Long enough for the call to have begun; on a busy machine the signal comes before it, and ends it as well.
+BEGUN = 0.5
+
+BEGIN = f"""if True:
+    import signal
+    import sys
+    import numpy as np
+    import libration
+    import scipy.integrate
+    from libration import Pendulum, approx, elliptic
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    swing = Pendulum(2.0)
+
+    def same(value, count=10**9):
+        return np.broadcast_to(value, (count,))
+
+    def interrupted(call):
+        try:
+            # Inside, because the signal may come before the call.
+            print("begun", flush=True)
+            signal.alarm({LIMIT})
+            call()
+        except KeyboardInterrupt:
+            signal.alarm(0)
+            return print("interrupted", flush=True)
+        print("went on", flush=True)
+
+"""
+
+# Broadcast arguments take no memory, and the one page of a broadcast `out` none either.
+CALLS = {
+    "theta functions": "elliptic.theta1(same(0.7), m=same(0.5), out=np.empty(10**9))",
+    "one orbit": "swing.theta(same(0.7), out=np.empty(10**9))",
+    "states of their own": "libration.motion(same(1e3, 10**8), same(1.0, 10**8), same(0.3, 10**8))",
+    "whole turns": "swing.turns(same(1e3, 10**8))",
+    "a set-up for every row": "libration.theta(np.linspace(0, 9, 10**4)[:, None], 1.0, np.linspace(0, 9, 10**5))",
+    "an accumulation": "libration._core.incomplete_f_m.accumulate(np.full(10**7, 0.5))",
+    "errors of a secular formula": "approx.angle('small-m').of(swing).error(10000)",
+    "ranges over many periods": "approx.angle('fourier:50').ranges(1e-3, 10000)",
+    "angles by a long series": "approx.angle('fourier:500').of(Pendulum(3.14159)).theta(same(0.7, 10**8).copy())",
+    "periods of many angles": "approx.period('chachiyo').error(same(0.7, 10**8).copy())",
+    "values of a polynomial": "approx.sine('best:21', phi_max=2.0).value(same(0.7, 10**8).copy())",
+    "steps of a scheme": "[approx.numerical('rk4:0.00001').of(swing).error(4.0 + k / 100) for k in range(50)]",
+    "SciPy's solution": "approx.numerical('odeint').of(Pendulum(3.0)).error(10000)",
+}
+
+
+@pytest.mark.parametrize("threads", ["1", "2"])
+def test_every_long_call_ends(threads):
+    code = BEGIN + "".join(f"    interrupted(lambda: {call})\n" for call in CALLS.values())
+    environment = os.environ | {"LIBRATION_NUM_THREADS": threads}
+    child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, env=environment)
+    with child:
+        for name in CALLS:
+            assert child.stdout.readline() == "begun\n", name
+            time.sleep(BEGUN)
+            child.send_signal(signal.SIGINT)
+            assert child.stdout.readline() == "interrupted\n", name
+    assert child.returncode == 0
+
+
+def test_passages_are_cut_short():
+    """A search for ten million times takes a second: repeated, so that the signal falls into one of them."""
+    code = BEGIN + "    interrupted(lambda: [swing.times(0.5, 0, 4.9e6 * swing.period) for _ in range(10**4)])\n"
+    child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    with child:
+        assert child.stdout.readline() == "begun\n"
+        time.sleep(BEGUN)
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "interrupted\n"
+
+
+def test_a_handler_may_call_and_go_on():
+    """A signal that raises nothing changes no value, and its handler may use the library."""
+    code = """if True:
+        import signal
+        import numpy as np
+        import libration
+        t = np.linspace(0.0, 50.0, 300_000)
+        expected = libration.theta(t, 3.0)
+        seen = []
+        def handler(*_):
+            seen.append(libration.theta(t, 3.0))
+            # Once more only when this one is done.
+            signal.setitimer(signal.ITIMER_REAL, 0.01)
+        signal.signal(signal.SIGALRM, handler)
+        signal.setitimer(signal.ITIMER_REAL, 0.01)
+        while len(seen) < 5:
+            assert np.array_equal(libration.theta(t, 3.0), expected)
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        assert all(np.array_equal(each, expected) for each in seen)
+    """
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=LIMIT)
+
+
+def test_the_command_line_leaves_no_file(tmp_path):
+    words = ["compare", "--theta0", "2", "--with", "rk4:0.00001,small-m", "--periods", "5"]
+    words += ["--out", str(tmp_path / "a.csv"), "--plot", str(tmp_path / "new/a.png")]
+    code = BEGIN + "    from libration.cli import main\n    sys.exit(main(sys.argv[1:]))\n"
+    child = subprocess.Popen([sys.executable, "-c", code, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    while not any(each.suffix == ".part" for each in tmp_path.rglob("*")):
+        assert child.poll() is None
+        time.sleep(0.01)
+    time.sleep(BEGUN)
+    child.send_signal(signal.SIGINT)
+    assert child.communicate(timeout=LIMIT) == (b"", b"")
+    assert child.returncode == 130
+    assert list(tmp_path.iterdir()) == []
