@@ -4,7 +4,10 @@ from collections.abc import Sequence
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+
+Number = TypeVar("Number", bound=np.generic)
+# That of numpy.typing, whose import takes as long as a tenth of this package.
+NDArray: TypeAlias = np.ndarray[tuple[Any, ...], np.dtype[Number]]
 
 Scalar: TypeAlias = float | np.floating[Any] | np.integer[Any]
 Array: TypeAlias = (

@@ -59,10 +59,10 @@ def apply(ufunc: Any, *arguments: Any, results: tuple[Result, ...] = (), out: An
     """Call ``ufunc`` on ``arguments``; what ``where`` masks is NaN unless ``out`` is given."""
     if where is None:
         raise ValueError("where = None: must be True, False or an array of them")
-    if out is not None:
-        return ufunc(*arguments, out=out, where=where)
     given = arguments if where is True else (*arguments, where)
     library = array_library(given)
+    if out is not None:
+        return ufunc(*arguments, out=out, where=where)
     if library is None:
         return ufunc(*arguments) if where is True else _masked(ufunc, *given)
     if library == "dask.array":

@@ -213,3 +213,5 @@ def test_what_does_not_go_together_is_said_in_one_line(function, first, second, 
 def test_a_mask_of_another_library_is_refused_too():
     with pytest.raises(TypeError, match="do not go together"):
         libration.theta(ARRAY, 1.0, where=SERIES > 0.1)
+    with pytest.raises(TypeError, match="do not go together"):
+        libration.theta(ARRAY, SERIES, out=np.empty(3))

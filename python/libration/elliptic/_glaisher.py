@@ -4,10 +4,15 @@ p and q are letters of s, c, d, n, and sn, cn, dn, nn = 1 the functions above an
 22.15.
 """
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from ._parameter import function
-from ._signatures import OfU, OfX, of_u, of_x
+from ._signatures import of_u, of_x
+
+if TYPE_CHECKING:
+    from ._signatures import OfU, OfX
 
 _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
 

@@ -6,12 +6,13 @@ Source: DLMF 22.2, 22.8.1 to 22.8.3, 22.16(i), 22.17.
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
+from __future__ import annotations
+
 from typing import Any, Generic, NamedTuple, TypeVar, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .._arrays import Complex, Floats, Labelled, Mask, Real, Scalar
+from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._labels import Result, like
 from ._parameter import Function
 

@@ -1,52 +1,283 @@
 """The signatures of the elliptic functions as type checkers see them: numbers give numbers, arrays arrays, labels stay.
 
-Each is a protocol beside the decorator that declares a function to have it. At run time nothing changes.
+Each is a protocol with a decorator that declares a function to have it. At run time there is only the function.
 """
 
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
+from __future__ import annotations
+
 from collections.abc import Callable
-from typing import Any, Protocol, overload
+from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 
+if TYPE_CHECKING:
 
-class OfParameter(Protocol):
-    """A function of the parameter alone."""
+    class OfParameter(Protocol):
+        """A function of the parameter alone."""
 
-    @overload
-    def __call__(
-        self,
-        *,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        *,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        *,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
+        @overload
+        def __call__(
+            self,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfU(Protocol):
+        """A function of an argument u and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            u: Scalar,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            u: Real,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            u: Real | Labelled,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfX(Protocol):
+        """A function of a value x and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            x: Scalar,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            x: Real,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            x: Real | Labelled,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfPhi(Protocol):
+        """A function of an amplitude phi and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            phi: Scalar,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            phi: Real,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            phi: Real | Labelled,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfN(Protocol):
+        """A function of a characteristic n and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            n: Scalar,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            n: Real,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            n: Real | Labelled,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfNAndPhi(Protocol):
+        """A function of a characteristic n and an amplitude phi and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            n: Scalar,
+            phi: Scalar,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            n: Real,
+            phi: Real,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            n: Real | Labelled,
+            phi: Real | Labelled,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfZ(Protocol):
+        """A theta function of z and the nome, or what makes it."""
+
+        @overload
+        def __call__(
+            self,
+            z: Scalar,
+            *,
+            q: Scalar | None = None,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            z: Real,
+            *,
+            q: Real | None = None,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            z: Real | Labelled,
+            *,
+            q: Real | Labelled | None = None,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
 
 
 def of_parameter(function: Callable[..., Any]) -> OfParameter:
@@ -54,85 +285,9 @@ def of_parameter(function: Callable[..., Any]) -> OfParameter:
     return function
 
 
-class OfU(Protocol):
-    """A function of an argument u and the parameter."""
-
-    @overload
-    def __call__(
-        self,
-        u: Scalar,
-        *,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        u: Real,
-        *,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        u: Real | Labelled,
-        *,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
-
-
 def of_u(function: Callable[..., Any]) -> OfU:
     """Declare a function of an argument u and the parameter."""
     return function
-
-
-class OfX(Protocol):
-    """A function of a value x and the parameter."""
-
-    @overload
-    def __call__(
-        self,
-        x: Scalar,
-        *,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        x: Real,
-        *,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        x: Real | Labelled,
-        *,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
 
 
 def of_x(function: Callable[..., Any]) -> OfX:
@@ -140,85 +295,9 @@ def of_x(function: Callable[..., Any]) -> OfX:
     return function
 
 
-class OfPhi(Protocol):
-    """A function of an amplitude phi and the parameter."""
-
-    @overload
-    def __call__(
-        self,
-        phi: Scalar,
-        *,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        phi: Real,
-        *,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        phi: Real | Labelled,
-        *,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
-
-
 def of_phi(function: Callable[..., Any]) -> OfPhi:
     """Declare a function of an amplitude phi and the parameter."""
     return function
-
-
-class OfN(Protocol):
-    """A function of a characteristic n and the parameter."""
-
-    @overload
-    def __call__(
-        self,
-        n: Scalar,
-        *,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        n: Real,
-        *,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        n: Real | Labelled,
-        *,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
 
 
 def of_n(function: Callable[..., Any]) -> OfN:
@@ -226,91 +305,9 @@ def of_n(function: Callable[..., Any]) -> OfN:
     return function
 
 
-class OfNAndPhi(Protocol):
-    """A function of a characteristic n and an amplitude phi and the parameter."""
-
-    @overload
-    def __call__(
-        self,
-        n: Scalar,
-        phi: Scalar,
-        *,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        n: Real,
-        phi: Real,
-        *,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        n: Real | Labelled,
-        phi: Real | Labelled,
-        *,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
-
-
 def of_n_and_phi(function: Callable[..., Any]) -> OfNAndPhi:
     """Declare a function of a characteristic n and an amplitude phi and the parameter."""
     return function
-
-
-class OfZ(Protocol):
-    """A theta function of z and the nome, or what makes it."""
-
-    @overload
-    def __call__(
-        self,
-        z: Scalar,
-        *,
-        q: Scalar | None = None,
-        m: Scalar | None = None,
-        mc: Scalar | None = None,
-        k: Scalar | None = None,
-        out: None = None,
-        where: bool = True,
-    ) -> np.float64: ...
-    @overload
-    def __call__(
-        self,
-        z: Real,
-        *,
-        q: Real | None = None,
-        m: Real | None = None,
-        mc: Real | None = None,
-        k: Real | None = None,
-        out: Floats | None = None,
-        where: Mask = True,
-    ) -> Floats: ...
-    @overload
-    def __call__(
-        self,
-        z: Real | Labelled,
-        *,
-        q: Real | Labelled | None = None,
-        m: Real | Labelled | None = None,
-        mc: Real | Labelled | None = None,
-        k: Real | Labelled | None = None,
-        out: Labelled | None = None,
-        where: Mask = True,
-    ) -> Labelled: ...
 
 
 def of_z(function: Callable[..., Any]) -> OfZ:

@@ -3,10 +3,15 @@
 The four differ in their series alone, so one template serves them. Source: DLMF 20.2(i), 22.2.1.
 """
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from ._parameter import function
-from ._signatures import OfZ, of_parameter, of_z
+from ._signatures import of_parameter, of_z
+
+if TYPE_CHECKING:
+    from ._signatures import OfZ
 
 _NOME = function("nome", "nome")
 

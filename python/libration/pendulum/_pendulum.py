@@ -1,25 +1,25 @@
 """The class ``Pendulum``: one orbit of theta'' + omega0**2 sin(theta) = 0, set up once, exact in every regime.
 
-Here stands what depends on time; in _constants.py what does not, in _orbit.py how an orbit is made. Single instants are
-answered without NumPy's machinery, arrays through the one-orbit ufuncs. Source: Landau & Lifshitz, Mechanics, section 11;
-DLMF 22.19(i).
+Here stands what depends on time; in _crossings.py when an angle is reached, in _constants.py what does not depend on time,
+in _orbit.py how an orbit is made. Single instants are answered without NumPy's machinery, arrays through the one-orbit
+ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
 """
+
+from __future__ import annotations
 
 from typing import Any, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .. import _core
-from .._arrays import Array, Floats, Indexed, Labelled, Scalar, Stacked
+from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import apply, tensor, unindexed
-from .._scalars import real
-from ._constants import Constants
+from ._crossings import Crossings
 from ._results import MOTION, PHASE, SECOND_SENSITIVITIES, SENSITIVITIES, THETA, TURNS, VELOCITY
 from ._sensitivities import FIRST, SECOND, SYMMETRIC
 
 
-class Pendulum(Constants):
+class Pendulum(Crossings):
     """One orbit of the pendulum theta'' + omega0**2 sin(theta) = 0, exact in every regime.
 
     The angle is zero at the bottom and counts on continuously through whole turns. With the energy ratio
@@ -275,72 +275,6 @@ class Pendulum(Constants):
         '1.570796 7.853982'
         """
         return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
-
-    def times(self, theta: float, start: float, stop: float) -> Floats:
-        """All times from `start` to `stop`, both included, at which the angle is `theta`.
-
-        In libration modulo 2 pi: 30 degrees is passed whatever turn the pendulum hangs in. In rotation and on the
-        separatrix the angle is the unwrapped one, and passed once at most.
-
-        Parameters
-        ----------
-        theta : scalar
-            Angle in rad, finite; in rotation within 2**52 turns of `theta0`. A turning angle, also as `theta_max` and `extremes` round it, is passed once a swing.
-        start, stop : scalar
-            Ends of the interval in s, start <= stop, in libration within 2**53 half periods.
-
-        Returns
-        -------
-        ndarray of float64
-            The times in s, rising; empty at rest, and where the motion does not get.
-
-        Raises
-        ------
-        ValueError
-            In one line: the argument, its value and what is allowed; for more than 10 million passages, how many.
-
-        Notes
-        -----
-        Error promised: the motion at each time is at `theta` within 4 ulp of the largest angle plus what an ulp of the
-        time makes of it. Source: DLMF 19.25.5, 22.15(ii).
-
-        Examples
-        --------
-        >>> import libration
-        >>> libration.Pendulum(1.0).times(0.5, 0.0, 7.0).round(6)
-        array([1.126844, 5.573131])
-        """
-        return self._orbit.times(real("theta", theta), real("start", start), real("stop", stop))
-
-    def turning_times(self, start: float, stop: float) -> Floats:
-        """All times from `start` to `stop`, both included, at which the pendulum turns back.
-
-        Parameters
-        ----------
-        start, stop : scalar
-            Ends of the interval in s, start <= stop, within 2**53 half periods.
-
-        Returns
-        -------
-        ndarray of float64
-            The times in s, rising; empty at rest, in rotation and on the separatrix.
-
-        Raises
-        ------
-        ValueError
-            As for `times`.
-
-        Notes
-        -----
-        Error promised: 4 ulp. Source: DLMF 22.4(i).
-
-        Examples
-        --------
-        >>> import libration
-        >>> libration.Pendulum(1.0).turning_times(0.0, 10.0).round(6)
-        array([0.      , 3.349988, 6.699976])
-        """
-        return self._orbit.turning_times(real("start", start), real("stop", stop))
 
     @overload
     def sensitivities(self, t: Scalar | Array) -> Floats: ...
