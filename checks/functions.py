@@ -10,8 +10,7 @@ from pathlib import Path
 
 from tree import files, finish
 
-NUMBERS = {"error_max_ulp", "error_median_ulp", "error_max_ulp_own_state"}
-FIELDS = NUMBERS | {"members", "vectors", "rust", "test"}
+FIELDS = {"members", "error_max_ulp", "error_median_ulp", "error_max_ulp_own_state", "vectors", "rust", "test"}
 FUNCTION, TEST = "step 3, the function", "step 3, the test that holds it"
 STEPS = {"vectors": "step 2, a generator in reference/", "rust": FUNCTION, "test": TEST}
 # How many there are follows from the registries, which grow.
