@@ -3,8 +3,6 @@
 Each is set up for one pendulum, answers at any time, and knows how far it is from the exact angle.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from typing import Any, NamedTuple, Self, overload
@@ -77,7 +75,7 @@ class AngleFormula(Named):
         object.__setattr__(self, "_formula", _core.AngleFormula(str(name)))
         return self
 
-    def of(self, pendulum: Pendulum) -> AngleApproximation:
+    def of(self, pendulum: Pendulum) -> "AngleApproximation":
         """The formula for one pendulum.
 
         A formula for a release from rest runs on the exact phase, from the last turning point on. `harmonic`, `fourier:N`,

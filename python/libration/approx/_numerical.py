@@ -3,8 +3,6 @@
 The steps of fixed length are the core's (core/approx/steps.rs); `solve_ivp` and `odeint` are SciPy's, with its defaults.
 """
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import math
@@ -95,7 +93,7 @@ class NumericalFormula:
         """Who says so, with the order of the scheme."""
         return SCHEMES[self.scheme][1] if self.scheme in SCHEMES else f"SciPy, scipy.integrate.{self.scheme}"
 
-    def of(self, pendulum: Pendulum) -> NumericalSolution:
+    def of(self, pendulum: Pendulum) -> "NumericalSolution":
         """The numerical solution for one pendulum.
 
         Parameters

@@ -3,8 +3,6 @@
 Each gives the ratio to the period of small swings, and its error, right to the error's own last digits.
 """
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any, Self, overload
 

@@ -1,7 +1,5 @@
 """Polynomials in place of the sine of the force: Salas's two, Taylor's, and the best one of a degree on a range."""
 
-from __future__ import annotations
-
 from math import pi
 from typing import Any, NamedTuple, Self, overload
 

@@ -4,8 +4,6 @@ p and q are letters of s, c, d, n, and sn, cn, dn, nn = 1 the functions above an
 22.15.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any
 
 from ._parameter import function
@@ -173,7 +171,7 @@ _TABLE = {
 }
 
 
-def _function(name: str) -> OfU:
+def _function(name: str) -> "OfU":
     """pq of the table."""
     pq_of = function(name, f"Jacobi's elliptic function {name}")
     quotient, example, *_, source, _ = _TABLE[name]
@@ -187,7 +185,7 @@ def _function(name: str) -> OfU:
     return of_u(pq)
 
 
-def _inverse(name: str) -> OfX:
+def _inverse(name: str) -> "OfX":
     """arcpq of the table."""
     arcpq_of = function(f"arc{name}", f"inverse of Jacobi's elliptic function {name}")
     _, _, domain, x, example, _, source = _TABLE[name]

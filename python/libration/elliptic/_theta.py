@@ -3,8 +3,6 @@
 The four differ in their series alone, so one template serves them. Source: DLMF 20.2(i), 22.2.1.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any
 
 from ._parameter import function
@@ -97,7 +95,7 @@ _THETAS = {
 }
 
 
-def _theta(index: int) -> OfZ:
+def _theta(index: int) -> "OfZ":
     """The function of one index."""
     theta_of = function(f"theta{index}", f"Jacobi's theta function {index}", ("q", "m", "mc", "k"))
     series, source, example = _THETAS[index]

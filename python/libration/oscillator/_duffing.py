@@ -7,8 +7,6 @@ Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
-from __future__ import annotations
-
 from typing import Any, Self, overload
 
 import numpy as np

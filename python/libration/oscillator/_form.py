@@ -1,7 +1,5 @@
 """The twelve forms c1 pq(Omega t + c2 | m) of solutions of u'' + p u + q u**3 = 0."""
 
-from __future__ import annotations
-
 from typing import Any, Self, overload
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What every nonlinear spring answers: its motion, regime, period, reach, passages and escapes."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Any, ClassVar, Self, overload
 

@@ -9,8 +9,6 @@ Source: Landau & Lifshitz, Mechanics, sections 11 and 49.
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
-from __future__ import annotations
-
 from typing import Any, overload
 
 import numpy as np

@@ -8,8 +8,6 @@ Source: DLMF 22.19(i).
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
-from __future__ import annotations
-
 from typing import Any, overload
 
 import numpy as np

@@ -5,8 +5,6 @@ in _orbit.py how an orbit is made. Single instants are answered without NumPy's 
 ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
 """
 
-from __future__ import annotations
-
 from typing import Any, overload
 
 import numpy as np

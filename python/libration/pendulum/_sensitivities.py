@@ -3,8 +3,6 @@
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
-from __future__ import annotations
-
 from typing import Any, overload
 
 from .. import _core

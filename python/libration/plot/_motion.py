@@ -1,7 +1,5 @@
 """The picture of a pendulum's motion: theta(t) with the linear solution, and the phase portrait with the separatrix."""
 
-from __future__ import annotations
-
 from typing import Any, overload
 
 import numpy as np
