@@ -4,8 +4,6 @@ p and q are letters of s, c, d, n, and sn, cn, dn, nn = 1 the functions above an
 22.15.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any
 
 from ._parameter import function
@@ -40,7 +38,7 @@ _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
 
     Notes
     -----
-    Error promised: 3 (ulp + 2**-100 of the condition in u and the parameter), next to zeros and poles too. Source: DLMF
+    Error promised: 5 (ulp + 2**-100 of the condition in u and the parameter), next to zeros and poles too. Source: DLMF
     {source}, 22.17.
 
     Examples
@@ -76,8 +74,8 @@ _INVERSE = """Inverse of Jacobi's elliptic function {name}: the u with {name}(u 
 
     Notes
     -----
-    Error promised: 3 (ulp + 2**-100 of the condition in x and the parameter); at an end of the range, where the
-    condition is infinite, 3 ulp. Source: DLMF {source}, 19.25.28 to 19.25.34.
+    Error promised: 5 (ulp + 2**-100 of the condition in x and the parameter); at an end of the range, where the
+    condition is infinite, 5 ulp. Source: DLMF {source}, 19.25.28 to 19.25.34.
 
     Examples
     --------
@@ -173,7 +171,7 @@ _TABLE = {
 }
 
 
-def _function(name: str) -> OfU:
+def _function(name: str) -> "OfU":
     """pq of the table."""
     pq_of = function(name, f"Jacobi's elliptic function {name}")
     quotient, example, *_, source, _ = _TABLE[name]
@@ -187,7 +185,7 @@ def _function(name: str) -> OfU:
     return of_u(pq)
 
 
-def _inverse(name: str) -> OfX:
+def _inverse(name: str) -> "OfX":
     """arcpq of the table."""
     arcpq_of = function(f"arc{name}", f"inverse of Jacobi's elliptic function {name}")
     _, _, domain, x, example, _, source = _TABLE[name]

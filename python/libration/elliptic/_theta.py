@@ -3,8 +3,6 @@
 The four differ in their series alone, so one template serves them. Source: DLMF 20.2(i), 22.2.1.
 """
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any
 
 from ._parameter import function
@@ -78,7 +76,7 @@ _DOCUMENT = """Jacobi's theta function theta_{index}(z, q).
 
     Notes
     -----
-    Error promised: 3 (ulp + 2**-100 of the condition in z and the keyword), next to the zeros and for q next to 1 too.
+    Error promised: 5 (ulp + 2**-100 of the condition in z and the keyword), next to the zeros and for q next to 1 too.
     Source: DLMF {source}.
 
     Examples
@@ -97,7 +95,7 @@ _THETAS = {
 }
 
 
-def _theta(index: int) -> OfZ:
+def _theta(index: int) -> "OfZ":
     """The function of one index."""
     theta_of = function(f"theta{index}", f"Jacobi's theta function {index}", ("q", "m", "mc", "k"))
     series, source, example = _THETAS[index]
