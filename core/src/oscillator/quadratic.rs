@@ -18,8 +18,31 @@ pub(super) struct Quadratic {
     lead: Scaled,
     /// sqrt|b^2 - 4 a c|.
     root: Scaled,
-    /// a v of the other roots, the larger in size first; `None` where they are complex.
-    others: Option<[Scaled; 2]>,
+    /// The other roots, where they are real.
+    others: Option<Others>,
+}
+
+/// The real roots other than 0.
+#[derive(Clone, Copy, Debug)]
+struct Others {
+    /// a v of both, the larger in size first.
+    scaled: [Scaled; 2],
+    /// All three roots v, falling; and which each is: 0, 1 for the larger in size, 2 for the smaller.
+    falling: [Scaled; 3],
+    order: [usize; 3],
+}
+
+impl Others {
+    fn new(scaled: [Scaled; 2], a: Scaled) -> Others {
+        let v = [Scaled::ZERO, scaled[0] / a, scaled[1] / a];
+        let mut order = [0, 1, 2];
+        for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+            if less(v[order[i]], v[order[j]]) {
+                order.swap(i, j);
+            }
+        }
+        Others { scaled, falling: order.map(|k| v[k]), order }
+    }
 }
 
 impl Quadratic {
@@ -28,29 +51,17 @@ impl Quadratic {
         let ac = &a * &c;
         let discriminant = b.square() - &ac * 4.0;
         let root = discriminant.to_scaled().abs().sqrt();
+        let lead = a.to_scaled();
         let others = (discriminant.sign() >= 0).then(|| {
             let large = (b.to_scaled().abs() + root).shift(-1).signed(-f64::from(b.sign()));
-            [large, if large.is_zero() { large } else { ac.to_scaled() / large }]
+            Others::new([large, if large.is_zero() { large } else { ac.to_scaled() / large }], lead)
         });
-        Quadratic { lead: a.to_scaled(), a, b, c, root, others }
-    }
-
-    /// The values of the roots 0, the larger and the smaller one, in the order of falling roots, and which is which.
-    fn ordered(&self, [large, small]: [Scaled; 2]) -> [usize; 3] {
-        let v = [Scaled::ZERO, large / self.lead, small / self.lead];
-        let mut order = [0, 1, 2];
-        for (i, j) in [(0, 1), (1, 2), (0, 1)] {
-            if less(v[order[i]], v[order[j]]) {
-                order.swap(i, j);
-            }
-        }
-        order
+        Quadratic { lead, a, b, c, root, others }
     }
 
     /// Gaps between the roots, from the largest: 0 to 1, 1 to 2, 0 to 2. None where two are complex.
     pub fn gaps(&self) -> Option<[Scaled; 3]> {
-        let [large, small] = self.others?;
-        let order = self.ordered([large, small]);
+        let Others { scaled: [large, small], order, .. } = self.others?;
         let gap = |i: usize, j: usize| match order[i] + order[j] {
             1 => large.abs(),
             2 => small.abs(),
@@ -69,7 +80,7 @@ impl Quadratic {
     pub fn of_square(&self, y: &Dyadic, value: &Dyadic) -> Distances {
         let product = value.to_scaled() / self.lead;
         let sum = (&self.a * 2.0 + &self.b * y).to_scaled() / self.lead;
-        let Some([large, small]) = self.others else {
+        let Some(Others { scaled: [large, _], order, .. }) = self.others else {
             return Distances::One([Scaled::ONE, product, sum.shift(-1)]);
         };
         // Of the two distances, the one of the larger root less the other.
@@ -78,16 +89,13 @@ impl Quadratic {
         let first = (sum + if same { difference } else { -difference }).shift(-1);
         let second = if first.is_zero() { first } else { product / first };
         let at = if same { [Scaled::ONE, first, second] } else { [Scaled::ONE, second, first] };
-        Distances::Three(self.ordered([large, small]).map(|k| at[k]))
+        Distances::Three(order.map(|k| at[k]))
     }
 
     /// The roots; of a pair the square of its modulus and the real part.
     pub fn roots(&self) -> Distances {
         match self.others {
-            Some([large, small]) => {
-                let v = [Scaled::ZERO, large / self.lead, small / self.lead];
-                Distances::Three(self.ordered([large, small]).map(|k| v[k]))
-            }
+            Some(Others { falling, .. }) => Distances::Three(falling),
             None => {
                 let [half, _] = self.pair().unwrap_or([Scaled::ZERO; 2]);
                 let real = -half.signed(self.lead.sign());
