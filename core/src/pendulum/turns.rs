@@ -46,15 +46,17 @@ impl Orbit {
                 let shift = (rest.hi / TWO_PI.hi).round();
                 (hi.whole_turns() + lo.whole_turns() + Dd::from(shift), rest - TWO_PI * shift)
             }
+            // Two whole numbers, but for starts of 2^53 turns and more.
+            _ if self.frame.turns.lo == 0.0 => (Dd::sum(self.frame.turns.hi, turns), local),
             _ => (self.frame.turns + Dd::from(turns), local),
         };
         // The half-open interval in doubles: its upper end is the lower end one turn on.
         let (shift, angle) = match rest.value() {
-            value if value >= PI.hi => (1.0, (rest - TWO_PI).value().max(-PI.hi)),
-            value if value < -PI.hi => (-1.0, (rest + TWO_PI).value()),
-            value => (0.0, value),
+            value if value >= PI.hi => (1, (rest - TWO_PI).value().max(-PI.hi)),
+            value if value < -PI.hi => (-1, (rest + TWO_PI).value()),
+            value => (0, value),
         };
-        match whole(count + Dd::from(shift)) {
+        match whole(count).and_then(|count| count.checked_add(shift)) {
             Some(count) => Turns { count, angle },
             None => Turns::NONE,
         }
