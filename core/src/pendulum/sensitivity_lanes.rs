@@ -30,6 +30,8 @@ pub(super) struct SensitivityLanes {
     last: f64,
     m: f64,
     mc: f64,
+    /// 1/mc, 1 over the stretch of time, and 1/omega0: a product costs less than a quotient.
+    inverses: [f64; 3],
     /// 2K, and E - mc K.
     half_period: f64,
     whole: f64,
@@ -80,6 +82,7 @@ impl SensitivityLanes {
             last: if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
             m: m.hi,
             mc: mc.hi,
+            inverses: [mc.hi, stretch.hi, omega.ldexp(omega_power).hi].map(|value| 1.0 / value),
             half_period: quarter.scale(2.0).hi,
             whole: whole.hi,
             near: near.hi,
@@ -119,7 +122,8 @@ impl SensitivityLanes {
         let near = u.mul_add(constant(self.near), zeta);
         let far = from_top.mul_add(constant(self.far), constant(self.whole)) - zeta;
         let g = L::select(folded, far, near);
-        let (m, mc, over) = (constant(self.m), constant(self.mc), constant(1.0 / self.mc));
+        let [over, per_stretch, per_omega] = self.inverses;
+        let (m, mc, over) = (constant(self.m), constant(self.mc), constant(over));
         let (a, b, p, q) = if ROTATION {
             let (a, b) = (dn, m * sn * cn);
             let p = (dn * mc.mul_add(u, g) - b) * over;
@@ -140,15 +144,15 @@ impl SensitivityLanes {
         let [a0, b0, p0, q0] = self.start.map(constant);
         let (k, x, stretch, omega) =
             (constant(self.k), constant(self.x), constant(self.stretch), constant(self.omega));
-        let by_velocity = (a0 * p - p0 * a) / stretch;
+        let by_velocity = (a0 * p - p0 * a) * constant(per_stretch);
         let rate_by_velocity = a0.mul_add(q, p0 * b);
         let turned = omega * passed;
         let twice = constant(2.0 * self.side);
         let ka = k * a;
         let values = [
             a.mul_add(q0, p * b0),
-            by_velocity / omega,
-            twice * (ka * turned - x * by_velocity) / omega,
+            by_velocity * constant(per_omega),
+            twice * (ka * turned - x * by_velocity) * constant(per_omega),
             stretch * omega * (q * b0 - b * q0),
             rate_by_velocity,
             twice * (ka - stretch * k * b * turned - x * rate_by_velocity),
