@@ -123,7 +123,7 @@ def third_kind():
     taken = [("m", -1e16), ("m", 0.5), ("m", 1e16), ("mc", 2.0**-108), ("mc", -1e-16), ("k", 1e-10)]
     for given, parameter in taken:
         m, _ = parameters(given, parameter)
-        angles = last_angle(m) if m > 1 else [1e-8, math.pi / 2 - 1.5e-8, 2.0**116]
+        angles = last_angle(m) if m > 1 else [3e-8, math.pi / 2 - 1.5e-8, 2.0**116]
         for i, n in enumerate(characteristics):
             row = {"given": given, "parameter": parameter, "n": n}
             if m < 1:
