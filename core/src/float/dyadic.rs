@@ -5,14 +5,11 @@
 //! powers of two apart use the heap.
 
 use super::Dd;
-use super::exponent::{exponent, ldexp, mantissa};
 use super::scaled::Scaled;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Words that stand in the value itself.
-const SHORT: usize = 20;
-/// Bits of a mantissa after its first.
-const BITS: i32 = 52;
+const SHORT: usize = 16;
 
 /// words * 2^power, least significant word first, without zero words at either end.
 #[derive(Clone, Debug)]
@@ -39,6 +36,21 @@ impl Words {
             Words::Long(words) => words,
         }
     }
+    /// Sets the word at the end of `length` words.
+    fn push(&mut self, length: usize, word: u64) {
+        match self {
+            Words::Short(words) if length < SHORT => words[length] = word,
+            Words::Short(words) => {
+                let mut long = words.to_vec();
+                long.push(word);
+                *self = Words::Long(long);
+            }
+            Words::Long(words) => {
+                words.truncate(length);
+                words.push(word);
+            }
+        }
+    }
     fn all_mut(&mut self) -> &mut [u64] {
         match self {
             Words::Short(words) => words,
@@ -56,9 +68,12 @@ impl Dyadic {
     /// Without the zero words at either end.
     fn trimmed(negative: bool, power: i32, length: usize, mut words: Words) -> Dyadic {
         let all = &mut words.all_mut()[..length];
-        let Some(low) = all.iter().position(|word| *word != 0) else { return Dyadic::ZERO };
-        let high = all.iter().rposition(|word| *word != 0).map_or(length, |last| last + 1);
-        all.copy_within(low..high, 0);
+        let Some(last) = all.iter().rposition(|word| *word != 0) else { return Dyadic::ZERO };
+        let (high, mut low) = (last + 1, 0);
+        if all[0] == 0 {
+            low = all.iter().position(|word| *word != 0).unwrap_or(last);
+            all.copy_within(low..high, 0);
+        }
         Dyadic { negative, power: power + 64 * low as i32, length: high - low, words }
     }
     /// +1, 0 or -1.
@@ -71,13 +86,13 @@ impl Dyadic {
     }
     /// Rounded once, to a double-double of any range.
     pub fn to_scaled(&self) -> Scaled {
-        // Three words hold at least 129 bits.
+        const HALF_WORD: f64 = 4_294_967_296.0;
+        // Three words hold at least 129 bits; two doubles hold a word.
         let low = self.length.saturating_sub(3);
         let mut value = Dd::ZERO;
         for word in self.words()[low..].iter().rev() {
-            for half in [word >> 32, word & 0xffff_ffff] {
-                value = value.scale(4_294_967_296.0) + Dd::from(half as f64);
-            }
+            let word = Dd::sum((word >> 32) as f64 * HALF_WORD, (word & 0xffff_ffff) as f64);
+            value = value.scale(HALF_WORD * HALF_WORD) + word;
         }
         let value = Scaled::new(value, self.power + 64 * low as i32);
         if self.negative { -value } else { value }
@@ -137,16 +152,23 @@ fn add_shifted(sum: &mut [u64], words: &[u64], shift: i32, subtracted: bool) {
     }
 }
 
+/// The mantissa of a finite double as an odd number (0 for 0), and its power of two.
+fn odd_mantissa(value: f64) -> (u64, i32) {
+    let bits = value.to_bits();
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
+    let word = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+    let spare = if word == 0 { 0 } else { word.trailing_zeros() };
+    (word >> spare, exponent.max(1) - 1075 + spare as i32)
+}
+
 impl From<f64> for Dyadic {
     fn from(value: f64) -> Dyadic {
-        if value == 0.0 {
+        let (word, power) = odd_mantissa(value);
+        if word == 0 {
             return Dyadic::ZERO;
         }
-        let word = ldexp(mantissa(value).abs(), BITS) as u64;
-        let spare = word.trailing_zeros();
         let mut words = [0; SHORT];
-        words[0] = word >> spare;
-        let power = exponent(value) - BITS + spare as i32;
+        words[0] = word;
         Dyadic { negative: value < 0.0, power, length: 1, words: Words::Short(words) }
     }
 }
@@ -194,15 +216,29 @@ operator!(Mul mul: a, b => product(a, b));
 
 impl Mul<f64> for Dyadic {
     type Output = Dyadic;
-    fn mul(self, factor: f64) -> Dyadic {
-        self * Dyadic::from(factor)
+    fn mul(mut self, factor: f64) -> Dyadic {
+        let (word, power) = odd_mantissa(factor);
+        if self.length == 0 || word == 0 {
+            return Dyadic::ZERO;
+        }
+        let mut carry = 0u128;
+        for place in &mut self.words.all_mut()[..self.length] {
+            let sum = u128::from(*place) * u128::from(word) + carry;
+            (*place, carry) = (sum as u64, sum >> 64);
+        }
+        if carry != 0 {
+            self.words.push(self.length, carry as u64);
+            self.length += 1;
+        }
+        // An odd factor leaves no zero word at the lower end.
+        Dyadic { negative: self.negative != (factor < 0.0), power: self.power + power, ..self }
     }
 }
 
 impl Mul<f64> for &Dyadic {
     type Output = Dyadic;
     fn mul(self, factor: f64) -> Dyadic {
-        self * Dyadic::from(factor)
+        self.clone() * factor
     }
 }
 

@@ -31,12 +31,13 @@ impl Lane for f64 {
     fn mul_add(self, factor: f64, term: f64) -> f64 {
         self * factor + term
     }
-    /// Not inlined: long, and everywhere.
-    #[inline(never)]
+    #[inline(always)]
     fn two_product(self, factor: f64) -> (f64, f64) {
-        let (a, up_a) = if f64::abs(self) > HUGE { (self * DOWN, UP) } else { (self, 1.0) };
-        let (b, up_b) = if f64::abs(factor) > HUGE { (factor * DOWN, UP) } else { (factor, 1.0) };
-        (self * factor, product_error(a, b, a * b) * up_a * up_b)
+        if f64::abs(self) > HUGE || f64::abs(factor) > HUGE {
+            return product_of_huge(self, factor);
+        }
+        let product = self * factor;
+        (product, product_error(self, factor, product))
     }
     #[inline(always)]
     fn round(self) -> f64 {
@@ -70,6 +71,15 @@ impl Lane for f64 {
     fn select(mask: bool, yes: f64, no: f64) -> f64 {
         if mask { yes } else { no }
     }
+}
+
+/// Product and error of factors of which one or both are too large to be split.
+#[cold]
+#[inline(never)]
+fn product_of_huge(a: f64, b: f64) -> (f64, f64) {
+    let down = |factor: f64| if f64::abs(factor) > HUGE { (factor * DOWN, UP) } else { (factor, 1.0) };
+    let ((small_a, up_a), (small_b, up_b)) = (down(a), down(b));
+    (a * b, product_error(small_a, small_b, small_a * small_b) * up_a * up_b)
 }
 
 /// Dekker's: the exact error of the product of two factors up to 2^990.

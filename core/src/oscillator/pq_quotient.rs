@@ -112,8 +112,11 @@ impl PqQuotient {
             let root = m.sqrt();
             ([amplitude * t, amplitude / t], [one, kc / t], [root * kc * t.square(), root / t], speed)
         } else {
-            let u = [0, 1].map(|k| amplitude * p[k] / q[k]);
-            (u, [0, 1].map(|k| slope * speed * r[k] * s[k] / q[k].square()), [Scaled::ZERO; 2], one)
+            // Most factors are 1: a product with the inverse costs less than a quotient.
+            let over = q.map(|factor| if (factor - one).is_zero() { one } else { one / factor });
+            let u = [0, 1].map(|k| amplitude * p[k] * over[k]);
+            let speed = slope * speed;
+            (u, [0, 1].map(|k| speed * r[k] * s[k] * over[k].square()), [Scaled::ZERO; 2], one)
         };
         let (u, u_scale) = over_common_power(u);
         let (velocity, slope, velocity_scale) = if pq == Pq::SnDnOverCn {
