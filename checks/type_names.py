@@ -16,7 +16,7 @@ def types(path: Path) -> set[str]:
     if path.suffix == ".py":
         nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         classes = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
-        return classes | set(re.findall(r"^type (\w+)", path.read_text(encoding="utf-8"), re.MULTILINE))
+        return classes | set(re.findall(r"^(\w+): TypeAlias", path.read_text(encoding="utf-8"), re.MULTILINE))
     found = set()
     for _, line in code_lines(path, "//"):
         if line.lstrip().startswith("#[cfg(test)]"):
