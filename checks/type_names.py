@@ -12,11 +12,11 @@ RUST = re.compile(r"^(?:\s*(?:pub(?:\([^)]*\))?\s+)?(?:struct|enum|trait|union)|
 
 
 def types(path: Path) -> set[str]:
-    """The types that a file defines, without those of its unit tests."""
+    """The types that a file defines, but for its unit tests."""
     if path.suffix == ".py":
         nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         classes = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
-        return classes | set(re.findall(r"^(\w+): TypeAlias\b", path.read_text(encoding="utf-8"), re.MULTILINE))
+        return classes | set(re.findall(r"^(\w+): TypeAlias", path.read_text(encoding="utf-8"), re.MULTILINE))
     found = set()
     for _, line in code_lines(path, "//"):
         if line.lstrip().startswith("#[cfg(test)]"):
