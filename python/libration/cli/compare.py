@@ -61,7 +61,7 @@ LONG = 100.0
 
 
 class CompareOptions(StateOptions, ResultOptions):
-    """The options of `libration compare`; `with` is a keyword of Python and read by `getattr`."""
+    """The options of `libration compare`; `with`, a keyword of Python, is read by `getattr`."""
 
     periods: str | None
 
@@ -87,7 +87,7 @@ def parser() -> Parser:
 
 
 def run(words: list[str]) -> None:
-    """Compare what the words ask for, write the files, print the errors."""
+    """Compare the solutions that the words name, write the files, print the errors."""
     options = parser().options(words, CompareOptions())
     given = state(options)
     assumed = not has_frequency(given)
@@ -118,7 +118,7 @@ def run(words: list[str]) -> None:
 
 
 def names(text: str | None) -> list[str]:
-    """The names asked for, each once."""
+    """The names in the value of --with."""
     if text is None:
         raise Refusal("missing --with, what to compare, such as --with harmonic,fourier:4")
     wanted = [name.strip() for name in text.split(",")]
@@ -129,7 +129,7 @@ def names(text: str | None) -> list[str]:
 
 
 def different(solutions: Sequence[Solution], text: str | None) -> list[tuple[str, Solution]]:
-    """The solutions by their names, each once."""
+    """The solutions by their names, or a Refusal if one is named twice."""
     names = [made.formula.name for made in solutions]
     for name in names:
         if names.count(name) > 1:

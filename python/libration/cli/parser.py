@@ -1,4 +1,4 @@
-"""argparse with one-line errors: what is wrong, with which option, and the nearest option there is.
+"""argparse with one-line errors: what is wrong, with which option, and the nearest known option.
 
 Options are not abbreviated and may be given once; a negative quantity (`--theta0 -170deg`) is a value, not an
 option. Required options are checked by the commands, after unknown ones, so that `--theta 3` is answered with
@@ -28,7 +28,7 @@ class Refusal(Exception):
 
 
 class Finding(Exception):
-    """A check that does not hold: the text is the one line that the user reads."""
+    """A check that failed: the text is the one line that the user reads."""
 
 
 def refusal(option: str, value: object, reason: str) -> Refusal:
