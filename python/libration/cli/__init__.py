@@ -1,13 +1,14 @@
 # argparse: in the standard library, maintained, and fast to start; its errors are re-worded in parser.py.
 """The command `libration`: pendulums, Duffing oscillators and the papers about them, from the shell.
 
-One function, `main`. Every refusal is one line on the standard error and exit code 2; nothing is left half
-written. NumPy and matplotlib are loaded by the commands that need them, so that `--help` is quick.
+One function, `main`. Every refusal is one line on the standard error and exit code 2; no file is left
+unfinished. matplotlib and SciPy are loaded by the commands that need them, so that `--help` is quick.
 """
 
 import contextlib
 import importlib
 import sys
+from collections.abc import Callable
 
 from libration.cli.parser import Finding, Refusal, top_parser
 from libration.cli.streams import Ended, drop, ending, printable, refused
@@ -21,13 +22,13 @@ def main(arguments: list[str] | None = None) -> int:
     Parameters
     ----------
     arguments : list of str, optional
-        The words after `libration`; by default those of the shell.
+        The words after `libration`; by default those of the command line.
 
     Returns
     -------
     int
-        The exit code: 0 done, 1 what was checked does not hold, 2 refused (one line on the standard error says
-        why), 130 interrupted, 141 when the reader of the standard output has gone, 143 terminated.
+        The exit code: 0 done, 1 a check failed, 2 refused (one line on the standard error says why), 129 ended by a
+        hang-up, 130 interrupted, 141 when the reader of the standard output is gone, 143 terminated.
 
     Examples
     --------
@@ -40,13 +41,13 @@ def main(arguments: list[str] | None = None) -> int:
         return answered(list(sys.argv[1:] if arguments is None else arguments))
 
 
-def answered(words):
+def answered(words: list[str]) -> int:
     """The exit code for the words of a command line."""
     prog = f"libration {words[0]}" if words and words[0] in COMMANDS else "libration"
     try:
         if sys.stdout is None:
             raise Refusal("standard output: is closed, so there is nowhere to print")
-        # argparse leaves after --help by SystemExit.
+        # argparse raises SystemExit after --help.
         with contextlib.suppress(SystemExit), ending():
             if words and words[0] in COMMANDS:
                 command(words[0])(words[1:])
@@ -72,6 +73,7 @@ def answered(words):
         return refused(prog, f"standard output: {error.strerror or error}")
 
 
-def command(name):
-    """The function that runs one command, loaded only now."""
-    return importlib.import_module(f"libration.cli.{name}").run
+def command(name: str) -> Callable[[list[str]], None]:
+    """The function that runs one command; its module is imported here."""
+    run: Callable[[list[str]], None] = importlib.import_module(f"libration.cli.{name}").run
+    return run

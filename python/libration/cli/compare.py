@@ -1,16 +1,28 @@
 """`libration compare`: approximations and numerical solutions beside the exact motion, with their largest errors.
 
-Everything that can be refused is refused before anything is evaluated; files appear whole or not at all.
+Everything that can be refused is refused before anything is evaluated; files are written completely or not at all.
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, TypeAlias
 
-from libration.cli.files import strict, write_table
+from libration.cli.files import Column, Json, strict, write_table
 from libration.cli.parameters import keyed, table_parameters
 from libration.cli.parser import Parser, Refusal, refusal
 from libration.cli.quantities import plain
-from libration.cli.sampling import check_targets, form, plotter, targets, written
-from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options, upright
+from libration.cli.sampling import ResultOptions, check_plot, check_targets, form, targets, written
+from libration.cli.state import UNITS, StateOptions, has_frequency, pendulum, state, state_options, upright
+
+if TYPE_CHECKING:
+    from libration import Pendulum
+    from libration.approx._angle import AngleApproximation, AngleError, AngleFormula
+    from libration.approx._numerical import NumericalFormula, NumericalSolution
+    from libration.approx._registry import Registry
+
+Solution: TypeAlias = "AngleApproximation | NumericalSolution"
+# The largest error over one of the spans, and when a numerical swing goes over the top, else NaN.
+Measured: TypeAlias = "tuple[AngleError, float]"
 
 DESCRIPTION = """\
 How far approximations and numerical solutions are from the exact motion: the largest
@@ -48,7 +60,13 @@ examples:
 LONG = 100.0
 
 
-def parser():
+class CompareOptions(StateOptions, ResultOptions):
+    """The options of `libration compare`; `with`, a keyword of Python, is read by `getattr`."""
+
+    periods: str | None
+
+
+def parser() -> Parser:
     """The options of `libration compare`."""
     made = Parser("libration compare", DESCRIPTION, EPILOG)
     made.usage = "libration compare --theta0 ANGLE --with NAMES [options]"
@@ -56,7 +74,10 @@ def parser():
     group = made.add_argument_group("the comparison")
     made.value(group, "--with", "NAMES", "what to compare, separated by commas (required)")
     made.value(
-        group, "--periods", "N", "periods of an error beside that over 100, of the table and the picture (default 1)"
+        group,
+        "--periods",
+        "N",
+        "periods of the table, the plot and one of the errors; the other is over 100 (default 1)",
     )
     group = made.add_argument_group("the results")
     made.value(group, "--out", "FILE", "write the angles to a .csv, .npz or .json file")
@@ -65,27 +86,30 @@ def parser():
     return made
 
 
-def run(words):
-    """Compare what the words ask for, write the files, print the errors."""
-    options = parser().options(words)
+def run(words: list[str]) -> None:
+    """Compare the solutions that the words name, write the files, print the errors."""
+    options = parser().options(words, CompareOptions())
     given = state(options)
     assumed = not has_frequency(given)
     if assumed:
         given["omega0"] = 1.0
-    wanted = names(getattr(options, "with"))
+    text: str | None = getattr(options, "with")
+    wanted = names(text)
     periods = span(options.periods)
     check_targets(options)
     motion = moving(options, pendulum(given))
-    solutions = different([solution(name, motion) for name in wanted], getattr(options, "with"))
-    with targets(options) as (table, picture):
-        draw = plotter("libration.plot", "plot_comparison", "--plot", options.plot)
+    solutions = different([solution(name, motion) for name in wanted], text)
+    with targets(options) as (table, plot):
+        check_plot(options)
         spans = sorted({periods, LONG})
         rows = [(name, [measured(name, made, each) for each in spans]) for name, made in solutions]
-        if table:
+        if table and options.out is not None:
             columns = sampled_angles(motion, solutions, periods)
             write_table(table, options.out, table_parameters(given, motion), columns)
-        if picture:
-            draw(motion, solutions, picture, periods=periods, form=form(options.plot))
+        if plot and options.plot is not None:
+            from libration.plot import plot_comparison
+
+            plot_comparison(motion, solutions, plot, periods=periods, form=form(options.plot))
     files = written(options)
     if options.json:
         print_json(given, motion, spans, rows, files)
@@ -93,8 +117,8 @@ def run(words):
         print_text(motion, assumed, spans, rows, files)
 
 
-def names(text):
-    """The names asked for, each once."""
+def names(text: str | None) -> list[str]:
+    """The names in the value of --with."""
     if text is None:
         raise Refusal("missing --with, what to compare, such as --with harmonic,fourier:4")
     wanted = [name.strip() for name in text.split(",")]
@@ -104,8 +128,8 @@ def names(text):
     return wanted
 
 
-def different(solutions, text):
-    """The solutions by their names, each once."""
+def different(solutions: Sequence[Solution], text: str | None) -> list[tuple[str, Solution]]:
+    """The solutions by their names, or a Refusal if one is named twice."""
     names = [made.formula.name for made in solutions]
     for name in names:
         if names.count(name) > 1:
@@ -113,7 +137,7 @@ def different(solutions, text):
     return list(zip(names, solutions, strict=True))
 
 
-def span(text):
+def span(text: str | None) -> float:
     """How many periods."""
     if text is None:
         return 1.0
@@ -125,7 +149,7 @@ def span(text):
     return periods
 
 
-def moving(options, motion):
+def moving(options: CompareOptions, motion: "Pendulum") -> "Pendulum":
     """A motion with a period, or a Refusal."""
     regime = str(motion.regime)
     if regime == "rest":
@@ -138,7 +162,7 @@ def moving(options, motion):
     return motion
 
 
-def solution(name, motion):
+def solution(name: str, motion: "Pendulum") -> Solution:
     """One solution by its name, or a Refusal with the nearest names first."""
     from libration import approx
     from libration.approx._numerical import nearest
@@ -147,29 +171,32 @@ def solution(name, motion):
     patterns = (*approx.angle.names, *approx.numerical.names)
     if base not in [each.partition(":")[0] for each in patterns]:
         raise refusal("--with", name, f"must be one of {', '.join(nearest(patterns, name))}")
-    makes = approx.numerical if base in [each.partition(":")[0] for each in approx.numerical.names] else approx.angle
+    numerical = base in [each.partition(":")[0] for each in approx.numerical.names]
+    makes: Registry[NumericalFormula] | Registry[AngleFormula] = approx.numerical if numerical else approx.angle
     try:
         return makes(name).of(motion)
     except (ValueError, ImportError) as error:
         raise refusal("--with", name, reason(error, name)) from error
 
 
-def reason(error, name):
-    """What an error says, without the name that it begins with."""
+def reason(error: Exception, name: str) -> str:
+    """The message of an error, without the name that it begins with."""
     first, colon, rest = str(error).partition(": ")
     return rest if colon and name.partition(":")[0] in first else str(error)
 
 
-def measured(name, made, periods):
+def measured(name: str, made: Solution, periods: float) -> Measured:
     """The largest error over so many periods, and when a numerical swing goes over the top (else NaN), or a Refusal."""
+    from libration.approx._numerical import NumericalSolution
+
     try:
-        top = made.over_the_top(periods) if hasattr(made, "over_the_top") else math.nan
+        top = made.over_the_top(periods) if isinstance(made, NumericalSolution) else math.nan
         return made.error(periods), top
     except ValueError as error:
         raise refusal("--with", name, reason(error, name)) from error
 
 
-def sampled_angles(motion, solutions, periods):
+def sampled_angles(motion: "Pendulum", solutions: Sequence[tuple[str, Solution]], periods: float) -> list[Column]:
     """The columns of the table."""
     import numpy as np
 
@@ -178,14 +205,20 @@ def sampled_angles(motion, solutions, periods):
     return [("t", "s", t), ("theta", "rad", motion.theta(t)), *angles]
 
 
-def key_of(name):
+def key_of(name: str) -> str:
     """`fourier:4` as the name of a column, `theta_fourier_4`."""
     return "theta_" + name.replace(":", "_").replace("-", "_")
 
 
-def print_json(given, motion, spans, rows, files):
+def print_json(
+    given: dict[str, float],
+    motion: "Pendulum",
+    spans: Sequence[float],
+    rows: Sequence[tuple[str, list[Measured]]],
+    files: list[str],
+) -> None:
     """One JSON object."""
-    answer = keyed(table_parameters(given, motion)[1:])
+    answer: dict[str, Json] = keyed(table_parameters(given, motion)[1:])
     answer["errors"] = [
         {
             "name": name,
@@ -200,10 +233,17 @@ def print_json(given, motion, spans, rows, files):
         for name, errors in rows
         for periods, (error, top) in zip(spans, errors, strict=True)
     ]
-    print(strict(answer | {"files": files}))
+    answer["files"] = files
+    print(strict(answer))
 
 
-def print_text(motion, assumed, spans, rows, files):
+def print_text(
+    motion: "Pendulum",
+    assumed: bool,
+    spans: Sequence[float],
+    rows: Sequence[tuple[str, list[Measured]]],
+    files: list[str],
+) -> None:
     """A table for people."""
     from libration.cli.summary import angle_text, period_text, print_lines
 
@@ -212,7 +252,7 @@ def print_text(motion, assumed, spans, rows, files):
         [
             ("exact motion", f"{regime}, period {period_text(regime, motion.period)}"),
             ("turning angle", angle_text(regime, motion.theta_max)),
-            *([("omega0", "1 rad/s, for want of --length or --omega0")] if assumed else []),
+            *([("omega0", "1 rad/s (default)")] if assumed else []),
         ]
     )
     percent = math.isfinite(motion.theta_max)
@@ -236,12 +276,12 @@ def print_text(motion, assumed, spans, rows, files):
         print_lines([("written", path) for path in files])
 
 
-def over(periods):
+def over(periods: float) -> str:
     """`over 1 period`, as the head of a block."""
     return f"over {periods:g} {'period' if periods == 1 else 'periods'}"
 
 
-def texts(error, motion, percent):
+def texts(error: "AngleError", motion: "Pendulum", percent: bool) -> list[str]:
     """The cells of one error."""
     if math.isnan(error.difference):
         return ["undefined", *(["-"] if percent else []), "-"]
@@ -249,8 +289,8 @@ def texts(error, motion, percent):
     return [*shown, f"{error.t / motion.period:.5g}"]
 
 
-def remarks(motion, errors):
-    """What else a reader should know of one row; the last error is that of the longest span."""
+def remarks(motion: "Pendulum", errors: Sequence[Measured]) -> str:
+    """Where a solution is undefined, and when it goes over the top; the last error is that of the longest span."""
     said = []
     gaps = [error.undefined_from for error, _ in errors if not math.isnan(error.undefined_from)]
     if gaps:

@@ -1,23 +1,25 @@
 """`libration duffing`: the motion of u'' + p u + q u^3 = 0 at many instants, its summary, a table and a plot.
 
-Everything that can be refused is refused before the motion is evaluated; files appear whole or not at all.
+Everything that can be refused is refused before the motion is evaluated; files are written completely or not at all.
 """
 
 import math
+from typing import TYPE_CHECKING
 
-from libration.cli.files import strict, write_table
+from libration.cli.files import Column, Parameter, strict, write_table
 from libration.cli.parameters import keyed
 from libration.cli.parser import Parser, Refusal
 from libration.cli.quantities import plain
 from libration.cli.sampling import (
     FILES,
+    InstantOptions,
     check_instants,
+    check_plot,
     check_targets,
     draw,
     instant_options,
     instants,
     nans,
-    plotter,
     result_options,
     sampled,
     targets,
@@ -25,14 +27,18 @@ from libration.cli.sampling import (
     written,
 )
 
+if TYPE_CHECKING:
+    from libration import Duffing
+    from libration._arrays import Floats
+
 DESCRIPTION = """\
 The exact motion of the Duffing oscillator u'' + p u + q u^3 = 0 from any start: hardening or
 softening, with one well or two, on a separatrix, or escaping to infinity in finite time."""
 
 EPILOG = f"""\
-u0, velocity0, p and q are plain numbers, of any sign; u has the unit that you give it, time is
-in s (ms, min, h in --until). Beyond an escape u does not exist: nan in a table, null
-in JSON.
+u0, velocity0, p and q are numbers without a unit, of any sign; u is in any unit, time in s
+(--until takes ms, min, h too). Beyond an escape u does not exist: nan in a table, null in
+JSON.
 
 {FILES}
 
@@ -45,10 +51,17 @@ examples:
   libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png
   libration duffing --p 1 --q -1 --u0 1.1 --out escape.csv"""
 
-REQUIRED = ("p", "q", "u0")
+
+class DuffingOptions(InstantOptions):
+    """The options of `libration duffing`."""
+
+    p: str | None
+    q: str | None
+    u0: str | None
+    velocity0: str | None
 
 
-def parser():
+def parser() -> Parser:
     """The options of `libration duffing`."""
     made = Parser("libration duffing", DESCRIPTION, EPILOG)
     made.usage = "libration duffing --p P --q Q --u0 U0 [options]"
@@ -62,28 +75,31 @@ def parser():
     return made
 
 
-def run(words):
+def run(words: list[str]) -> None:
     """Solve what the words ask for, write the files, print the summary."""
     from libration import Duffing
 
-    options = parser().options(words)
-    missing = [f"--{name}" for name in REQUIRED if getattr(options, name) is None]
+    options = parser().options(words, DuffingOptions())
+    required = {"p": options.p, "q": options.q, "u0": options.u0}
+    missing = [f"--{name}" for name, text in required.items() if text is None]
     if missing:
         raise Refusal(f"missing {', '.join(missing)}; such as --p 1 --q 0.5 --u0 2")
-    given = {name: plain(f"--{name}", getattr(options, name)) for name in REQUIRED}
+    given = {name: plain(f"--{name}", text) for name, text in required.items() if text is not None}
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
     check_instants(options)
     check_targets(options)
     motion = Duffing(**given)
-    with targets(options) as (table, picture):
-        plot = plotter("libration.plot", "plot_oscillator", "--plot", options.plot)
+    with targets(options) as (table, plot):
+        check_plot(options)
         times, source = instants(options)
         u, velocity = motion.motion(times)
-        if table:
-            columns = [("t", "s", times), ("u", "", u), ("velocity", "1/s", velocity)]
+        if table and options.out is not None:
+            columns: list[Column] = [("t", "s", times), ("u", "", u), ("velocity", "1/s", velocity)]
             write_table(table, options.out, parameters(given, motion), columns)
-        if picture:
-            draw(plot, motion, times, picture, options.plot)
+        if plot and options.plot is not None:
+            from libration.plot import plot_oscillator
+
+            draw(plot_oscillator, motion, times, plot, options.plot)
     files = written(options)
     if options.json:
         answer = keyed(parameters(given, motion)[1:])
@@ -94,7 +110,7 @@ def run(words):
         print_text(motion, times, u, source, files)
 
 
-def parameters(given, motion):
+def parameters(given: dict[str, float], motion: "Duffing") -> list[Parameter]:
     """What was given and what the motion is, as (name, value, unit)."""
     from libration import __version__
 
@@ -115,19 +131,19 @@ def parameters(given, motion):
     ]
 
 
-def print_text(motion, times, u, source, files):
+def print_text(motion: "Duffing", times: "Floats", u: "Floats", source: str | None, files: list[str]) -> None:
     """The summary for people."""
     import numpy as np
 
     from libration.cli.summary import digits, print_lines
 
-    def time(value, never):
+    def time(value: float, never: str) -> str:
         return f"{digits(value)} s" if math.isfinite(value) else never
 
-    def bound(value):
+    def bound(value: float) -> str:
         return digits(value) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
 
-    def size(value):
+    def size(value: float) -> str:
         return digits(value) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
 
     low, high = motion.range

@@ -1,7 +1,7 @@
-"""Files written whole or not at all: staged beside the target, then renamed over it.
+"""Files written completely or not at all: staged beside the target, then renamed to it.
 
-The staged file is opened before anything is computed, so an unwritable place is refused at once; whatever goes
-wrong later removes it, and a directory made for it.
+The staged file is opened before anything is computed, so a target that cannot be written is refused at once. After
+any later error it is removed, and so is a directory made for it.
 """
 
 import contextlib
@@ -10,24 +10,35 @@ import json
 import math
 import os
 import secrets
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from libration.cli.parser import refusal
+
+if TYPE_CHECKING:
+    from libration._arrays import Floats, NDArray
+
+# Name, value and unit.
+Parameter: TypeAlias = tuple[str, float | str, str]
+# Name, unit and values.
+Column: TypeAlias = "tuple[str, str, Floats]"
+Json: TypeAlias = "float | str | Sequence[Json] | Mapping[str, Json] | None"
 
 ROWS = 50_000
 
 
 @contextlib.contextmanager
-def staged(option, path, suffixes, *, keep=()):
-    """Open a file beside `path`; rename it to `path` when the block ends well, else remove it.
+def staged(option: str, path: str, suffixes: Sequence[str], *, keep: Sequence[str] = ()) -> Iterator[BinaryIO]:
+    """Open a file beside `path`; rename it to `path` when the block ends, or remove it after an error.
 
     Parameters
     ----------
     option, path : str
-        The option and the target typed with it; a missing parent directory is made if its own parent exists.
-    suffixes : tuple of str
-        The endings that the option takes.
+        The option and its value, the target; a missing parent directory is made if its own parent exists.
+    suffixes : sequence of str
+        The endings that the option allows.
     keep : sequence of str
-        Files that must not be the target (those read).
+        Files that are read, which must not be the target.
 
     Yields
     ------
@@ -59,7 +70,7 @@ def staged(option, path, suffixes, *, keep=()):
 
 
 @contextlib.contextmanager
-def refused_writing(option, path):
+def refused_writing(option: str, path: str) -> Iterator[None]:
     """An OSError of the block as a Refusal."""
     try:
         yield
@@ -69,7 +80,7 @@ def refused_writing(option, path):
         raise refusal(option, path, f"cannot be written: {error.strerror or error}") from error
 
 
-def parent_made(option, path, parent):
+def parent_made(option: str, path: str, parent: str) -> str | None:
     """Make the target's directory if only that is missing; return it if it was made."""
     if os.path.isdir(parent):
         return None
@@ -81,10 +92,10 @@ def parent_made(option, path, parent):
     return parent
 
 
-def writable(option, path, target):
-    """Refuse a target that exists and must not be replaced: os.replace would not ask."""
+def writable(option: str, path: str, target: str) -> None:
+    """Refuse a target that exists and must not be replaced: os.replace does not check."""
     with contextlib.suppress(FileNotFoundError):
-        # A name too long or links in a circle would be found out only by the renaming, or not at all.
+        # The error for a name that is too long or for circular links would come only with the renaming, or never.
         os.stat(target)
     if os.path.isdir(target):
         raise refusal(option, path, "cannot be written: it is a directory")
@@ -94,8 +105,8 @@ def writable(option, path, target):
         raise refusal(option, path, "cannot be written: it is read-only")
 
 
-def write_csv(file, parameters, columns):
-    """Comma-separated doubles by repr, which read back bit for bit, under `#` lines with the parameters.
+def write_csv(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
+    """Comma-separated doubles by repr, which read back bit for bit, after `#` lines with the parameters.
 
     Parameters
     ----------
@@ -116,16 +127,18 @@ def write_csv(file, parameters, columns):
         file.write(("\n".join(map(",".join, zip(*texts, strict=True))) + "\n").encode())
 
 
-def write_npz(file, parameters, columns):
+def write_npz(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
     """A NumPy archive: the columns as arrays, the parameters as scalars, all by name, in SI units."""
     import numpy as np
 
-    arrays = {name: values for name, _, values in columns}
+    arrays: dict[str, NDArray[Any]] = {name: values for name, _, values in columns}
     arrays.update({name: np.array(value) for name, value, _ in parameters})
-    np.savez(file, **arrays)
+    # NumPy declares allow_pickle beside `**arrays`, and type checkers take the arrays for it.
+    savez: Callable[..., None] = np.savez
+    savez(file, **arrays)
 
 
-def write_json(file, parameters, columns):
+def write_json(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
     """One strict JSON object: the keys end in the unit; null stands for infinity and NaN."""
     head = strict({key(name, unit): value for name, value, unit in parameters})
     file.write(f'{{"parameters": {head}'.encode())
@@ -138,17 +151,17 @@ def write_json(file, parameters, columns):
     file.write(b"}\n")
 
 
-def key(name, unit):
+def key(name: str, unit: str) -> str:
     """`period` in `s` as `period_s`, `velocity` in `rad/s` as `velocity_rad_per_s`."""
     return f"{name}_{unit.replace('/', '_per_').replace('^', '')}" if unit else name
 
 
-def strict(value):
+def strict(value: Json) -> str:
     """JSON text with null for each infinity and NaN."""
     return json.dumps(finite(value), allow_nan=False)
 
 
-def finite(value):
+def finite(value: Json) -> Json:
     """A number, text, dictionary or list with None for each infinity and NaN."""
     if isinstance(value, float):
         return value if math.isfinite(value) else None
@@ -159,15 +172,19 @@ def finite(value):
     return value
 
 
-WRITERS = {".csv": write_csv, ".npz": write_npz, ".json": write_json}
+WRITERS: dict[str, Callable[[BinaryIO, Sequence[Parameter], Sequence[Column]], None]] = {
+    ".csv": write_csv,
+    ".npz": write_npz,
+    ".json": write_json,
+}
 
 
-def write_table(file, path, parameters, columns):
-    """Write parameters and columns in the form that the suffix of `path` names."""
+def write_table(file: BinaryIO, path: str, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
+    """Write parameters and columns in the format of the suffix of `path`."""
     WRITERS[os.path.splitext(path)[1].lower()](file, parameters, columns)
 
 
-def readable(option, path):
+def readable(option: str, path: str) -> tuple[int, bool]:
     """Refuse a file that cannot be read; return its size and whether it is a regular file."""
     try:
         state = os.stat(path)

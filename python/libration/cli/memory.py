@@ -1,16 +1,16 @@
-"""How much memory the machine can still give, from the system's own account; and sizes in words."""
+"""How much memory is available, as the operating system reports it; and sizes as text."""
 
 import math
 import os
 import sys
 
 
-def available_bytes():
-    """Bytes that can be had: the kernel's estimate, or what the control group still allows; infinite if unknown."""
+def available_bytes() -> float:
+    """Bytes available: the kernel's estimate, or what the control group still allows; infinite if unknown."""
     return min(meminfo(), control_group(), physical())
 
 
-def meminfo():
+def meminfo() -> float:
     """MemAvailable of /proc/meminfo."""
     for line in lines("/proc/meminfo"):
         if line.startswith("MemAvailable:"):
@@ -18,16 +18,16 @@ def meminfo():
     return math.inf
 
 
-def control_group():
-    """What the memory limit of a container leaves."""
+def control_group() -> float:
+    """What remains below the memory limit of a container."""
     limit, current = lines("/sys/fs/cgroup/memory.max"), lines("/sys/fs/cgroup/memory.current")
     if limit and current and limit[0].strip().isdigit():
         return max(0, int(limit[0]) - int(current[0]))
     return math.inf
 
 
-def physical():
-    """All the memory there is, where the system says no more than that."""
+def physical() -> float:
+    """All physical memory; on Windows, what of it is available."""
     if sys.platform == "win32":
         return windows()
     try:
@@ -36,8 +36,10 @@ def physical():
         return math.inf
 
 
-def windows():
+def windows() -> float:
     """Available physical memory by GlobalMemoryStatusEx."""
+    if sys.platform != "win32":
+        return math.inf
     import ctypes
 
     class Status(ctypes.Structure):
@@ -50,8 +52,8 @@ def windows():
     return status.available if ok else math.inf
 
 
-def lines(path):
-    """The lines of a small system file; none if it is not there."""
+def lines(path: str) -> list[str]:
+    """The lines of a small system file; none if it does not exist."""
     try:
         with open(path) as file:
             return file.readlines()
@@ -59,7 +61,7 @@ def lines(path):
         return []
 
 
-def bytes_text(count):
+def bytes_text(count: float) -> str:
     """`80.0 TB`, `256 MiB` for a whole number of MiB."""
     if count < 2**40 and count % 2**20 == 0:
         return f"{int(count) // 2**20} MiB"

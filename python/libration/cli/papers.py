@@ -1,31 +1,37 @@
 """`libration papers`: every figure of the three papers, and every number they claim beside the one measured here.
 
-All files are opened before anything is drawn, and take their places together at the end.
+All files are opened before anything is drawn, and renamed at the end.
 """
 
+import argparse
 import contextlib
 import csv
 import io
 import os
 import shutil
 import textwrap
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, BinaryIO
 
 from libration.cli.files import staged
 from libration.cli.parser import Finding, Parser, Refusal, refusal
 from libration.cli.sampling import check_matplotlib, check_package
 
+if TYPE_CHECKING:
+    from libration.papers import Claim
+
 DESCRIPTION = """\
-Three papers about the pendulum, worked through: Salas 2019, Lima 2019 and Horsley 2025. Draws
-each of their figures anew, and puts each number that they claim beside the one measured here."""
+Three papers about the pendulum, checked: Salas 2019, Lima 2019 and Horsley 2025. Draws each
+of their figures again, and prints each number that they claim beside the one measured here."""
 
 EPILOG = """\
 files in DIR:
   salas-1 to salas-7, lima-1 to lima-4, horsley-1 to horsley-3, horsley-phase-space and
   horsley-ellipse, each as .svg and .png with source and choices in the caption; claims.csv
-  with the rows of the table. Files that exist are replaced; all of them appear, or none.
+  with the rows of the table. Files that exist are replaced; all are written, or none.
 
-A claim is `reproduced`, `corrected` (ours is the right value), or `not reproducible` for the
-reason given. The exit code is 0 if what is measured supports every verdict, else 1. The wrong
+A claim is `reproduced`, `corrected` (the measured value is right), or `not reproducible` for
+the reason given. The exit code is 0 if what is measured supports every verdict, else 1. The wrong
 lines of the papers are listed in docs/errata.md.
 
 examples:
@@ -36,7 +42,14 @@ FORMS = ("svg", "png")
 COLUMNS = ("work", "place", "claim", "printed", "ours", "value", "verdict", "reason")
 
 
-def parser():
+class PapersOptions(argparse.Namespace):
+    """The options of `libration papers`."""
+
+    paper: str | None
+    out: str | None
+
+
+def parser() -> Parser:
     """The options of `libration papers`."""
     made = Parser("libration papers", DESCRIPTION, EPILOG)
     made.usage = "libration papers [salas | lima | horsley] [--out DIR]"
@@ -47,9 +60,9 @@ def parser():
     return made
 
 
-def run(words):
-    """Draw the figures, write and print the claims; a Finding if one does not stand."""
-    options = parser().options(words)
+def run(words: list[str]) -> None:
+    """Draw the figures, write and print the claims; a Finding if a verdict is not supported."""
+    options = parser().options(words, PapersOptions())
     folder = "out" if options.out is None else options.out
     works = chosen_works(options.paper)
     check_folder(folder)
@@ -61,7 +74,7 @@ def run(words):
 
     drawn = [picture for work in works for picture in pictures(work)]
     with contextlib.ExitStack() as stack:
-        files = {}
+        files: dict[tuple[str, str], BinaryIO] = {}
         for picture in drawn:
             for form in FORMS:
                 path = os.path.join(folder, f"{picture.name}.{form}")
@@ -74,12 +87,12 @@ def run(words):
     print_table(rows)
     names = f"{len(drawn)} figures as .svg and .png, and claims.csv"
     print(f"{summary(rows)}\nwritten to {folder}: {names}")
-    fallen = next((row for row in rows if not row.stands), None)
-    if fallen is not None:
-        raise Finding(f"{fallen.work}, {fallen.place}: {fallen.claim}: {fallen.ours} does not support {fallen.verdict}")
+    failed = next((row for row in rows if not row.stands), None)
+    if failed is not None:
+        raise Finding(f"{failed.work}, {failed.place}: {failed.claim}: {failed.ours} does not support {failed.verdict}")
 
 
-def chosen_works(paper):
+def chosen_works(paper: str | None) -> tuple[str, ...]:
     """The papers asked for, or a Refusal."""
     from libration.papers._works import chosen
 
@@ -89,8 +102,8 @@ def chosen_works(paper):
         raise Refusal(str(error)) from error
 
 
-def check_folder(folder):
-    """Refuse what can be no directory."""
+def check_folder(folder: str) -> None:
+    """Refuse what cannot be a directory."""
     if not folder or not folder.isprintable():
         raise refusal("--out", folder, "must be a directory")
     if os.path.exists(folder) and not os.path.isdir(folder):
@@ -100,7 +113,7 @@ def check_folder(folder):
         raise refusal("--out", folder, f"cannot be made: there is no directory {parent}")
 
 
-def csv_text(rows):
+def csv_text(rows: "Sequence[Claim]") -> str:
     """The claims as comma-separated text; the measured value reads back to the same double."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -111,13 +124,13 @@ def csv_text(rows):
     return text.getvalue()
 
 
-def verdict_text(row):
+def verdict_text(row: "Claim") -> str:
     """The verdict; with its reason in brackets if the claim cannot be reproduced."""
     return f"{row.verdict} ({row.reason})" if row.measured is None else str(row.verdict)
 
 
-def print_table(rows):
-    """Verdict, place and claim, and below it the printed and the measured value."""
+def print_table(rows: "Sequence[Claim]") -> None:
+    """Verdict, place and claim, and below them the printed and the measured value."""
     width = max(shutil.get_terminal_size((100, 24)).columns, 60)
     work = None
     for row in rows:
@@ -130,16 +143,16 @@ def print_table(rows):
         print("\n".join(textwrap.wrap(values(row), width, initial_indent=" " * 22, subsequent_indent=" " * 22)) + "\n")
 
 
-def values(row):
-    """The printed and the measured value in words."""
+def values(row: "Claim") -> str:
+    """The printed and the measured value as text."""
     if row.measured is None:
         return row.reason
     note = f" ({row.reason})" if row.reason else ""
     return f"printed: {row.printed}; measured: {row.ours}{note}"
 
 
-def summary(rows):
-    """How many claims, and what became of them."""
+def summary(rows: "Sequence[Claim]") -> str:
+    """How many claims, and how many with each verdict."""
     verdicts = [str(row.verdict) for row in rows]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in dict.fromkeys(verdicts))
     return f"{len(rows)} claims: {counts}"

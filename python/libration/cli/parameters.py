@@ -1,6 +1,12 @@
 """The parameters of a motion as (name, value, unit): the `#` lines of a table and the keys of a JSON object."""
 
-from libration.cli.files import key
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from libration.cli.files import Json, Parameter, key
+
+if TYPE_CHECKING:
+    from libration import Pendulum
 
 UNIT = {
     "theta0": "rad",
@@ -14,14 +20,15 @@ UNIT = {
 }
 
 
-def given_parameters(given, motion):
+def given_parameters(given: dict[str, float], motion: "Pendulum") -> list[Parameter]:
     """What was given, and the frequency that follows from it."""
-    names = [name for name in UNIT if name in given]
-    values = [(name, given[name], UNIT[name]) for name in names]
-    return values + [("omega0", float(motion.omega0), UNIT["omega0"])] * ("omega0" not in given)
+    values: list[Parameter] = [(name, given[name], unit) for name, unit in UNIT.items() if name in given]
+    if "omega0" not in given:
+        values.append(("omega0", float(motion.omega0), UNIT["omega0"]))
+    return values
 
 
-def found_parameters(motion):
+def found_parameters(motion: "Pendulum") -> list[Parameter]:
     """What the motion is: regime, period, turning angle, energy per unit inertia, energy ratio and its complement."""
     names = ("period", "theta_max", "energy", "energy_ratio", "energy_ratio_c")
     return [("regime", str(motion.regime), "")] + [
@@ -29,13 +36,13 @@ def found_parameters(motion):
     ]
 
 
-def table_parameters(given, motion):
-    """The parameters that a table carries."""
+def table_parameters(given: dict[str, float], motion: "Pendulum") -> list[Parameter]:
+    """The parameters written in a table."""
     from libration import __version__
 
     return [("libration", __version__, ""), *given_parameters(given, motion), *found_parameters(motion)]
 
 
-def keyed(parameters):
+def keyed(parameters: Iterable[Parameter]) -> dict[str, Json]:
     """The parameters as a dictionary whose keys end in the unit."""
     return {key(name, unit): value for name, value, unit in parameters}

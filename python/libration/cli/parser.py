@@ -1,16 +1,24 @@
-"""argparse with one-line errors: what is wrong, with which option, and the nearest option there is.
+"""argparse with one-line errors: what is wrong, with which option, and the nearest known option.
 
-Options are recognised in full only and may stand once; a negative quantity (`--theta0 -170deg`) is a value,
-not an option. Required options are checked by the commands, after unknown ones, so that `--theta 3` is
-answered with "did you mean --theta0", not with "missing --theta0".
+Options are not abbreviated and may be given once; a negative quantity (`--theta0 -170deg`) is a value, not an
+option. Required options are checked by the commands, after unknown ones, so that `--theta 3` is answered with
+"did you mean --theta0", not with "missing --theta0".
 """
 
 import argparse
 import difflib
 import re
 import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NoReturn, TypeVar
 
 from libration.cli.wrapping import Formatter
+
+if TYPE_CHECKING:
+    from _typeshed import SupportsWrite
+
+# The options of one command, as its parser sets them.
+Options = TypeVar("Options", bound=argparse.Namespace)
 
 NEGATIVE = re.compile(r"-(\.?[0-9]|inf|nan)", re.IGNORECASE)
 
@@ -20,16 +28,16 @@ class Refusal(Exception):
 
 
 class Finding(Exception):
-    """A check that does not hold: the text is the one line that the user reads."""
+    """A check that failed: the text is the one line that the user reads."""
 
 
-def refusal(option, value, reason):
+def refusal(option: str, value: object, reason: str) -> Refusal:
     """A Refusal that names the option, its value and what is allowed."""
     return Refusal(f"{option} = {shown(value)}: {reason}")
 
 
-def shown(value):
-    """The value as typed, kept printable and short."""
+def shown(value: object) -> str:
+    """The value as typed, made printable and short."""
     text = str(value)
     if not text.isprintable():
         text = repr(text)[1:-1]
@@ -38,26 +46,32 @@ def shown(value):
     return text if len(text) <= 80 else f"{text[:60]}... ({len(text)} characters)"
 
 
-def quoted(value):
+def quoted(value: object) -> str:
     """The value as `shown`, in quotes."""
     text = shown(value)
     return f"'{text}'" if str(value).strip() else text
 
 
 class Once(argparse.Action):
-    """Store a value; a second one for the same option is refused, not silently taken."""
+    """Store a value; a second one for the same option is refused."""
 
-    def __call__(self, parser, namespace, value, option_string=None):
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Sequence[object] | None,
+        option_string: str | None = None,
+    ) -> None:
         first = getattr(namespace, self.dest)
         if first is not None:
-            raise Refusal(f"{option_string} = {shown(first)} and {option_string} = {shown(value)}: give it once")
-        setattr(namespace, self.dest, value)
+            raise Refusal(f"{option_string} = {shown(first)} and {option_string} = {shown(values)}: give it once")
+        setattr(namespace, self.dest, values)
 
 
 class Parser(argparse.ArgumentParser):
     """An ArgumentParser whose errors are Refusals."""
 
-    def __init__(self, prog, description, epilog):
+    def __init__(self, prog: str, description: str, epilog: str) -> None:
         super().__init__(
             prog=prog,
             description=description,
@@ -66,12 +80,12 @@ class Parser(argparse.ArgumentParser):
             formatter_class=Formatter,
         )
 
-    def value(self, group, option, metavar, text):
-        """Add an option that takes one value, kept as the text typed."""
-        (group or self).add_argument(option, action=Once, metavar=metavar, help=text)
+    def value(self, group: "argparse._ArgumentGroup", option: str, metavar: str, text: str) -> None:
+        """Add an option that takes one value, stored as the text typed."""
+        group.add_argument(option, action=Once, metavar=metavar, help=text)
 
-    def error(self, message):
-        """Re-word what argparse says."""
+    def error(self, message: str) -> NoReturn:
+        """The message of argparse as a Refusal."""
         found = re.match(r"argument (\S+): (.*)", message, re.DOTALL)
         if found and "expected one argument" in found[2]:
             raise Refusal(f"{found[1]}: needs a value, {self.metavar(found[1])}; see {self.prog} --help")
@@ -79,24 +93,24 @@ class Parser(argparse.ArgumentParser):
             raise Refusal(f"{found[1]}: takes no value")
         raise Refusal(message)
 
-    def metavar(self, option):
+    def metavar(self, option: str) -> str:
         """What an option takes, for an error."""
         names = [a.metavar for a in self._actions if option in a.option_strings]
         return f"{option} {names[0]}" if names else option
 
-    def print_help(self, file=None):
-        """Print the help; a full disk or a reader who left is not passed over."""
+    def print_help(self, file: "SupportsWrite[str] | None" = None) -> None:
+        """Print the help; unlike that of argparse, raise the errors of writing."""
         (file or sys.stdout).write(self.format_help())
 
-    def options(self, words):
-        """Parse the words of one command, or refuse the first that it does not know."""
-        options, unknown = self.parse_known_args(joined(words))
+    def options(self, words: Sequence[str], options: Options) -> Options:
+        """Set the options that the words of one command give, or refuse the first unknown word."""
+        options, unknown = self.parse_known_args(joined(words), options)
         if unknown:
             raise Refusal(self.unknown(unknown[0]))
         return options
 
-    def unknown(self, word):
-        """What to say of a word that is not ours."""
+    def unknown(self, word: str) -> str:
+        """The refusal of an unknown word, with the nearest option."""
         name = word.split("=", 1)[0]
         known = [option for action in self._actions for option in action.option_strings]
         near = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
@@ -105,9 +119,9 @@ class Parser(argparse.ArgumentParser):
         return f"unknown {kind} {quoted(name)}{hint}"
 
 
-def joined(words):
-    """`--theta0 -170deg` as `--theta0=-170deg`: argparse takes a minus for the start of an option."""
-    out = []
+def joined(words: Sequence[str]) -> list[str]:
+    """`--theta0 -170deg` as `--theta0=-170deg`: argparse reads a minus as the start of an option."""
+    out: list[str] = []
     for word in words:
         if out and out[-1].startswith("--") and len(out[-1]) > 2 and "=" not in out[-1] and NEGATIVE.match(word):
             out[-1] += f"={word}"
@@ -126,25 +140,31 @@ commands:
   period      the period, and how much longer it is than that of small swings
   compare     approximations and numerical solutions beside the exact motion
   duffing     the nonlinear spring u'' + p u + q u^3 = 0, as solve
-  papers      every figure of three papers about the pendulum, and what became of their numbers
+  papers      every figure of three papers about the pendulum, and a check of their numbers
 
 examples:
   libration period --theta0 150deg
   libration solve --theta0 170deg --length 1m --out motion.csv --plot motion.png
 
-`libration COMMAND --help` tells the rest."""
+`libration COMMAND --help` lists its options."""
+
+
+class TopOptions(argparse.Namespace):
+    """The options of `libration` itself."""
+
+    version: bool
 
 
 class TopParser(Parser):
     """`libration` without a command: help, version, or a refusal."""
 
-    def __init__(self, commands):
+    def __init__(self, commands: Sequence[str]) -> None:
         super().__init__("libration", TOP_DESCRIPTION, TOP_EPILOG)
         self.usage = "libration COMMAND [options]"
         self.commands = commands
         self.add_argument("--version", action="store_true", help="show the version and exit")
 
-    def refuse_or_print(self, words):
+    def refuse_or_print(self, words: Sequence[str]) -> None:
         """Print what was asked for, or refuse."""
         from libration import __version__
 
@@ -155,10 +175,10 @@ class TopParser(Parser):
             near = difflib.get_close_matches(words[0], self.commands, n=1)
             hint = f"; did you mean {near[0]}?" if near else "; see libration --help"
             raise Refusal(f"unknown command {quoted(words[0])}: commands are {every}{hint}")
-        if self.options(words).version:
+        if self.options(words, TopOptions()).version:
             print(f"libration {__version__}")
 
 
-def top_parser(commands):
+def top_parser(commands: Sequence[str]) -> TopParser:
     """The parser of `libration` itself."""
     return TopParser(commands)

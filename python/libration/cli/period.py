@@ -1,13 +1,15 @@
-"""`libration period`: the period of one motion, its ratio to that of small swings, and what every formula makes of it."""
+"""`libration period`: the period of one motion, its ratio to that of small swings, and the value of every formula."""
 
 import contextlib
 import math
+from typing import TYPE_CHECKING, TypeAlias
 
-from libration.cli.files import staged
+from libration.cli.files import Json, staged
 from libration.cli.parser import Parser
-from libration.cli.sampling import PICTURES, form, plotter
+from libration.cli.sampling import PICTURES, check_matplotlib, form
 from libration.cli.state import (
     UNITS,
+    StateOptions,
     has_frequency,
     pendulum,
     period_phase,
@@ -17,6 +19,13 @@ from libration.cli.state import (
     upright,
 )
 
+if TYPE_CHECKING:
+    from libration import Pendulum
+    from libration.approx._period import PeriodFormula
+
+# A formula, its T/T0 and its relative error.
+Compared: TypeAlias = "tuple[PeriodFormula, float, float]"
+
 DESCRIPTION = """\
 The exact period of a pendulum that starts at an angle, at rest or with a velocity.
 In rotation it is the time of one turn; on the separatrix it is infinite; at rest it is that
@@ -24,12 +33,12 @@ of small swings. For swings the known formulas follow, each with its error."""
 
 EPILOG = f"""\
 Without --length or --omega0 the answer is T/T0, the ratio to the period of small swings,
-and T*omega0; --velocity0 is then a plain number, the multiple of omega0.
+and T*omega0; --velocity0 is then a number without a unit, the multiple of omega0.
 
 {UNITS}
 
 With --json: one object; the keys end in the unit. null stands for a value that is infinite
-or does not exist; "regime" tells which: on the separatrix the period is infinite, in
+or does not exist, depending on "regime": on the separatrix the period is infinite, in
 rotation there is no turning angle. "formulas" holds T/T0 and the relative error of each.
 
 examples:
@@ -39,7 +48,14 @@ examples:
   libration period --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --json"""
 
 
-def parser():
+class PeriodOptions(StateOptions):
+    """The options of `libration period`."""
+
+    chart: str | None
+    json: bool
+
+
+def parser() -> Parser:
     """The options of `libration period`."""
     made = Parser("libration period", DESCRIPTION, EPILOG)
     made.usage = "libration period --theta0 ANGLE [--length LENGTH | --omega0 OMEGA0] [options]"
@@ -50,9 +66,9 @@ def parser():
     return made
 
 
-def run(words):
+def run(words: list[str]) -> None:
     """Print the period that the words ask for."""
-    options = parser().options(words)
+    options = parser().options(words, PeriodOptions())
     given = state(options)
     motion = pendulum(given)
     regime = str(motion.regime)
@@ -62,10 +78,11 @@ def run(words):
     formulas = compared(motion)
     with contextlib.ExitStack() as stack:
         if options.chart is not None:
-            picture = stack.enter_context(staged("--chart", options.chart, PICTURES))
-            plot_periods = plotter("libration.plot", "plot_periods", "--chart", options.chart)
-            mark = motion.theta_max if formulas else None
-            plot_periods(picture, theta_max=mark, form=form(options.chart))
+            chart = stack.enter_context(staged("--chart", options.chart, PICTURES))
+            check_matplotlib("--chart", options.chart, "plot")
+            from libration.plot import plot_periods
+
+            plot_periods(chart, theta_max=motion.theta_max if formulas else None, form=form(options.chart))
     if options.json:
         print_json(given, motion, regime, with_frequency, phase, ratio, formulas)
     else:
@@ -75,19 +92,19 @@ def run(words):
             print(f"\nwritten  {options.chart}")
 
 
-def compared(motion):
+def compared(motion: "Pendulum") -> list[Compared]:
     """Every formula with its T/T0 and its relative error, where the motion is a swing."""
     from libration.approx._period import listed
 
     if motion.regime != "libration" or upright(motion):
         return []
-    # The smaller of m and 1 - m has the digits.
+    # The smaller of m and 1 - m is the more accurate one.
     m, mc = motion.energy_ratio, motion.energy_ratio_c
     given = {"m": m} if m < mc else {"mc": mc}
     return [(formula, float(formula.ratio(**given)), float(formula.error(**given))) for formula in listed()]
 
 
-def print_formulas(motion, formulas):
+def print_formulas(motion: "Pendulum", formulas: list[Compared]) -> None:
     """A table of the formulas, or why there is none."""
     from libration.cli.summary import digits
 
@@ -102,17 +119,27 @@ def print_formulas(motion, formulas):
     print("\nthe formulas themselves: --json, or docs/approximations.md")
 
 
-def percent(error):
+def percent(error: float) -> str:
     """A relative error in percent, four digits."""
     return "undefined" if math.isnan(error) else f"{100 * error:+.4g} %"
 
 
-def print_json(given, motion, regime, with_frequency, phase, ratio, formulas):
+def print_json(
+    given: dict[str, float],
+    motion: "Pendulum",
+    regime: str,
+    with_frequency: bool,
+    phase: float,
+    ratio: float,
+    formulas: list[Compared],
+) -> None:
     """One JSON object."""
     from libration.cli.files import strict
     from libration.cli.parameters import given_parameters, keyed
 
-    answer = keyed(given_parameters(given, motion)) if with_frequency else {"theta0_rad": given["theta0"]}
+    answer: dict[str, Json] = (
+        keyed(given_parameters(given, motion)) if with_frequency else {"theta0_rad": given["theta0"]}
+    )
     if not with_frequency:
         answer["velocity0_per_omega0"] = given["velocity0"]
     answer["regime"] = regime
@@ -132,7 +159,9 @@ def print_json(given, motion, regime, with_frequency, phase, ratio, formulas):
     print(strict(answer))
 
 
-def print_text(given, motion, regime, with_frequency, phase, ratio):
+def print_text(
+    given: dict[str, float], motion: "Pendulum", regime: str, with_frequency: bool, phase: float, ratio: float
+) -> None:
     """Aligned lines."""
     from libration.cli.summary import angle_text, digits, period_text, print_lines
 

@@ -1,7 +1,8 @@
 """Quantities with units, as typed: `170deg`, `25 cm`, `3min`, `1e-3`.
 
 The decimal text is multiplied by an exact (or, with pi, a 100-digit) factor in decimal arithmetic and rounded
-once: `25cm` is the double 0.25 and `180deg` the double nearest to pi. A plain number is in the first unit.
+once: `25cm` is the double 0.25 and `180deg` the double nearest to pi. A number without a unit is in
+the first unit.
 """
 
 import math
@@ -13,7 +14,7 @@ from libration.cli.parser import quoted, refusal, shown
 
 # 100 digits after the point (OEIS A000796); a quotient with a hundred digits leaves one rounding to a double.
 PI = Decimal("3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679")
-# Each begins a text without blanks at its ends, and can match it in one way only: the time grows with its length.
+# Each matches from the start of a stripped text, and in one way only: the time is linear in its length.
 NUMBER = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![0-9.,])")
 NOT_FINITE = re.compile(r"[+-]?(?:inf|infinity|nan)\b", re.IGNORECASE)
 COMMA = re.compile(r"([+-]?[0-9]*+),([0-9]++)(?![.,])")
@@ -24,11 +25,11 @@ class Dimension:
     """A kind of quantity: its name in the plural, and its units as factors of the first."""
 
     plural: str
-    units: dict
-    also: dict
+    units: dict[str, Decimal]
+    also: dict[str, Decimal]
 
-    def factor(self, unit):
-        """The factor of a unit, None for one that is not ours."""
+    def factor(self, unit: str) -> Decimal | None:
+        """The factor of a unit, None for an unknown one."""
         return self.units.get(unit, self.also.get(unit))
 
 
@@ -56,7 +57,9 @@ FREQUENCY = Dimension("angular frequencies", {"rad/s": ONE, "1/s": ONE, "deg/s":
 VELOCITY = Dimension("angular velocities", {"rad/s": ONE, "deg/s": DEGREE}, {"°/s": DEGREE})
 
 
-def quantity(option, text, dimension, *, above=None, least=None):
+def quantity(
+    option: str, text: str, dimension: Dimension, *, above: float | None = None, least: float | None = None
+) -> float:
     """The double nearest to a quantity, or a Refusal.
 
     Parameters
@@ -83,8 +86,7 @@ def quantity(option, text, dimension, *, above=None, least=None):
     >>> quantity("--theta0", "180deg", ANGLE)
     3.141592653589793
     """
-    number, unit = split(option, text, dimension)
-    value = scaled(number, dimension.factor(unit) if unit else ONE)
+    value = scaled(*split(option, text, dimension))
     if not math.isfinite(value):
         raise refusal(option, text, "is beyond the largest double, 1.8e308")
     if above is not None and not value > above:
@@ -97,22 +99,22 @@ def quantity(option, text, dimension, *, above=None, least=None):
 NUMBERS = Dimension("plain numbers", {"": ONE}, {})
 
 
-def plain(option, text):
+def plain(option: str, text: str) -> float:
     """The double nearest to a plain number, or a Refusal."""
     if has_unit(text):
         raise refusal(option, text, "must be a plain number, without a unit")
     return quantity(option, text, NUMBERS)
 
 
-def parts(text):
+def parts(text: str) -> tuple[str | None, str]:
     """The number at the start of a text, None if there is none, and what follows it."""
     text = text.replace("\N{MINUS SIGN}", "-").strip()
     found = NUMBER.match(text)
     return (found[1], text[found.end() :].lstrip()) if found else (None, text)
 
 
-def split(option, text, dimension):
-    """The number and the unit of a quantity, as typed, or a Refusal."""
+def split(option: str, text: str, dimension: Dimension) -> tuple[str, Decimal]:
+    """The number of a quantity, as typed, and the factor of its unit, or a Refusal."""
     number, unit = parts(text)
     bare = text.replace("\N{MINUS SIGN}", "-").strip()
     if comma := COMMA.match(bare):
@@ -126,23 +128,24 @@ def split(option, text, dimension):
     first, *others = dimension.units
     if number is None:
         raise refusal(option, text, f"is not a number with a unit; {dimension.plural} look like 1.5 or 1.5{first}")
-    if unit and dimension.factor(unit) is None:
+    factor = dimension.factor(unit) if unit else ONE
+    if factor is None:
         takes = ", ".join([first, *others])
         raise refusal(option, text, f"unknown unit {quoted(unit)}; {dimension.plural} take {takes}")
-    return number, unit
+    return number, factor
 
 
-def has_unit(text):
+def has_unit(text: str) -> bool:
     """Whether a quantity was typed with a unit."""
     number, unit = parts(text)
     return number is not None and unit != ""
 
 
-def scaled(number, factor):
+def scaled(number: str, factor: Decimal) -> float:
     """The double nearest to a decimal text times a factor; infinite beyond the largest."""
     if factor == ONE:
         return float(number)
-    # As many digits as the product has: without pi it is exact, and float() rounds once.
+    # Enough digits for the product: without pi it is exact, and float() rounds once.
     context = Context(prec=110 + len(number))
     try:
         return float(context.multiply(Decimal(number), factor))

@@ -1,13 +1,19 @@
-"""What commands that sample a motion share: their instants, their files and their picture."""
+"""What the commands that sample a motion share: instants, files and the plot."""
 
+import argparse
 import contextlib
 import importlib
 import os
 import textwrap
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, BinaryIO, Protocol, TypeVar
 
 from libration.cli.files import staged
-from libration.cli.parser import Refusal, quoted, refusal, shown
+from libration.cli.parser import Parser, Refusal, quoted, refusal, shown
 from libration.cli.times import even_times, file_times
+
+if TYPE_CHECKING:
+    from libration._arrays import Floats
 
 TABLES = (".csv", ".npz", ".json")
 PICTURES = (".png", ".svg")
@@ -16,16 +22,42 @@ FILES = """\
 files:
   .csv keeps the parameters in `#` lines and names its columns with units; every number
   reads back to the same double. .npz (numpy.load) and .json hold the same.
-  A file is written beside its name and then renamed, so it is whole or not there; one that
-  exists is replaced. A missing directory is made if the one above it exists.
+  A file is written under another name and then renamed: it is complete, or it does not
+  appear. One that exists is replaced. A missing directory is made if its parent exists.
   --times reads text up to 256 MiB: `#` lines are skipped, columns are separated by comma,
-  semicolon or tab, a header is optional. Without --column it takes the column t or time,
-  else the first; whole numbers between commas, which may be decimal commas, need a header
-  or --column. A unit in the header, as in `t [ms]`, holds; otherwise seconds. The order is
-  kept."""
+  semicolon or tab, a header is optional. The default of --column is the column t or time,
+  else the first. Whole numbers between commas, which may be decimal commas, need a header
+  or --column. The unit is that of the header, as in `t [ms]`; default s. The order is kept."""
 
 
-def instant_options(parser):
+Motion = TypeVar("Motion", contravariant=True)
+
+
+class Plot(Protocol[Motion]):
+    """A function of `libration.plot` that draws a motion at many instants."""
+
+    def __call__(self, motion: Motion, t: "Floats", path: BinaryIO, /, *, form: str | None) -> None: ...
+
+
+class ResultOptions(argparse.Namespace):
+    """The options of the files and the summary, as typed."""
+
+    out: str | None
+    plot: str | None
+    json: bool
+    # The file of the instants; None for a command without that option.
+    times: str | None = None
+
+
+class InstantOptions(ResultOptions):
+    """The options of the instants and the results, as typed."""
+
+    until: str | None
+    samples: str | None
+    column: str | None
+
+
+def instant_options(parser: Parser) -> None:
     """Add the options of the instants."""
     group = parser.add_argument_group("the instants")
     parser.value(group, "--until", "TIME", "last instant; the first is 0 (default 10s)")
@@ -39,7 +71,7 @@ def instant_options(parser):
     )
 
 
-def result_options(parser, columns, curve):
+def result_options(parser: Parser, columns: str, curve: str) -> None:
     """Add the options of the files and the summary; `columns` and `curve` say what is written and drawn."""
     group = parser.add_argument_group("the results")
     parser.value(group, "--out", "FILE", f"write {columns} to a .csv, .npz or .json file")
@@ -48,54 +80,52 @@ def result_options(parser, columns, curve):
 
 
 @contextlib.contextmanager
-def targets(options):
-    """The staged table and picture, None for those not asked for; they take their places at the end."""
+def targets(options: ResultOptions) -> Iterator[tuple[BinaryIO | None, BinaryIO | None]]:
+    """The staged table and plot, None for one not asked for; they are renamed at the end."""
     with contextlib.ExitStack() as stack:
-        table = picture = None
+        table = plot = None
         if options.out is not None:
             table = stack.enter_context(staged("--out", options.out, TABLES, keep=read_files(options)))
         if options.plot is not None:
-            picture = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=read_files(options)))
-        yield table, picture
+            plot = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=read_files(options)))
+        yield table, plot
 
 
-def written(options):
+def written(options: ResultOptions) -> list[str]:
     """The files that were asked for."""
     return [path for path in (options.out, options.plot) if path is not None]
 
 
-def sampled(times, source):
-    """How many instants, from where to where, and out of which file."""
+def sampled(times: "Floats", source: str | None) -> str:
+    """How many instants, the first and the last, and the file that they are read from."""
     several = len(times) > 1
     span = f"{len(times)} instants, {times[0]:.6g} s to {times[-1]:.6g} s" if several else f"t = {times[0]:.6g} s"
     return span + (f", {source}" if source else "")
 
 
-def nans(values):
+def nans(values: "Floats") -> int:
     """How many values are NaN."""
     import numpy as np
 
     return int(np.count_nonzero(np.isnan(values)))
 
 
-def valueless(count):
+def valueless(count: int) -> list[tuple[str, str]]:
     """The line on samples that lie beyond 2**53 half periods, as lines of a summary."""
     text = f"{count}, more than 2^53 half periods away: nan in a table"
     return [("of them too far to be known", text)] if count else []
 
 
-def check_instants(options):
+def check_instants(options: InstantOptions) -> None:
     """Refuse options about instants that contradict each other."""
-    for name in ("until", "samples"):
-        if options.times is not None and getattr(options, name) is not None:
-            raise refusal(
-                f"--{name}", getattr(options, name), "the instants are read from --times; give one of the two"
-            )
+    for option, given in (("--until", options.until), ("--samples", options.samples)):
+        if options.times is not None and given is not None:
+            raise refusal(option, given, "the instants are read from --times; give one of the two")
     if options.column is not None and options.times is None:
         raise refusal("--column", options.column, "needs --times FILE beside it")
 
 
-def check_targets(options):
+def check_targets(options: ResultOptions) -> None:
     """Refuse one file under two names: the second would replace the first."""
     if options.out is None or options.plot is None or "\0" in options.out + options.plot:
         return
@@ -103,34 +133,31 @@ def check_targets(options):
         raise Refusal(f"--out = {shown(options.out)} and --plot = {shown(options.plot)}: are one file; give two")
 
 
-def read_files(options):
-    """The files that are read and must not be written over."""
-    times = getattr(options, "times", None)
-    return () if times is None else (times,)
+def read_files(options: ResultOptions) -> tuple[str, ...]:
+    """The files that are read and must not be overwritten."""
+    return () if options.times is None else (options.times,)
 
 
-def instants(options):
-    """The instants, and where they come from."""
+def instants(options: InstantOptions) -> "tuple[Floats, str | None]":
+    """The instants, and the column and file that they are read from."""
     if options.times is None:
         return even_times(options.until, options.samples), None
     times, column = file_times(options.times, options.column)
     return times, f"column {quoted(column)} of {shown(options.times)}"
 
 
-def plotter(module, name, option, path):
-    """A function that draws, or a Refusal if matplotlib is missing, before anything is computed; None without a path."""
-    if path is None:
-        return None
-    check_matplotlib(option, path, "plot")
-    return getattr(importlib.import_module(module), name)
+def check_plot(options: ResultOptions) -> None:
+    """Refuse to draw, before anything is computed, if matplotlib is missing or does not start."""
+    if options.plot is not None:
+        check_matplotlib("--plot", options.plot, "plot")
 
 
-def check_matplotlib(option, path, extra):
-    """Refuse to draw if matplotlib is missing or does not start; `extra` is what installs it with libration."""
+def check_matplotlib(option: str, path: str, extra: str) -> None:
+    """Refuse to draw if matplotlib is missing or does not start; `extra` of libration installs it."""
     check_package("matplotlib", ("matplotlib.backends.backend_agg", "matplotlib.figure"), option, path, extra)
 
 
-def check_package(package, modules, option, path, extra):
+def check_package(package: str, modules: Sequence[str], option: str, path: str, extra: str) -> None:
     """Refuse an option whose package is missing or does not start."""
     try:
         for module in modules:
@@ -138,20 +165,20 @@ def check_package(package, modules, option, path, extra):
     except ModuleNotFoundError as error:
         raise refusal(option, path, f"needs {package}: pip install 'libration[{extra}]'") from error
     except Exception as error:
-        # Settings are read now, and a bad one may raise anything.
+        # The import reads the settings of the user, and a bad one may raise any exception.
         reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
         raise refusal(option, path, f"{package} does not start: {reason}") from error
 
 
-def form(path):
-    """The form that the ending of a picture's name asks for."""
+def form(path: str) -> str:
+    """The format of a plot by the ending of its name."""
     return path.rpartition(".")[2].lower()
 
 
-def draw(plot, motion, times, picture, path):
-    """Draw into the staged file; numbers near the largest double have no place on an axis."""
+def draw(plot: Plot[Motion], motion: Motion, times: "Floats", file: BinaryIO, path: str) -> None:
+    """Draw into the staged file; numbers near the largest double do not fit on an axis."""
     try:
-        plot(motion, times, picture, form=form(path))
+        plot(motion, times, file, form=form(path))
     except (ArithmeticError, RuntimeError, ValueError) as error:
         large = isinstance(error, OverflowError) or any(words in str(error) for words in ("NaN or Inf", "zero-size"))
         reason = "the motion is too large for an axis" if large else str(error)

@@ -1,32 +1,39 @@
 """`libration solve`: the motion at many instants, its summary, a table and a plot.
 
-Everything that can be refused is refused before the motion is evaluated; files appear whole or not at all.
+Everything that can be refused is refused before the motion is evaluated; files are written completely or not at all.
 """
 
-from libration.cli.files import strict, write_table
+from typing import TYPE_CHECKING
+
+from libration.cli.files import Column, strict, write_table
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
 from libration.cli.parser import Parser, Refusal
 from libration.cli.sampling import (
     FILES,
+    InstantOptions,
     check_instants,
+    check_plot,
     check_targets,
     draw,
     instant_options,
     instants,
     nans,
-    plotter,
     result_options,
     sampled,
     targets,
     valueless,
     written,
 )
-from libration.cli.state import UNITS, has_frequency, pendulum, state, state_options
+from libration.cli.state import UNITS, StateOptions, has_frequency, pendulum, state, state_options
+
+if TYPE_CHECKING:
+    from libration import Pendulum
+    from libration._arrays import Floats
 
 DESCRIPTION = """\
 The exact motion of a pendulum: angle and angular velocity at many instants, and how far
 the linear solution, theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t), is from it.
-The angle counts on through turns."""
+The angle of a rotation grows beyond a turn."""
 
 EPILOG = f"""\
 {UNITS}
@@ -43,7 +50,11 @@ examples:
   libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz"""
 
 
-def parser():
+class SolveOptions(StateOptions, InstantOptions):
+    """The options of `libration solve`."""
+
+
+def parser() -> Parser:
     """The options of `libration solve`."""
     made = Parser("libration solve", DESCRIPTION, EPILOG)
     made.usage = "libration solve --theta0 ANGLE (--length LENGTH | --omega0 OMEGA0) [options]"
@@ -53,23 +64,25 @@ def parser():
     return made
 
 
-def run(words):
+def run(words: list[str]) -> None:
     """Solve what the words ask for, write the files, print the summary."""
-    options = parser().options(words)
+    options = parser().options(words, SolveOptions())
     given = state(options)
     if not has_frequency(given):
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
     check_instants(options)
     check_targets(options)
     motion = pendulum(given)
-    with targets(options) as (table, picture):
-        plot_motion = plotter("libration.plot", "plot_motion", "--plot", options.plot)
+    with targets(options) as (table, plot):
+        check_plot(options)
         times, source = instants(options)
         columns, largest, at = motion_columns(motion, times)
-        if table:
+        if table and options.out is not None:
             write_table(table, options.out, table_parameters(given, motion), columns)
-        if picture:
-            draw(plot_motion, motion, times, picture, options.plot)
+        if plot and options.plot is not None:
+            from libration.plot import plot_motion
+
+            draw(plot_motion, motion, times, plot, options.plot)
     files = written(options)
     if options.json:
         answer = keyed(given_parameters(given, motion) + found_parameters(motion))
@@ -81,7 +94,7 @@ def run(words):
         print_text(motion, times, columns[1][2], source, largest, at, files)
 
 
-def motion_columns(motion, times):
+def motion_columns(motion: "Pendulum", times: "Floats") -> tuple[list[Column], float | None, float | None]:
     """The columns of the table; the largest difference from the linear solution and the instant where it occurs."""
     import numpy as np
 
@@ -91,7 +104,7 @@ def motion_columns(motion, times):
     linear = linear_theta(motion, times)
     with np.errstate(over="ignore", invalid="ignore"):
         difference = np.abs(theta - linear)
-    columns = [("t", "s", times), ("theta", "rad", theta), ("velocity", "rad/s", velocity)]
+    columns: list[Column] = [("t", "s", times), ("theta", "rad", theta), ("velocity", "rad/s", velocity)]
     columns.append(("theta_linear", "rad", linear))
     if np.isnan(difference).all():
         return columns, None, None
@@ -99,7 +112,15 @@ def motion_columns(motion, times):
     return columns, float(difference[where]), float(times[where])
 
 
-def print_text(motion, times, theta, source, largest, at, files):
+def print_text(
+    motion: "Pendulum",
+    times: "Floats",
+    theta: "Floats",
+    source: str | None,
+    largest: float | None,
+    at: float | None,
+    files: list[str],
+) -> None:
     """The summary for people."""
     from libration.cli.summary import angle_text, digits, period_text, print_lines
 

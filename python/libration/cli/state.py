@@ -1,25 +1,40 @@
 """What the commands of a pendulum share: the options of its initial state and frequency, and the Pendulum they give."""
 
+import argparse
 import math
 import re
+from typing import TYPE_CHECKING
 
-from libration.cli.parser import Refusal, refusal
+from libration.cli.parser import Parser, Refusal, refusal
 from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, VELOCITY, has_unit, quantity
+
+if TYPE_CHECKING:
+    from libration import Pendulum
 
 UNITS = """\
 units:
   angle       rad, deg, turn          length     m, cm, mm, km, in, ft
   time        s, ms, min, h           gravity    m/s2
   velocity    rad/s, deg/s            omega0     rad/s, 1/s, deg/s, Hz (times 2 pi)
-  A plain number is in the first unit: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m, with a
+  A number without a unit is in the first: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m, with a
   decimal point. The value is rounded to a double only once: 180deg is the double nearest
   to pi."""
 
-# Names that a message of Pendulum may hold, and the options that they came from.
+# The parameters that a message of Pendulum may name; each is an option after `--`.
 NAMES = re.compile(r"(?<![\w-])(theta0|velocity0|omega0|length|gravity)\b")
 
 
-def state_options(parser, frequency):
+class StateOptions(argparse.Namespace):
+    """The options of the initial state and the frequency, as typed."""
+
+    theta0: str | None
+    velocity0: str | None
+    length: str | None
+    gravity: str | None
+    omega0: str | None
+
+
+def state_options(parser: Parser, frequency: str) -> None:
     """Add the options of the state and the frequency; `frequency` says what happens without one."""
     group = parser.add_argument_group("the pendulum")
     parser.value(group, "--theta0", "ANGLE", "initial angle from the lowest point (required)")
@@ -31,7 +46,7 @@ def state_options(parser, frequency):
     parser.value(group, "--omega0", "OMEGA0", "angular frequency of small swings, positive, instead of --length")
 
 
-def state(options):
+def state(options: StateOptions) -> dict[str, float]:
     """The keyword arguments of Pendulum that the options give, as doubles in SI units."""
     if options.theta0 is None:
         raise Refusal("missing --theta0, the initial angle, such as --theta0 170deg")
@@ -55,12 +70,12 @@ def state(options):
     return given
 
 
-def has_frequency(given):
+def has_frequency(given: dict[str, float]) -> bool:
     """Whether the options give a frequency; without one, times are in units of 1/omega0."""
     return "omega0" in given or "length" in given
 
 
-def pendulum(given):
+def pendulum(given: dict[str, float]) -> "Pendulum":
     """The Pendulum, or a Refusal that names the option."""
     from libration import Pendulum
 
@@ -74,21 +89,21 @@ def pendulum(given):
     return motion
 
 
-def upright(motion):
-    """Whether the start is the upright balance but for the rounding of pi: at rest at the double nearest to an odd multiple."""
+def upright(motion: "Pendulum") -> bool:
+    """Whether it starts at rest at the double nearest to an odd multiple of pi: upright, but for the rounding of pi."""
     halves = round(motion.theta0 / math.pi)
     return (
         motion.velocity0 == 0 and halves % 2 == 1 and abs(motion.theta0 - halves * math.pi) <= math.ulp(motion.theta0)
     )
 
 
-def small_swing_period(given):
+def small_swing_period(given: dict[str, float]) -> float:
     """The period of small swings: that of the same pendulum at rest."""
     return pendulum(given | {"theta0": 0.0, "velocity0": 0.0}).period
 
 
-def period_phase(given, motion):
-    """The period times omega0: from rest it depends on the angle alone and is a period itself."""
+def period_phase(given: dict[str, float], motion: "Pendulum") -> float:
+    """The period times omega0; from rest it depends on the angle alone and is the period for omega0 = 1."""
     if given["velocity0"] == 0:
         return pendulum({"theta0": given["theta0"]}).period
     return motion.period * motion.omega0

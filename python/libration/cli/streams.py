@@ -1,32 +1,35 @@
-"""The standard streams when they are narrow, closed or full, and signals that end the command after its cleaning up."""
+"""The standard streams when their encoding lacks letters, or they are closed or full; signals that end the command."""
 
 import contextlib
 import os
 import signal
 import sys
+from collections.abc import Iterator
+from types import FrameType
+from typing import NoReturn, TextIO
 
 
 class Ended(BaseException):
-    """A signal asked the command to end; files half written are removed on the way out."""
+    """A signal asked the command to end; unfinished files are removed before it does."""
 
-    def __init__(self, number):
+    def __init__(self, number: int) -> None:
         super().__init__(number)
         self.code = 128 + number
 
 
 @contextlib.contextmanager
-def ending():
-    """Turn the signals that would kill at once into `Ended`, the first of them; restore them afterwards."""
+def ending() -> Iterator[None]:
+    """Raise `Ended` for the first signal that would end the process at once; restore the handlers afterwards."""
 
-    def end(number, _frame):
+    def end(number: int, _frame: FrameType | None) -> NoReturn:
         for each in caught:
             signal.signal(each, signal.SIG_IGN)
         raise Ended(number)
 
-    caught = []
+    caught: list[signal.Signals] = []
     for name in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        # What is ignored, as by nohup, or handled by a caller stays so; threads have no signals (ValueError).
+        number: signal.Signals | None = getattr(signal, name, None)
+        # A signal that is ignored, as by nohup, or handled by the caller stays so; only the main thread may set handlers.
         if number is not None and signal.getsignal(number) is signal.SIG_DFL:
             with contextlib.suppress(ValueError):
                 signal.signal(number, end)
@@ -39,8 +42,8 @@ def ending():
 
 
 @contextlib.contextmanager
-def printable():
-    """Let the standard streams write `\\xe9` for what their encoding has no letter for."""
+def printable() -> Iterator[None]:
+    """Let the standard streams write `\\xe9` for a letter that their encoding lacks."""
     occupy()
     streams = [(each, each.errors) for each in (sys.stdout, sys.stderr) if hasattr(each, "reconfigure")]
     for stream, _ in streams:
@@ -54,15 +57,15 @@ def printable():
                 stream.reconfigure(errors=errors)
 
 
-def occupy():
-    """Put nothing in the place of closed standard streams, so that no file we open is taken for one."""
+def occupy() -> None:
+    """Open the null device for each closed standard stream, so that no file opened later takes its number."""
     with contextlib.suppress(OSError):
         while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
             pass
         os.close(number)
 
 
-def refused(prog, reason, code=2):
+def refused(prog: str, reason: str, code: int = 2) -> int:
     """One line on the standard error, if there is one, and the exit code."""
     if sys.stderr is not None:
         try:
@@ -72,10 +75,10 @@ def refused(prog, reason, code=2):
     return code
 
 
-def drop(stream):
-    """Let the interpreter's last flush of a stream go nowhere: the reader is gone, or the disk is full."""
+def drop(stream: TextIO) -> None:
+    """Send the interpreter's last flush of a stream to the null device: the reader is gone, or the disk is full."""
     try:
-        with open(os.devnull, "w") as nowhere:
-            os.dup2(nowhere.fileno(), stream.fileno())
+        with open(os.devnull, "w") as null:
+            os.dup2(null.fileno(), stream.fileno())
     except (OSError, ValueError, AttributeError):
         pass

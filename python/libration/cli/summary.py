@@ -1,21 +1,22 @@
 """Results for people, in aligned lines of fifteen digits."""
 
 import math
+from collections.abc import Sequence
 
 
-def print_lines(pairs):
+def print_lines(pairs: Sequence[tuple[str, str]]) -> None:
     """Print labels and texts in two columns."""
     width = max(len(label) for label, _ in pairs)
     for label, text in pairs:
         print(f"{label:{width}}  {text}")
 
 
-def digits(value):
-    """Fifteen significant digits: what a double is sure to hold in decimal."""
+def digits(value: float) -> str:
+    """Fifteen significant digits: every decimal number of fifteen digits has its own double."""
     return f"{value:.15g}"
 
 
-def period_text(regime, period):
+def period_text(regime: str, period: float) -> str:
     """The period in words."""
     if math.isinf(period):
         return "infinite"
@@ -23,7 +24,7 @@ def period_text(regime, period):
     return f"{digits(period)} s{meaning}"
 
 
-def angle_text(regime, theta_max):
+def angle_text(regime: str, theta_max: float) -> str:
     """The turning angle in radians and degrees."""
     if math.isnan(theta_max):
         return "none, it turns over the top"

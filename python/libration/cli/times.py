@@ -1,39 +1,44 @@
 """Instants: evenly spaced (`--until`, `--samples`) or read from a column of a text file (`--times`, `--column`).
 
-A file is read in whole before the first number is used: `#` lines and blank lines are skipped, the first other line may
-be a header, the columns are separated by tab, semicolon or comma, order and repetitions are kept.
+A file is read completely before the first number is used: `#` lines and blank lines are skipped, the first other line
+may be a header, the columns are separated by tab, semicolon or comma, order and repetitions are kept.
 """
 
 import itertools
 import math
 import re
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 from libration.cli.files import readable
 from libration.cli.memory import available_bytes, bytes_text
 from libration.cli.parser import Refusal, quoted, refusal, shown
 from libration.cli.quantities import ONE, TIME, quantity, scaled
 
+if TYPE_CHECKING:
+    from libration._arrays import Floats
+
 LARGEST_FILE = 256 * 2**20
-# More characters in a line are no row of a table.
+# A line with more characters is not a row of a table.
 LONGEST_LINE = 2**20
-# Four columns of doubles, and as much again while they are formed and compared.
+# Four columns of doubles, and as much again while they are computed and compared.
 BYTES_PER_SAMPLE = 64
 BLOCK = 100_000
-# What no text file holds: control characters other than tab, line feed, vertical tab, form feed, return.
+# What a text file does not contain: control characters other than tab, line feed, vertical tab, form feed, return.
 CONTROL = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f\x7f]")
-# Bytes of whole lines that are taken together: blank ones are passed over at once.
+# Bytes of whole lines that are decoded together; a chunk of blank lines is skipped at once.
 CHUNK = 2**20
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 BRACKETS = {"]": "[", ")": "("}
 SIGNS = "+-.\N{MINUS SIGN}"
-# The cells of a row with decimal commas that is split at them, and of a row of whole numbers.
+# A whole number: a row of them may be numbers with decimal commas, split at the commas.
 WHOLE = re.compile(r"[+-]?[0-9]+([eE][+-]?[0-9]+)?")
 TIME_NAMES = ("t", "time", "times")
 
 
-def even_times(until, samples):
-    """Evenly spaced instants from 0 to `until`, both ends among them; None stands for 10 s and 501."""
+def even_times(until: str | None, samples: str | None) -> "Floats":
+    """Evenly spaced instants from 0 to `until`, both ends included; the defaults are 10 s and 501."""
     last = 10.0 if until is None else quantity("--until", until, TIME, above=0)
     count = 501 if samples is None else sample_count(samples)
     import numpy as np
@@ -41,10 +46,10 @@ def even_times(until, samples):
     return np.linspace(0.0, last, count)
 
 
-def sample_count(text):
-    """A whole number of samples that fits into the memory, or a Refusal."""
+def sample_count(text: str) -> int:
+    """A whole number of samples for which there is enough memory, or a Refusal."""
     try:
-        # float() bounds the exponent before a whole number of that many digits is formed.
+        # float() bounds the exponent before int() forms a number of that many digits.
         typed = Decimal(text) if is_plain(text) and math.isfinite(float(text)) else None
     except (ArithmeticError, ValueError):
         typed = None
@@ -57,17 +62,17 @@ def sample_count(text):
     return count
 
 
-def fits_memory(option, text, count):
-    """Refuse a number of samples that the memory does not hold."""
+def fits_memory(option: str, text: str, count: int) -> None:
+    """Refuse a number of samples for which there is not enough memory."""
     need, have = count * BYTES_PER_SAMPLE, available_bytes()
     if need > have:
         raise refusal(option, text, f"would take {bytes_text(need)} of memory, and {bytes_text(have)} are available")
 
 
-def file_times(path, column):
+def file_times(path: str, column: str | None) -> "tuple[Floats, str]":
     """The instants in a column of a text file, in seconds, as an array, and the column's name."""
     data = text_bytes(path)
-    lines = numbered(path, data)
+    lines: Iterator[tuple[int, str]] = numbered(path, data)
     first = next(lines, None)
     if first is None:
         raise refusal("--times", path, "holds no instants: it is empty, but for comments")
@@ -85,14 +90,15 @@ def file_times(path, column):
     return times, name
 
 
-def text_bytes(path):
+def text_bytes(path: str) -> bytes:
     """The bytes of a text file that is not too large, or a Refusal."""
     size, regular = readable("--times", path)
     limit = bytes_text(LARGEST_FILE)
     advice = "; in Python, Pendulum(...).theta(t) takes any array"
     if regular and size > LARGEST_FILE:
         raise refusal("--times", path, f"has {bytes_text(size)}, more than the {limit} that are read{advice}")
-    parts, total = [], 0
+    parts: list[bytes] = []
+    total = 0
     try:
         with open(path, "rb") as file:
             while part := file.read(2**20):
@@ -109,8 +115,8 @@ def text_bytes(path):
     return b"".join(parts)
 
 
-def numbered(path, data):
-    """The lines that are not blank and not comments, with their numbers; UTF-8, or else Latin-1; a Refusal for a long one."""
+def numbered(path: str, data: bytes) -> Iterator[tuple[int, str]]:
+    """The lines that are not blank and not comments, with their numbers; a Refusal for one that is too long."""
     encoding = encoding_of(data)
     number = 1
     for chunk in chunks(data.removeprefix(BYTE_ORDER_MARK) if encoding == "utf-8" else data):
@@ -128,8 +134,8 @@ def numbered(path, data):
             number += 1
 
 
-def encoding_of(data):
-    """`utf-8` if all lines are that, else `latin-1`."""
+def encoding_of(data: bytes) -> str:
+    """`utf-8` if all lines are valid UTF-8, else `latin-1`."""
     try:
         for chunk in chunks(data):
             chunk.decode()
@@ -138,8 +144,8 @@ def encoding_of(data):
     return "utf-8"
 
 
-def chunks(data):
-    """Whole lines together, some million bytes each: a character ends before a line feed does, in both encodings."""
+def chunks(data: bytes) -> Iterator[bytes]:
+    """Whole lines, about a million bytes at a time: in both encodings no character contains the byte of a line feed."""
     if b"\r" in data:
         data = data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     start = 0
@@ -149,21 +155,21 @@ def chunks(data):
         start = end
 
 
-def row(line, separator):
+def row(line: str, separator: str) -> list[str]:
     """The cells of a line, stripped."""
     if '"' in line:
         return [cell.strip() for cell in quoted_cells(line, separator)]
     return [cell.strip() for cell in line.split(separator)]
 
 
-def quoted_cells(line, separator):
-    """The cells of a line some of which are in quotes, as spreadsheets write them: a quote inside stands twice (RFC 4180).
+def quoted_cells(line: str, separator: str) -> Iterator[str]:
+    """The cells of a line some of which are in quotes; a quote inside them is written twice (RFC 4180).
 
-    By hand, because the csv module refuses a cell of 131,072 characters unless a setting of the whole process is changed.
+    Not by the csv module: it refuses a cell of 131,072 characters unless a setting of the whole process is changed.
     """
     position = 0
     while True:
-        parts = []
+        parts: list[str] = []
         if line.startswith('"', position):
             position += 1
             while (end := line.find('"', position)) >= 0 and line.startswith('"', end + 1):
@@ -180,7 +186,7 @@ def quoted_cells(line, separator):
         position = end + 1
 
 
-def name_and_unit(cell):
+def name_and_unit(cell: str) -> tuple[str, str | None]:
     """`t`, `ms` for a header's cell `t [ms]`, `t (ms)`, `t/ms` or `t_ms`; the unit is None where there is none."""
     if cell[-1:] in BRACKETS:
         opening = cell.find(BRACKETS[cell[-1]])
@@ -190,26 +196,26 @@ def name_and_unit(cell):
     return (cell[:at].rstrip(), unit) if at >= 0 and unit in TIME.units else (cell, None)
 
 
-def is_header(cells):
-    """Whether the first line names columns: no cell is a number, and the first does not begin like one."""
+def is_header(cells: Sequence[str]) -> bool:
+    """Whether the first line names columns: no cell is a number, and the first cell does not begin like one."""
     start = cells[0][:1]
     return not any(number(cell) is not None for cell in cells) and start not in tuple(SIGNS) and not start.isnumeric()
 
 
-def is_plain(cell):
-    """Whether a cell holds nothing that float() takes and a number of ours does not: `1_0`, digits of other scripts."""
+def is_plain(cell: str) -> bool:
+    """Whether a cell has nothing that only float() accepts in a number: `1_0`, digits of other scripts."""
     return cell.isascii() and "_" not in cell
 
 
-def number(cell):
-    """The double a cell holds, or None."""
+def number(cell: str) -> float | None:
+    """The double in a cell, or None."""
     try:
         return float(cell) if is_plain(cell) else None
     except ValueError:
         return None
 
 
-def chosen(path, column, cells, header):
+def chosen(path: str, column: str | None, cells: Sequence[str], header: list[str] | None) -> tuple[int, str, Decimal]:
     """Index, name and factor to seconds of the column to read."""
     if header is None:
         names = [str(k) for k in range(1, len(cells) + 1)]
@@ -239,12 +245,20 @@ def chosen(path, column, cells, header):
     return index, header[index], factor
 
 
-def listed(names):
-    """Column names for a refusal."""
+def listed(names: Sequence[str]) -> str:
+    """Column names for a refusal, twelve at most."""
     return ", ".join(map(quoted, names[:12])) + (", ..." if len(names) > 12 else "")
 
 
-def read_column(path, lines, separator, width, index, factor, doubtful):
+def read_column(
+    path: str,
+    lines: Iterator[tuple[int, str]],
+    separator: str,
+    width: int,
+    index: int,
+    factor: Decimal,
+    doubtful: bool,
+) -> "Floats":
     """One column as an array of seconds, block by block; `doubtful` if commas between whole numbers may be decimal."""
     import numpy as np
 
@@ -268,20 +282,22 @@ def read_column(path, lines, separator, width, index, factor, doubtful):
     return np.concatenate(blocks) if blocks else np.empty(0)
 
 
-def bad_row(path, block, rows, width, index):
+def bad_row(
+    path: str, block: Sequence[tuple[int, str]], rows: Sequence[Sequence[str]], width: int, index: int
+) -> Refusal:
     """The Refusal for the first bad row of a block."""
     for (line, _), cells in zip(block, rows, strict=True):
         if len(cells) != width:
             reason = f"has {len(cells)} cells, and the first row has {width}"
             if re.fullmatch(r"[+-]?[0-9]+", cells[0]) and len(cells) == 2 * width:
                 reason += "; a decimal comma? write a point"
-        elif number(cells[index]) is None:
+        elif (value := number(cells[index])) is None:
             reason = f"{quoted(cells[index])} is not a number"
             if re.fullmatch(r"[+-]?[0-9]*,[0-9]+", cells[index]):
                 reason += f"; write {cells[index].replace(',', '.')}"
             elif not cells[index]:
                 reason = "has an empty cell"
-        elif not math.isfinite(number(cells[index])):
+        elif not math.isfinite(value):
             reason = f"{quoted(cells[index])} is not finite"
         else:
             continue
