@@ -5,7 +5,9 @@ import math
 import warnings
 
 import numpy as np
+import pandas
 import pytest
+import xarray
 
 import libration
 from libration.papers import juchem_neto, limits, salas_22, salas_23, salas_24
@@ -116,3 +118,42 @@ def test_integers_beyond_the_doubles_are_refused(form, place, name):
     given[place] = 10**400
     with pytest.raises(ValueError, match=f"^{name} = an integer beyond the doubles: must be finite$"):
         form(*given)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_states_of_pandas_are_aligned_by_their_index(form):
+    theta0 = pandas.Series([0.5, 1.0, 1.5], list("abc"))
+    velocity0 = pandas.Series([0.3, 0.2, 0.1], list("dcb"))
+    result = form(2.0, theta0, velocity0, 1)
+    assert (list(result.index), result.name) == (list("abcd"), "theta")
+    expected = form(2.0, [1.0, 1.5], [0.1, 0.2])
+    assert np.array_equal(result.to_numpy(), [math.nan, *expected, math.nan], equal_nan=True)
+    whole = pandas.DataFrame({"x": [1, 2], "y": [3, None]}, [5, 6])
+    assert np.array_equal(form(0.5, whole, 0.1).to_numpy(), form(0.5, whole.to_numpy(), 0.1), equal_nan=True)
+    missing = pandas.Series([1, None], dtype="Int64")
+    assert np.array_equal(form(0.5, missing, 0.1).to_numpy(), form(0.5, [1, math.nan], 0.1), equal_nan=True)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_states_of_xarray_are_broadcast_by_their_dimensions(form):
+    t = xarray.DataArray([0.1, 0.2], {"time": [3, 4]}, "time", attrs={"units": "s", "source": "clock"})
+    theta0 = xarray.DataArray([0.5, 1.0, 1.5], dims="place")
+    result = form(t, theta0, 0.5)
+    assert (result.name, result.dims, list(result.time)) == ("theta", ("time", "place"), [3, 4])
+    assert result.attrs["units"] == "rad" and result.attrs["long_name"]
+    assert np.array_equal(result.values, form(t.values[:, None], theta0.values, 0.5))
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_is_masked_stays_masked(form):
+    t = np.ma.array([0.1, 0.2, 0.3], mask=[False, True, False])
+    theta0 = np.ma.array([0.5, 1.0, 1.5], mask=[False, False, True])
+    result = form(t, theta0, 0.5)
+    assert list(result.mask) == [False, True, True]
+    assert result[0] == form(0.1, 0.5, 0.5)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_does_not_go_together_is_refused(form):
+    with pytest.raises(TypeError, match=r"^pandas Series and xarray DataArray do not go together: "):
+        form(pandas.Series([0.1, 0.2]), xarray.DataArray([0.1, 0.2]))
