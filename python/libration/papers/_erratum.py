@@ -9,9 +9,20 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
+
+from .._arrays import Array, Floats
+
+# A quantity over time.
+Motion: TypeAlias = Callable[[Floats], Floats]
+
+
+class Swing(Protocol):
+    """The angle of a pendulum with omega0 = 1 from its initial state."""
+
+    def __call__(self, t: Floats, theta0: float, velocity0: float) -> Floats: ...
 
 
 class Kind(StrEnum):
@@ -100,22 +111,33 @@ STEP = 0.02
 SWINGS = ((1.0, 0.5), (0.3, -0.9), (2.2, 0.2))
 
 
-def largest(values: Any) -> float:
+def largest(values: Array) -> float:
     """The largest absolute value; NaN if there is one."""
     return float(np.max(np.abs(np.asarray(values, dtype=float))))
 
 
-def second_derivative(u: Callable[[Any], Any], t: Any) -> Any:
+def second_derivative(u: Motion, t: Floats) -> Floats:
     """u''(t) from values of u alone."""
-    return u(np.asarray(t)[:, None] + STEP * np.arange(-4, 5)) @ WEIGHTS / STEP**2
+    found: Floats = u(np.asarray(t)[:, None] + STEP * np.arange(-4, 5)) @ WEIGHTS / STEP**2
+    return found
 
 
-def motion_residual(u: Callable[[Any], Any], force: Callable[[Any], Any], t: Any) -> float:
+def spring_force(p: float, q: float) -> Motion:
+    """The force p u + q u**3 that the Duffing equation u'' + p u + q u**3 = 0 has against u."""
+
+    def force(u: Floats) -> Floats:
+        against: Floats = p * u + q * u**3
+        return against
+
+    return force
+
+
+def motion_residual(u: Motion, force: Motion, t: Floats) -> float:
     """The largest |u'' + force(u)| over the instants t."""
     return largest(second_derivative(u, t) + force(u(np.asarray(t))))
 
 
-def swing_residual(form: Callable[..., Any], states: Sequence[tuple[float, float]] = SWINGS) -> float:
+def swing_residual(form: Swing, states: Sequence[tuple[float, float]] = SWINGS) -> float:
     """The largest |theta'' + sin(theta)| of form(t, theta0, velocity0), or the largest miss of its initial state."""
     t = np.linspace(0.1, 3.0, 30)
     beside = STEP * np.array([-1.0, 1.0])

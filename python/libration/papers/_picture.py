@@ -4,14 +4,22 @@ matplotlib is needed only here and in what draws; its Figure is used without pyp
 style is kept. The caption stands below the picture and in the metadata of the file.
 """
 
+from __future__ import annotations
+
+import os
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import IO, TYPE_CHECKING
 
 import numpy as np
 
+from .._arrays import Floats
 from ..plot._style import BLACK, DASHED, DOTTED, EXACT, LINEAR, SEPARATRIX, head, legend, quiet, save_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 # The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
 RED, BLUE, GREY = SEPARATRIX, EXACT, LINEAR
@@ -53,9 +61,9 @@ class Picture:
     title: str
     caption: str
     size: tuple[float, float]
-    draw: Callable[[Any], None]
+    draw: Callable[[Figure], None]
 
-    def save(self, files: dict[str, Any]) -> None:
+    def save(self, files: Mapping[str, str | os.PathLike[str] | IO[bytes]]) -> None:
         """Draw once, and save in every form asked for.
 
         Parameters
@@ -69,7 +77,7 @@ class Picture:
             If matplotlib is missing, or SciPy where the paper integrates.
         """
 
-        def draw(figure):
+        def draw(figure: Figure) -> None:
             with np.errstate(all="ignore"):
                 self.draw(figure)
             head(figure, self.title)
@@ -77,10 +85,10 @@ class Picture:
             text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
 
-        save_figure(files, self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
+        save_figure(dict(files), self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
 
 
-def panels(figure, heights=(2.1, 1)):
+def panels(figure: Figure, heights: tuple[float, float] = (2.1, 1)) -> tuple[Axes, Axes]:
     """An upper and a lower panel over the same axis."""
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=heights)
     for axes in (upper, lower):
@@ -89,22 +97,22 @@ def panels(figure, heights=(2.1, 1)):
     return upper, lower
 
 
-def exact(axes, t, theta):
+def exact(axes: Axes, t: Floats, theta: Floats) -> None:
     """The exact solution: black, solid."""
     axes.plot(t, theta, color=BLACK, lw=2.1, label="exact")
 
 
-def dotted(axes, t, theta, label):
+def dotted(axes: Axes, t: Floats, theta: Floats, label: str) -> None:
     """The first approximation: red, dotted."""
     axes.plot(t, theta, color=RED, lw=1.9, ls=DOTTED, label=label)
 
 
-def dashed(axes, t, theta, label):
+def dashed(axes: Axes, t: Floats, theta: Floats, label: str) -> None:
     """The second approximation, or the numerical solution: blue, dashed."""
     axes.plot(t, theta, color=BLUE, lw=1.7, ls=DASHED, label=label)
 
 
-def named(axes, horizontal, vertical):
+def named(axes: Axes, horizontal: str, vertical: str) -> None:
     """Labels of both axes, and the legend above."""
     axes.set_xlabel(horizontal)
     axes.set_ylabel(vertical)

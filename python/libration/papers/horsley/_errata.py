@@ -2,11 +2,13 @@
 
 import ast
 import functools
+from collections.abc import Callable
 
 import numpy as np
 
+from ..._arrays import Floats
 from ...elliptic import carlson_rf, incomplete_e, incomplete_f, jacobi
-from .._erratum import Erratum, Kind, largest, motion_residual, swing_residual
+from .._erratum import Erratum, Kind, largest, motion_residual, spring_force, swing_residual
 from .._exact import juchem_neto
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
@@ -16,7 +18,7 @@ OVER = ((1.0, 3.0), (np.pi, 1.0))
 BEYOND = ((4.0, 0.3), (5.5, -0.2))
 
 
-def written(t, theta0, velocity0, *, divided=False, sine=False):
+def written(t: Floats, theta0: float, velocity0: float, *, divided: bool = False, sine: bool = False) -> Floats:
     """Horsley (3), with gamma0 divided by the root of k, or a sine in place of sn, if asked for."""
     half, rate = theta0 / 2, velocity0 / 2
     k = np.abs(np.sin(half))
@@ -24,58 +26,65 @@ def written(t, theta0, velocity0, *, divided=False, sine=False):
     m = (gamma0 * k) ** 2
     u = incomplete_f(np.arcsin(1 / gamma0), m=m) + (1 if velocity0 > 0 else -1) * t
     inner = np.sin(u) if sine else jacobi(u, m=m).sn
-    return 2 * np.arcsin((gamma0 / k if divided else gamma0 * k) * inner)
+    angle: Floats = 2 * np.arcsin((gamma0 / k if divided else gamma0 * k) * inner)
+    return angle
 
 
-def mirrored(t, theta0, velocity0):
+def mirrored(t: Floats, theta0: float, velocity0: float) -> Floats:
     """Juchem Neto's formula for theta0 < 0 too: it has the motion of -theta0."""
     sign = np.sign(theta0)
-    return sign * juchem_neto(t, abs(theta0), sign * velocity0)
+    angle: Floats = sign * juchem_neto(t, abs(theta0), sign * velocity0)
+    return angle
 
 
-def without_gamma0(t, theta0, velocity0):
+def without_gamma0(t: Floats, theta0: float, velocity0: float) -> Floats:
     """The same with m = sin(theta0/2)**2 + (velocity0/(2 omega0))**2 and the sign of theta0 in its sine."""
     sine, cosine, rate = np.sin(theta0 / 2), np.cos(theta0 / 2), velocity0 / 2
     m = sine**2 + rate**2
     start = sine / np.sqrt(m) * carlson_rf(rate**2 / m, cosine**2, 1.0)
-    return 2 * np.arcsin(np.sqrt(m) * jacobi(start + (1 if velocity0 > 0 else -1) * t, m=m).sn)
+    angle: Floats = 2 * np.arcsin(np.sqrt(m) * jacobi(start + (1 if velocity0 > 0 else -1) * t, m=m).sn)
+    return angle
 
 
-def turning(t, theta0, velocity0):
+def turning(t: Floats, theta0: float, velocity0: float) -> Floats:
     """Rotation upward: twice the amplitude with the reciprocal parameter."""
     sine, cosine, rate = np.sin(theta0 / 2), np.cos(theta0 / 2), velocity0 / 2
     m = sine**2 + rate**2
     start = sine * carlson_rf(rate**2, m * cosine**2, m)
-    return 2 * jacobi(np.sqrt(m) * (start + t), m=1 / m).am
+    angle: Floats = 2 * jacobi(np.sqrt(m) * (start + t), m=1 / m).am
+    return angle
 
 
-def reduced(t, theta0, velocity0):
+def reduced(t: Floats, theta0: float, velocity0: float) -> Floats:
     """Whole turns taken off theta0 first, and given back."""
     turns = 2 * np.pi * np.round(theta0 / (2 * np.pi))
-    return turns + mirrored(t, theta0 - turns, velocity0)
+    angle: Floats = turns + mirrored(t, theta0 - turns, velocity0)
+    return angle
 
 
-def frequency_residual(omega0):
+def cosine(rate: float, t: Floats) -> Floats:
+    """The linear swing from rest at 1."""
+    swing: Floats = np.cos(rate * t)
+    return swing
+
+
+def frequency_residual(omega0: Callable[[float, float], float]) -> float:
     """The largest |theta'' + (g/l) theta| of cos(omega0 t) for two lengths."""
     found = []
     for gravity, length in ((9.8, 1.0), (9.8, 2.0)):
-        rate = omega0(gravity, length)
-
-        def form(t, rate=rate):
-            return np.cos(rate * t)
-
-        found.append(motion_residual(form, lambda u, ratio=gravity / length: ratio * u, INSTANTS))
+        form = functools.partial(cosine, omega0(gravity, length))
+        found.append(motion_residual(form, spring_force(gravity / length, 0.0), INSTANTS))
     return largest(found)
 
 
-def arc_residual(arc):
+def arc_residual(arc: Callable[[float, float, float], float]) -> float:
     """The relative error of an arc of the ellipse (3 sin phi, 2 cos phi), beside a polygon of 20,000 sides."""
     phi = np.linspace(0.0, 1.2, 20_001)
     polygon = np.hypot(np.diff(3 * np.sin(phi)), np.diff(2 * np.cos(phi))).sum()
-    return abs(arc(1.2, 3.0, 2.0) / polygon - 1)
+    return abs(arc(1.2, 3.0, 2.0) / float(polygon) - 1)
 
 
-def syntax_residual(code):
+def syntax_residual(code: str) -> float:
     """0 if Python can read the line, 1 if not."""
     try:
         ast.parse(code)

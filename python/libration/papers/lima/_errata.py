@@ -1,13 +1,15 @@
 """Errata of Lima 2019."""
 
 import functools
+from collections.abc import Callable
 
 import numpy as np
 
 from ... import approx
+from ..._arrays import Floats
 from ...elliptic import complete_k, jacobi, sn
 from ...pendulum import Pendulum, theta
-from .._erratum import Erratum, Kind, largest, motion_residual, second_derivative, swing_residual
+from .._erratum import Erratum, Kind, Motion, largest, motion_residual, second_derivative, spring_force, swing_residual
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
 RELEASES = ((0.3, 0.0), (1.0, 0.0), (2.5, 0.0))
@@ -15,42 +17,43 @@ RELEASES = ((0.3, 0.0), (1.0, 0.0), (2.5, 0.0))
 HALVINGS = 40
 
 
-def balance_residual(balance):
+def balance_residual(balance: Callable[[Floats, Floats], Floats]) -> float:
     """Lima (1): the largest difference of its two sides along a motion."""
 
-    def motion(t):
+    def motion(t: Floats) -> Floats:
         return theta(t, 1.0)
 
     return largest(balance(motion(INSTANTS), second_derivative(motion, INSTANTS)))
 
 
-def solution_residual(solution):
+def solution_residual(solution: Callable[[float], tuple[Motion, float]]) -> float:
     """Lima (14): the largest residual of z(t), k = solution(constant) for several values of the free constant."""
     found = []
     for constant in (0.3, 0.5, 0.9):
         z, k = solution(constant)
-        found.append(motion_residual(z, lambda z, k=k: (1 + k**2) * z - 2 * k**2 * z**3, INSTANTS))
+        found.append(motion_residual(z, spring_force(1 + k**2, -2 * k**2), INSTANTS))
     return largest(found)
 
 
-def released(function, t, theta0, velocity0):
+def released(function: Callable[[Floats, float], Floats], t: Floats, theta0: float, velocity0: float) -> Floats:
     """Lima (16) with sine or sn in it."""
     k = np.sin(theta0 / 2)
-    return 2 * np.arcsin(k * function(t + complete_k(k=k), k))
+    angle: Floats = 2 * np.arcsin(k * function(t + complete_k(k=k), k))
+    return angle
 
 
-def fourier(order, theta0):
+def fourier(order: int, theta0: float) -> approx.AngleApproximation:
     """Lima (22) for a release from rest."""
     return approx.angle(f"fourier:{order}").of(Pendulum(theta0))
 
 
-def finite_at_0(order, theta0):
+def finite_at_0(order: int, theta0: float) -> bool:
     """Whether Lima (22) has a value at t = 0."""
     return bool(np.isfinite(fourier(order, theta0).theta(0.0)))
 
 
 @functools.cache
-def highest(order):
+def highest(order: int) -> float:
     """The turning angle up to which Lima (22) with an odd number of terms has a value at t = 0, rad."""
     low, high = 0.0, np.pi
     for _ in range(HALVINGS):
@@ -59,12 +62,12 @@ def highest(order):
     return low
 
 
-def range_residual(upper):
+def range_residual(upper: Callable[[int], float]) -> float:
     """For how many of N = 1, 3, 5, 7 Lima (22) has no value at t = 0 just below theta0 = upper(N)."""
     return sum(not finite_at_0(order, 0.999 * upper(order)) for order in (1, 3, 5, 7))
 
 
-def largest_residual(error):
+def largest_residual(error: Callable[[int, float], float]) -> float:
     """The largest miss of error(N, theta0) beside the largest deviation on a fine grid, rad."""
     found = []
     for order, theta0 in ((1, np.pi / 3), (2, 0.9 * np.pi), (4, 0.945 * np.pi)):
@@ -74,12 +77,12 @@ def largest_residual(error):
     return largest(found)
 
 
-def share_of_largest(order, theta0):
+def share_of_largest(order: int, theta0: float) -> float:
     """Where in the period the largest deviation of Lima (22) is first reached."""
     return fourier(order, theta0).error(1).t / Pendulum(theta0).period
 
 
-def percent(order, theta0):
+def percent(order: int, theta0: float) -> float:
     """The largest deviation of Lima (22) over a period, in % of theta0."""
     return 100 * fourier(order, theta0).error(1).relative
 

@@ -2,6 +2,7 @@
 
 import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -14,13 +15,13 @@ from .._erratum import Erratum, Kind, largest
 LIBRATIONS = ((0.4, 1.0), (1.0, 3.0), (2.5, 0.5))
 
 
-def swing_time(swing):
+def swing_time(swing: Pendulum) -> float:
     """The time from one turning point to the next but one, as the motion shows it."""
     first, _, second = swing.turning_times(0.0, 1.2 * swing.period)[:3]
-    return second - first
+    return float(second - first)
 
 
-def libration_residual(period):
+def libration_residual(period: Callable[[float, float], float]) -> float:
     """The largest relative error of period(m, omega0) beside the time between turning points."""
     found = []
     for theta0, omega0 in LIBRATIONS:
@@ -29,7 +30,7 @@ def libration_residual(period):
     return largest(found)
 
 
-def rotation_residual(period):
+def rotation_residual(period: Callable[[float, float], float]) -> float:
     """The largest miss of one whole turn after period(m, omega0), rad."""
     found = []
     for velocity0 in (2.1, 3.0, 9.0):
@@ -38,7 +39,7 @@ def rotation_residual(period):
     return largest(found)
 
 
-def range_residual(bound, period):
+def range_residual(bound: float, period: Callable[[float], float]) -> float:
     """The largest relative error of omega0 T = period(m) for 0 < m <= bound, beside the motion's own."""
     found = []
     for m in bound * np.linspace(0.05, 1.0, 20):
@@ -46,7 +47,7 @@ def range_residual(bound, period):
     return largest(found)
 
 
-def pade_row(number, bound, percent, text):
+def pade_row(number: int, bound: float, percent: float, text: str) -> Erratum:
     """The row of (26), (27) or (28): the printed prefactor gives a quarter of the period."""
     ratio = approx.period(f"salas-{number}").ratio
     return SALAS(
@@ -63,14 +64,14 @@ def pade_row(number, bound, percent, text):
     )
 
 
-def bound_residual(bound):
+def bound_residual(bound: float) -> float:
     """The largest relative error of (28), as a whole period, for |m| < bound."""
     m = bound * (1 - np.geomspace(1e-9, 1.0, 200))
     formula = approx.period("salas-28")
     return largest([formula.error(m=m), formula.error(m=-m)])
 
 
-def small_m_residual(bound):
+def small_m_residual(bound: float) -> float:
     """The largest error of the formula before fig. 6 over one period, released at rest with m = bound, over theta0."""
     return approx.angle("small-m").of(Pendulum(2 * math.asin(math.sqrt(bound)))).error(1).relative
 
