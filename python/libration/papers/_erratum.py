@@ -9,12 +9,14 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any, Protocol, TypeAlias
+from typing import Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
 from .._arrays import Array, Floats
 
+# What a check takes: a function, a number or a text.
+Form = TypeVar("Form")
 # A quantity over time.
 Motion: TypeAlias = Callable[[Floats], Floats]
 
@@ -41,7 +43,7 @@ class Kind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Erratum:
+class Erratum(Generic[Form]):
     """One wrong line of a paper, with its correction and the check that holds for one of the two.
 
     Parameters
@@ -79,12 +81,30 @@ class Erratum:
     kind: Kind
     measure: str
     tolerance: float
-    check: Callable[[Any], float]
-    printed_form: Any
-    corrected_form: Any
+    check: Callable[[Form], float]
+    printed_form: Form
+    corrected_form: Form
 
-    def residual(self, form: Any) -> float:
-        """How far a form is from what the equation claims; NaN if it has no value."""
+    def residual(self, form: Form) -> float:
+        """How far a form is from what the equation claims.
+
+        Parameters
+        ----------
+        form : object
+            What the check takes.
+
+        Returns
+        -------
+        float
+            The residual, as `measure` says; NaN if the form has no value.
+
+        Examples
+        --------
+        >>> from libration.papers import errata
+        >>> row = next(row for row in errata() if row.place == "historical development")
+        >>> print(row.residual(13), row.residual(14))
+        1.0 0.0
+        """
         with np.errstate(all="ignore"):
             return float(self.check(form))
 
@@ -98,8 +118,26 @@ class Erratum:
         """The residual of the corrected form."""
         return self.residual(self.corrected_form)
 
-    def holds(self, form: Any) -> bool:
-        """Whether a form passes the check."""
+    def holds(self, form: Form) -> bool:
+        """Whether a form passes the check.
+
+        Parameters
+        ----------
+        form : object
+            What the check takes.
+
+        Returns
+        -------
+        bool
+            Whether the residual is at most `tolerance`; False for a form without a value.
+
+        Examples
+        --------
+        >>> from libration.papers import errata
+        >>> row = next(row for row in errata() if row.place == "historical development")
+        >>> print(row.holds(13), row.holds(14))
+        False True
+        """
         return self.residual(form) <= self.tolerance
 
 

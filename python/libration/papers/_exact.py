@@ -20,11 +20,11 @@ from .._dispatch import apply
 from .._labels import Result, like
 from ..elliptic import carlson_rf, dc, jacobi, jacobi_complex, nc, sc
 
-NAMES = ("t", "theta0", "velocity0", "omega0")
+ARGUMENTS = ("t", "theta0", "velocity0", "omega0")
 THETA = Result("theta", "rad", "angle by the formula of a paper")
 
 
-class Form:
+class Formula:
     """A formula of arrays of doubles for t, theta0, velocity0 and omega0, with what `apply` asks of a ufunc."""
 
     nout = 1
@@ -34,7 +34,7 @@ class Form:
         self.formula = formula
 
     def __call__(self, *arguments: Any) -> Any:
-        given = [doubles(name, value) for name, value in zip(NAMES, arguments, strict=True)]
+        given = [doubles(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
         # The doubles overflow to infinity and divide by zero as IEEE 754 says.
         with np.errstate(all="ignore"):
             if not any(hasattr(each, "iloc") or isinstance(each, np.ma.MaskedArray) for each in given):
@@ -104,7 +104,7 @@ def salas_22(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     >>> f"{salas_22(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
-    return apply(Form(_salas_22), t, theta0, velocity0, omega0, results=(THETA,))
+    return apply(Formula(_salas_22), t, theta0, velocity0, omega0, results=(THETA,))
 
 
 def _salas_22(t: Floats, theta0: Floats, velocity0: Floats, omega0: Floats) -> Floats:
@@ -159,7 +159,7 @@ def salas_23(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     >>> f"{salas_23(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
-    return apply(Form(_salas_23), t, theta0, velocity0, omega0, results=(THETA,))
+    return apply(Formula(_salas_23), t, theta0, velocity0, omega0, results=(THETA,))
 
 
 def _salas_23(t: Floats, theta0: Floats, velocity0: Floats, omega0: Floats) -> Floats:
@@ -213,7 +213,7 @@ def salas_24(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> An
     >>> f"{salas_24(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
-    return apply(Form(_salas_24), t, theta0, velocity0, omega0, results=(THETA,))
+    return apply(Formula(_salas_24), t, theta0, velocity0, omega0, results=(THETA,))
 
 
 def _salas_24(t: Floats, theta0: Floats, velocity0: Floats, omega0: Floats) -> Floats:
@@ -269,7 +269,7 @@ def juchem_neto(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) ->
     >>> f"{juchem_neto(2.0, 1.0, 0.5):.9f}"
     '0.291045357'
     """
-    return apply(Form(_juchem_neto), t, theta0, velocity0, omega0, results=(THETA,))
+    return apply(Formula(_juchem_neto), t, theta0, velocity0, omega0, results=(THETA,))
 
 
 def _juchem_neto(t: Floats, theta0: Floats, velocity0: Floats, omega0: Floats) -> Floats:

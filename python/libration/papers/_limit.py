@@ -6,7 +6,8 @@ The sources are the forms themselves (_exact.py); the truth beside them is `libr
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+
+import numpy as np
 
 from ..pendulum import theta
 from ._exact import juchem_neto, salas_22, salas_23, salas_24
@@ -32,7 +33,7 @@ class Limit:
     Salas (22) 1.634282841, truth 20.483838762
     """
 
-    form: Callable[..., Any]
+    form: Callable[[float, float, float], np.float64]
     theta0: float
     velocity0: float
     t: float

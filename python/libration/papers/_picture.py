@@ -75,6 +75,15 @@ class Picture:
         ------
         ImportError
             If matplotlib is missing, or SciPy where the paper integrates.
+
+        Examples
+        --------
+        >>> from io import BytesIO
+        >>> from libration.papers import pictures
+        >>> file = BytesIO()
+        >>> pictures("salas")[1].save({"svg": file})
+        >>> b"Polynomials for the sine" in file.getvalue()
+        True
         """
 
         def draw(figure: Figure) -> None:

@@ -1,6 +1,7 @@
 """The three papers by name, and what is listed of them: figures, claims, errata."""
 
 import difflib
+from typing import Any
 
 from . import horsley, lima, salas
 from ._claim import Claim
@@ -72,7 +73,7 @@ def claims(work: str | None = None) -> tuple[Claim, ...]:
     return tuple(row for name in chosen(work) for row in WORKS[name].CLAIMS)
 
 
-def errata() -> tuple[Erratum, ...]:
+def errata() -> tuple[Erratum[Any], ...]:
     """The errata of the three papers, each with a check that its printed form fails and its corrected form passes.
 
     Returns

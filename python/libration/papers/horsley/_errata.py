@@ -8,7 +8,7 @@ import numpy as np
 
 from ..._arrays import Floats
 from ...elliptic import carlson_rf, incomplete_e, incomplete_f, jacobi
-from .._erratum import Erratum, Kind, largest, motion_residual, spring_force, swing_residual
+from .._erratum import Erratum, Kind, Swing, largest, motion_residual, spring_force, swing_residual
 from .._exact import juchem_neto
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
@@ -95,8 +95,9 @@ def syntax_residual(code: str) -> float:
 
 SWING = "largest |θ″ + sin θ|, or miss of the initial state"
 HORSLEY = functools.partial(Erratum, "Horsley 2025")
+HORSLEY_SWING = functools.partial(Erratum[Swing], "Horsley 2025")
 ERRATA = (
-    HORSLEY(
+    HORSLEY_SWING(
         "(3), factor",
         "2 arcsin[(γ₀/√k) sn(…)]",
         "2 arcsin[γ₀√k sn(…)]",
@@ -108,7 +109,7 @@ ERRATA = (
         functools.partial(written, divided=True),
         written,
     ),
-    HORSLEY(
+    HORSLEY_SWING(
         "(3), function",
         "sin(F(arcsin(1/γ₀), γ₀²k) + Hω₀t, γ₀²k)",
         "sn(F(arcsin(1/γ₀), γ₀²k) + Hω₀t, γ₀²k)",
@@ -120,7 +121,7 @@ ERRATA = (
         functools.partial(written, sine=True),
         written,
     ),
-    HORSLEY(
+    HORSLEY_SWING(
         "(3), H",
         "H = −1 for φ₀ ≤ 0, 1 for φ₀ > 0",
         "for θ₀ < 0: H = sign(θ₀φ₀), and an overall factor sign(θ₀)",
@@ -132,7 +133,7 @@ ERRATA = (
         juchem_neto,
         mirrored,
     ),
-    HORSLEY(
+    HORSLEY_SWING(
         "(3), γ₀",
         "γ₀² = 1 + φ₀²/(4ω₀²k)",
         "γ₀²k = m = sin²(θ₀/2) + φ₀²/(4ω₀²), and sin(θ₀/2)/√m for 1/γ₀",
@@ -144,7 +145,7 @@ ERRATA = (
         juchem_neto,
         without_gamma0,
     ),
-    HORSLEY(
+    HORSLEY_SWING(
         "(3), rotation and θ₀ = π",
         "2 arcsin[γ₀√k sn(…)], silent about γ₀²k > 1",
         "2 am(√m (τ₀ + ω₀t) | 1/m) for γ₀²k = m > 1",
@@ -156,7 +157,7 @@ ERRATA = (
         juchem_neto,
         turning,
     ),
-    HORSLEY(
+    HORSLEY_SWING(
         "(3), |θ₀| > π",
         "θ₀ as it is",
         "θ₀ less its whole turns, which are given back at the end",

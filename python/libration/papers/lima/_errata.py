@@ -88,6 +88,7 @@ def percent(order: int, theta0: float) -> float:
 
 
 LIMA = functools.partial(Erratum, "Lima 2019")
+LIMA_RANGE = functools.partial(Erratum[Callable[[int], float]], "Lima 2019")
 ERRATA = (
     LIMA(
         "(1)",
@@ -125,7 +126,7 @@ ERRATA = (
         functools.partial(released, lambda u, k: np.sin(u)),
         functools.partial(released, lambda u, k: jacobi(u, k=k).sn),
     ),
-    LIMA(
+    LIMA_RANGE(
         "(23)",
         "θ̂(0) for any N ≥ 1 and 0 < θ₀ < π",
         "for odd N only up to " + ", ".join(f"{highest(n) / np.pi:.4f}π (N = {n})" for n in (1, 3, 5, 7)),

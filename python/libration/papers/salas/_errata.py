@@ -181,6 +181,8 @@ def in_modulus(name: Literal["k", "m"], t: Floats, theta0: float, velocity0: flo
 MOTION = "largest |u″ + p u + q u³|"
 SWING = "largest |φ″ + sin φ|"
 SALAS = functools.partial(Erratum, "Salas 2019")
+SALAS_SWING = functools.partial(Erratum[Swing], "Salas 2019")
+SALAS_SPRING = functools.partial(Erratum[SpringForm], "Salas 2019")
 ERRATA = (
     SALAS(
         "(9), first line",
@@ -260,7 +262,7 @@ ERRATA = (
         lambda p, qc2: (qc2 + p - np.sqrt(qc2**2 + p**2)) / (2 * p),
         lambda p, qc2: (1 - p / (qc2 + np.sqrt(qc2**2 + p**2))) / 2,
     ),
-    SALAS(
+    SALAS_SPRING(
         "(14), second term",
         "… − sn z dn z sn c₂ dn c₂",
         "… − c₁ sn z dn z sn c₂ dn c₂",
@@ -272,7 +274,7 @@ ERRATA = (
         functools.partial(addition, factor=False),
         addition,
     ),
-    SALAS(
+    SALAS_SPRING(
         "(14), (18), dn",
         "dn(√(qc₁² + p), m)",
         "dn(√(qc₁² + p) t, m)",
@@ -284,7 +286,7 @@ ERRATA = (
         functools.partial(addition, time=False),
         addition,
     ),
-    SALAS(
+    SALAS_SPRING(
         "(14), denominator",
         "1 − csn²(√(qc₁² + p) t, m), c not defined",
         "1 − c sn²(√(qc₁² + p) t, m) with c = m sn²(c₂, m)",
@@ -333,7 +335,7 @@ ERRATA = (
         functools.partial(signed, -1.0),
         functools.partial(signed, 1.0),
     ),
-    SALAS(
+    SALAS_SWING(
         "(5), (22), (23), (24)",
         "φ = 2 arctan u",
         "φ = 2 arctan u + 2πn, the turns counted on",

@@ -47,7 +47,7 @@ def range_residual(bound: float, period: Callable[[float], float]) -> float:
     return largest(found)
 
 
-def pade_row(number: int, bound: float, percent: float, text: str) -> Erratum:
+def pade_row(number: int, bound: float, percent: float, text: str) -> Erratum[Callable[[float], float]]:
     """The row of (26), (27) or (28): the printed prefactor gives a quarter of the period."""
     ratio = approx.period(f"salas-{number}").ratio
     return SALAS(
