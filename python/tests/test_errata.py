@@ -7,7 +7,7 @@ import pytest
 
 import libration
 from libration.papers import Erratum, Kind, errata
-from libration.papers._erratum import largest, motion_residual, second_derivative, swing_residual
+from libration.papers._erratum import largest, motion_residual, pendulum_residual, second_derivative
 
 ROWS = errata()
 NAMES = [f"{row.work} {row.place}" for row in ROWS]
@@ -69,9 +69,9 @@ def test_residual_of_a_true_motion_is_rounding_and_of_a_bent_one_is_not():
 
 
 def test_initial_state_counts():
-    assert swing_residual(libration.theta) < 1e-9
-    assert swing_residual(lambda t, theta0, velocity0: libration.theta(t, theta0, -velocity0)) > 1e-3
-    assert swing_residual(lambda t, theta0, velocity0: libration.theta(t, theta0 + 1e-5, velocity0)) > 9e-6
+    assert pendulum_residual(libration.theta) < 1e-9
+    assert pendulum_residual(lambda t, theta0, velocity0: libration.theta(t, theta0, -velocity0)) > 1e-3
+    assert pendulum_residual(lambda t, theta0, velocity0: libration.theta(t, theta0 + 1e-5, velocity0)) > 9e-6
 
 
 def test_no_value_is_no_pass():

@@ -1,4 +1,4 @@
-"""Drawn pendulums: rod, bob, angles and arrows, for the papers' first figures and the picture on the ellipse."""
+"""Parts of a drawing of a pendulum: rod, bob, angles and arrows, for figure 1 of each paper and the ellipse."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ROD = "#5a5a5a"
 
 
 class Letter(TypedDict, total=False):
-    """What a letter looks like, as matplotlib takes it."""
+    """The style of a label, as matplotlib takes it."""
 
     color: str
     fontsize: float
@@ -29,19 +29,19 @@ class Letter(TypedDict, total=False):
 
 
 def bare(axes: Axes, low: tuple[float, float], high: tuple[float, float]) -> None:
-    """Equal scales, no frame, the corners of what is seen."""
+    """Set equal scales and the visible range from corner to corner, and hide the frame."""
     axes.set_aspect("equal")
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.axis("off")
 
 
 def bob(theta: float, length: float = 1.0) -> Floats:
-    """Where the bob is, the pivot at the origin."""
+    """The position of the bob; the pivot is at the origin."""
     return np.array([length * np.sin(theta), -length * np.cos(theta)])
 
 
 def rod(axes: Axes, theta: float, *, strong: bool = True) -> None:
-    """The rod with its bob; a faint one shows an earlier place."""
+    """The rod with its bob; not strong for an earlier position."""
     x, y = bob(theta)
     color, fill = (ROD, BLACK) if strong else ("#bdbdbd", "#e2e2e2")
     axes.plot([0, x], [0, y], color=color, lw=2 if strong else 1.4, solid_capstyle="round", zorder=2)
@@ -50,7 +50,7 @@ def rod(axes: Axes, theta: float, *, strong: bool = True) -> None:
 
 
 def vertical(axes: Axes, length: float = 1.2) -> None:
-    """The dashed line of equilibrium."""
+    """The dashed vertical line below the pivot."""
     axes.plot([0, 0], [0, -length], color="#9a9a9a", lw=1.1, ls=(0, (5, 4)), zorder=1)
 
 
@@ -62,7 +62,7 @@ def ceiling(axes: Axes, width: float = 0.32) -> None:
 
 
 def angle(axes: Axes, start: float, stop: float, radius: float, text: str, color: str = BLACK, at: float = 0.5) -> None:
-    """An arc between two angles from the downward vertical, with its letter beside it at a share of the way."""
+    """An arc between two angles from the downward vertical, labelled at a fraction of the arc."""
     turn = np.linspace(start, stop, 60)
     axes.plot(radius * np.sin(turn), -radius * np.cos(turn), color=color, lw=1.1)
     place = start + at * (stop - start)
@@ -70,7 +70,7 @@ def angle(axes: Axes, start: float, stop: float, radius: float, text: str, color
 
 
 def path(axes: Axes, start: float, stop: float, length: float = 1.0) -> None:
-    """The circle on which the bob moves, dotted."""
+    """The circle of the bob, dotted."""
     turn = np.linspace(start, stop, 120)
     axes.plot(length * np.sin(turn), -length * np.cos(turn), color="#9a9a9a", lw=1, ls=(0, (1, 3)), zorder=1)
 
@@ -85,7 +85,7 @@ def arrow(
     *,
     thick: float = 1.8,
 ) -> None:
-    """A force or a velocity: an arrow with its letter beside the tip."""
+    """A force or a velocity: an arrow with a label at its tip."""
     tip = np.asarray(start) + vector
     axes.annotate(
         "",
@@ -98,10 +98,10 @@ def arrow(
 
 
 def write(axes: Axes, place: Point, text: str, style: Letter) -> None:
-    """Letters at a place."""
+    """A label at a position."""
     axes.text(place[0], place[1], text, **style)
 
 
 def letter(color: str = BLACK) -> Letter:
-    """The style of letters."""
+    """The style of the labels."""
     return {"color": color, "fontsize": 13, "ha": "center", "va": "center"}

@@ -1,7 +1,7 @@
-"""One row of the errata: what a paper prints, what it should print, and a measurement that tells the two apart.
+"""One row of the errata: what a paper prints, what it should print, and a check that only the correction passes.
 
-A check takes a form (a function, a number, a text, as the row has it) and returns its residual: how far it is from
-what the row's equation claims. The corrected form keeps the tolerance, the printed one in its place does not.
+A check takes a form (a function, a number or a text) and returns its residual, which is 0 if the equation of the row
+holds. The residual of the corrected form is within the tolerance, that of the printed form is not.
 """
 
 import functools
@@ -21,14 +21,14 @@ Form = TypeVar("Form")
 Motion: TypeAlias = Callable[[Floats], Floats]
 
 
-class Swing(Protocol):
-    """The angle of a pendulum with omega0 = 1 from its initial state."""
+class StateFormula(Protocol):
+    """A formula for the angle of the pendulum with omega0 = 1 from its initial state."""
 
     def __call__(self, t: Floats, theta0: float, velocity0: float) -> Floats: ...
 
 
 class Kind(StrEnum):
-    """Where an erratum comes from; a member compares equal to its string.
+    """The origin of an erratum; a member compares equal to its string.
 
     Examples
     --------
@@ -44,7 +44,7 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True)
 class Erratum(Generic[Form]):
-    """One wrong line of a paper, with its correction and the check that holds for one of the two.
+    """One wrong line of a paper, with its correction and a check that only the correction passes.
 
     Parameters
     ----------
@@ -53,11 +53,11 @@ class Erratum(Generic[Form]):
     printed, corrected : str
         The line in both versions.
     why : str
-        The reason in words.
+        The reason.
     kind : Kind
-        A slip of the text at hand, an error of the paper, or what cannot be told apart from this text.
+        An error of our text of the paper, an error of the paper, or undecided between the two.
     measure : str
-        What the residual is, in words, with its unit.
+        What the residual is, with its unit.
     tolerance : float
         The largest residual that passes.
     check : callable
@@ -86,7 +86,7 @@ class Erratum(Generic[Form]):
     corrected_form: Form
 
     def residual(self, form: Form) -> float:
-        """How far a form is from what the equation claims.
+        """The residual of a form: 0 if the equation holds for it.
 
         Parameters
         ----------
@@ -141,12 +141,12 @@ class Erratum(Generic[Form]):
         return self.residual(form) <= self.tolerance
 
 
-# Central difference of eighth order for a second derivative (Fornberg 1988, table 1), and its step: with rates near 1
-# the formula errs by 1e-15 and the rounding of the doubles by 1e-12.
+# Central difference of eighth order for a second derivative (Fornberg 1988, table 1), and its step. For
+# rates near 1 the error of the formula is 1e-15 and that of rounding 1e-12.
 WEIGHTS = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
 STEP = 0.02
-# States of the pendulum with omega0 = 1 that the checks start from: theta0 in rad, velocity0 in rad/s.
-SWINGS = ((1.0, 0.5), (0.3, -0.9), (2.2, 0.2))
+# States of the pendulum with omega0 = 1 from which the checks start: theta0 in rad, velocity0 in rad/s.
+STATES = ((1.0, 0.5), (0.3, -0.9), (2.2, 0.2))
 
 
 def largest(values: Array) -> float:
@@ -160,8 +160,8 @@ def second_derivative(u: Motion, t: Floats) -> Floats:
     return found
 
 
-def spring_force(p: float, q: float) -> Motion:
-    """The force p u + q u**3 that the Duffing equation u'' + p u + q u**3 = 0 has against u."""
+def duffing_force(p: float, q: float) -> Motion:
+    """The force p u + q u**3 of the Duffing equation u'' + p u + q u**3 = 0, as a function of u."""
 
     def force(u: Floats) -> Floats:
         against: Floats = p * u + q * u**3
@@ -175,15 +175,15 @@ def motion_residual(u: Motion, force: Motion, t: Floats) -> float:
     return largest(second_derivative(u, t) + force(u(np.asarray(t))))
 
 
-def swing_residual(form: Swing, states: Sequence[tuple[float, float]] = SWINGS) -> float:
-    """The largest |theta'' + sin(theta)| of form(t, theta0, velocity0), or the largest miss of its initial state."""
+def pendulum_residual(form: StateFormula, states: Sequence[tuple[float, float]] = STATES) -> float:
+    """The largest |theta'' + sin(theta)| of form(t, theta0, velocity0), or the largest error of its initial state."""
     t = np.linspace(0.1, 3.0, 30)
     beside = STEP * np.array([-1.0, 1.0])
     found = []
     for theta0, velocity0 in states:
         motion = functools.partial(form, theta0=theta0, velocity0=velocity0)
         found.append(motion_residual(motion, np.sin, t))
-        # The velocity at 0 by the central difference, whose own error is a sixth of the jerk times the step squared.
+        # The velocity at 0 by the central difference. The error of that is a sixth of the jerk times the square of the step.
         slope = (motion(beside)[1] - motion(beside)[0]) / (2 * STEP)
         jerk = -math.cos(theta0) * velocity0
         found += [motion(np.zeros(1))[0] - theta0, (slope - jerk * STEP**2 / 6 - velocity0) * STEP]

@@ -1,7 +1,7 @@
-"""The style of the papers' figures: one picture with title, caption and metadata, saved as SVG or PNG.
+"""The figures of the papers: each has a title, a caption and metadata, and is saved as SVG or PNG.
 
-matplotlib is needed only here and in what draws; its Figure is used without pyplot, as in ../plot.py, whose quiet
-style is kept. The caption stands below the picture and in the metadata of the file.
+Only drawing needs matplotlib. Its Figure is used without pyplot, in the style of `libration.plot`. The caption is below
+the figure and in the metadata of the file.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-# The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
+# The exact curve is black, approximations are red and dotted or blue and dashed, as in Lima 2019.
 RED, BLUE, GREY = SEPARATRIX, EXACT, LINEAR
-# Characters of the caption to an inch of the picture.
+# Characters of the caption per inch of width.
 CHARACTERS = 16
 
 
 @dataclass(frozen=True)
 class Picture:
-    """One figure of a paper, drawn anew.
+    """One figure of a paper, drawn by this package.
 
     Parameters
     ----------
     name : str
-        File name without its ending: the paper, and the number of the printed figure.
+        File name without suffix: the paper and the number of the figure.
     title : str
-        What is seen, in one line.
+        What the figure shows, in one line.
     caption : str
-        Source, and what was chosen where the paper does not say.
+        The source, and what was chosen where the paper gives no value.
     size : pair of float
         Width and height, inches.
     draw : callable
@@ -64,12 +64,12 @@ class Picture:
     draw: Callable[[Figure], None]
 
     def save(self, files: Mapping[str, str | os.PathLike[str] | IO[bytes]]) -> None:
-        """Draw once, and save in every form asked for.
+        """Draw once, and save in every file format of `files`.
 
         Parameters
         ----------
         files : dict
-            Path or binary file by form, `svg` or `png`.
+            Path or binary file by file format, `svg` or `png`.
 
         Raises
         ------
@@ -90,7 +90,7 @@ class Picture:
             with np.errstate(all="ignore"):
                 self.draw(figure)
             head(figure, self.title)
-            # No line ends within `m = 0.1`.
+            # No line break within `m = 0.1`.
             text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
 
@@ -122,7 +122,7 @@ def dashed(axes: Axes, t: Floats, theta: Floats, label: str) -> None:
 
 
 def named(axes: Axes, horizontal: str, vertical: str) -> None:
-    """Labels of both axes, and the legend above."""
+    """Label both axes, and add the legend."""
     axes.set_xlabel(horizontal)
     axes.set_ylabel(vertical)
     if axes.get_legend_handles_labels()[0]:

@@ -1,4 +1,4 @@
-"""The three papers by name, and what is listed of them: figures, claims, errata."""
+"""The three papers by name, and the lists of their figures, claims and errata."""
 
 import difflib
 from typing import Any
@@ -12,7 +12,7 @@ WORKS = {"salas": salas, "lima": lima, "horsley": horsley}
 
 
 def chosen(work: str | None) -> tuple[str, ...]:
-    """The paper of that name, all three without one, or a ValueError that names the nearest first."""
+    """The paper of that name, or all three for None; else a ValueError that names the nearest first."""
     if work is None:
         return tuple(WORKS)
     if work not in WORKS:
@@ -22,7 +22,7 @@ def chosen(work: str | None) -> tuple[str, ...]:
 
 
 def pictures(work: str | None = None) -> tuple[Picture, ...]:
-    """The figures of the three papers, and two that one of them wished for.
+    """The figures of the three papers, and two more that Horsley 2025 suggests.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def claims(work: str | None = None) -> tuple[Claim, ...]:
 
 
 def errata() -> tuple[Erratum[Any], ...]:
-    """The errata of the three papers, each with a check that its printed form fails and its corrected form passes.
+    """The errata of the three papers, each with a check that the corrected form passes and the printed form fails.
 
     Returns
     -------

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..._arrays import Floats
 from ...elliptic import carlson_rf, incomplete_e, incomplete_f, jacobi
-from .._erratum import Erratum, Kind, Swing, largest, motion_residual, spring_force, swing_residual
+from .._erratum import Erratum, Kind, StateFormula, duffing_force, largest, motion_residual, pendulum_residual
 from .._exact import juchem_neto
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
@@ -31,7 +31,7 @@ def written(t: Floats, theta0: float, velocity0: float, *, divided: bool = False
 
 
 def mirrored(t: Floats, theta0: float, velocity0: float) -> Floats:
-    """Juchem Neto's formula for theta0 < 0 too: it has the motion of -theta0."""
+    """Juchem Neto's formula for theta0 < 0 too, by the mirror image of the motion from -theta0."""
     sign = np.sign(theta0)
     angle: Floats = sign * juchem_neto(t, abs(theta0), sign * velocity0)
     return angle
@@ -47,7 +47,7 @@ def without_gamma0(t: Floats, theta0: float, velocity0: float) -> Floats:
 
 
 def turning(t: Floats, theta0: float, velocity0: float) -> Floats:
-    """Rotation upward: twice the amplitude with the reciprocal parameter."""
+    """Rotation with positive velocity: twice am of the reciprocal parameter."""
     sine, cosine, rate = np.sin(theta0 / 2), np.cos(theta0 / 2), velocity0 / 2
     m = sine**2 + rate**2
     start = sine * carlson_rf(rate**2, m * cosine**2, m)
@@ -56,14 +56,14 @@ def turning(t: Floats, theta0: float, velocity0: float) -> Floats:
 
 
 def reduced(t: Floats, theta0: float, velocity0: float) -> Floats:
-    """Whole turns taken off theta0 first, and given back."""
+    """The whole turns of theta0 are subtracted first and added to the angle."""
     turns = 2 * np.pi * np.round(theta0 / (2 * np.pi))
     angle: Floats = turns + mirrored(t, theta0 - turns, velocity0)
     return angle
 
 
 def cosine(rate: float, t: Floats) -> Floats:
-    """The linear swing from rest at 1."""
+    """The solution of the linear equation from rest at 1."""
     swing: Floats = np.cos(rate * t)
     return swing
 
@@ -73,12 +73,12 @@ def frequency_residual(omega0: Callable[[float, float], float]) -> float:
     found = []
     for gravity, length in ((9.8, 1.0), (9.8, 2.0)):
         form = functools.partial(cosine, omega0(gravity, length))
-        found.append(motion_residual(form, spring_force(gravity / length, 0.0), INSTANTS))
+        found.append(motion_residual(form, duffing_force(gravity / length, 0.0), INSTANTS))
     return largest(found)
 
 
 def arc_residual(arc: Callable[[float, float, float], float]) -> float:
-    """The relative error of an arc of the ellipse (3 sin phi, 2 cos phi), beside a polygon of 20,000 sides."""
+    """The relative error of an arc of the ellipse (3 sin phi, 2 cos phi); the reference is a polygon of 20,000 sides."""
     phi = np.linspace(0.0, 1.2, 20_001)
     polygon = np.hypot(np.diff(3 * np.sin(phi)), np.diff(2 * np.cos(phi))).sum()
     return abs(arc(1.2, 3.0, 2.0) / float(polygon) - 1)
@@ -95,9 +95,9 @@ def syntax_residual(code: str) -> float:
 
 SWING = "largest |θ″ + sin θ|, or miss of the initial state"
 HORSLEY = functools.partial(Erratum, "Horsley 2025")
-HORSLEY_SWING = functools.partial(Erratum[Swing], "Horsley 2025")
+HORSLEY_ANGLE = functools.partial(Erratum[StateFormula], "Horsley 2025")
 ERRATA = (
-    HORSLEY_SWING(
+    HORSLEY_ANGLE(
         "(3), factor",
         "2 arcsin[(γ₀/√k) sn(…)]",
         "2 arcsin[γ₀√k sn(…)]",
@@ -105,11 +105,11 @@ ERRATA = (
         Kind.OPEN,
         SWING,
         1e-8,
-        swing_residual,
+        pendulum_residual,
         functools.partial(written, divided=True),
         written,
     ),
-    HORSLEY_SWING(
+    HORSLEY_ANGLE(
         "(3), function",
         "sin(F(arcsin(1/γ₀), γ₀²k) + Hω₀t, γ₀²k)",
         "sn(F(arcsin(1/γ₀), γ₀²k) + Hω₀t, γ₀²k)",
@@ -117,11 +117,11 @@ ERRATA = (
         Kind.OPEN,
         SWING,
         1e-8,
-        swing_residual,
+        pendulum_residual,
         functools.partial(written, sine=True),
         written,
     ),
-    HORSLEY_SWING(
+    HORSLEY_ANGLE(
         "(3), H",
         "H = −1 for φ₀ ≤ 0, 1 for φ₀ > 0",
         "for θ₀ < 0: H = sign(θ₀φ₀), and an overall factor sign(θ₀)",
@@ -129,11 +129,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", θ₀ < 0",
         1e-8,
-        lambda form: swing_residual(form, BELOW),
+        lambda form: pendulum_residual(form, BELOW),
         juchem_neto,
         mirrored,
     ),
-    HORSLEY_SWING(
+    HORSLEY_ANGLE(
         "(3), γ₀",
         "γ₀² = 1 + φ₀²/(4ω₀²k)",
         "γ₀²k = m = sin²(θ₀/2) + φ₀²/(4ω₀²), and sin(θ₀/2)/√m for 1/γ₀",
@@ -141,11 +141,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", θ₀ = 0",
         1e-8,
-        lambda form: swing_residual(form, THROWN),
+        lambda form: pendulum_residual(form, THROWN),
         juchem_neto,
         without_gamma0,
     ),
-    HORSLEY_SWING(
+    HORSLEY_ANGLE(
         "(3), rotation and θ₀ = π",
         "2 arcsin[γ₀√k sn(…)], silent about γ₀²k > 1",
         "2 am(√m (τ₀ + ω₀t) | 1/m) for γ₀²k = m > 1",
@@ -153,11 +153,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", rotation",
         1e-7,
-        lambda form: swing_residual(form, OVER),
+        lambda form: pendulum_residual(form, OVER),
         juchem_neto,
         turning,
     ),
-    HORSLEY_SWING(
+    HORSLEY_ANGLE(
         "(3), |θ₀| > π",
         "θ₀ as it is",
         "θ₀ less its whole turns, which are given back at the end",
@@ -165,7 +165,7 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", π < θ₀ < 2π",
         1e-8,
-        lambda form: swing_residual(form, BEYOND),
+        lambda form: pendulum_residual(form, BEYOND),
         juchem_neto,
         reduced,
     ),

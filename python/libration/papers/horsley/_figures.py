@@ -1,6 +1,6 @@
-"""The figures of Horsley 2025: the force diagram and the two graphs, and what the essay wished for.
+"""The figures of Horsley 2025: the force diagram, the two graphs, and two figures that the essay suggests.
 
-Wished for are the phase space, and a picture of the elliptic functions: on the ellipse x**2 + y**2/b**2 = 1 with
+These are the phase space and a figure of the elliptic functions: on the ellipse x**2 + y**2/b**2 = 1 with
 b**2 = 1/(1 - m), a point at the distance r has cn = x/r, sn = y/r, dn = 1/r, and sin(theta/2) = k x.
 """
 
@@ -54,7 +54,7 @@ def draw_forces(figure: Figure) -> None:
     arrow(axes, place, (0, -weight), "#e0301e", r"$mg$", (0.0, -0.08))
     arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.14, -0.1), thick=1.5)
     arrow(axes, place, weight * math.cos(at) * radial, GREEN, r"$mg\,\cos\theta$", (0.2, -0.02), thick=1.5)
-    # The components span the weight.
+    # The components add up to the weight.
     tip = place + (0, -weight)
     for corner in (weight * math.sin(at) * along, weight * math.cos(at) * radial):
         axes.plot(*zip(place + corner, tip, strict=True), color=GREEN, lw=0.8, ls=(0, (3, 3)))
@@ -104,7 +104,7 @@ def draw_phase_space(figure: Figure) -> None:
 
 
 def draw_ellipse(figure: Figure) -> None:
-    """The elliptic functions on the ellipse, the chord of the pendulum, and both over time."""
+    """Three panels: the elliptic functions on the ellipse, the chord of the pendulum, and both over time."""
     left, middle, right = figure.subplots(1, 3, width_ratios=(1.05, 1.0, 1.25))
     m, k = math.sin(RELEASE / 2) ** 2, math.sin(RELEASE / 2)
     u = 0.55 * complete_k(m=m)
@@ -141,7 +141,7 @@ def on_ellipse(axes: Axes, m: float, u: float) -> None:
 
 
 def on_circle(axes: Axes, k: float, u: float) -> None:
-    """The pendulum at the same u, with its chord from the lowest point."""
+    """The pendulum at the same u, with the chord from the lowest point to the bob."""
     m = k * k
     bare(axes, (-0.62, -1.2), (1.15, 0.95))
     z = jacobi(u, m=m)
@@ -176,7 +176,7 @@ def over_time(axes: Axes, m: float, u: float) -> None:
 
 
 def graph(number: int, theta0: float) -> Picture:
-    """The picture of the graph at 0.4 or 3 rad."""
+    """The figure of the graph at 0.4 or 3 rad."""
     ratio = swing(theta0).period * swing(theta0).omega0 / math.tau
     return Picture(
         f"horsley-{number}",

@@ -38,7 +38,7 @@ def figure_row(
 
 
 def small_swing_error() -> float:
-    """How far the period of small swings is from the period at 10 degrees, %."""
+    """The relative error of the period of small swings at 10 degrees, %."""
     return -100 * (math.tau / Pendulum(math.radians(10)).period - 1)
 
 
@@ -56,12 +56,12 @@ def period_error() -> float:
 
 
 def long_times() -> float:
-    """The largest error over a thousand periods over that of one, N = 4 at 7 pi/8."""
+    """The ratio of the largest errors over 1000 periods and over one, N = 4 at 7 pi/8."""
     return percent("fourier:4", 7 * math.pi / 8, 1000)() / percent("fourier:4", 7 * math.pi / 8)()
 
 
 def order_at_60() -> float:
-    """The largest error of (17) over that of (22) with N = 1, at pi/3."""
+    """The ratio of the largest errors of (17) and of (22) with N = 1, at pi/3."""
     return percent("harmonic", math.pi / 3)() / percent("fourier:1", math.pi / 3)()
 
 

@@ -9,7 +9,16 @@ from ... import approx
 from ..._arrays import Floats
 from ...elliptic import complete_k, jacobi, sn
 from ...pendulum import Pendulum, theta
-from .._erratum import Erratum, Kind, Motion, largest, motion_residual, second_derivative, spring_force, swing_residual
+from .._erratum import (
+    Erratum,
+    Kind,
+    Motion,
+    duffing_force,
+    largest,
+    motion_residual,
+    pendulum_residual,
+    second_derivative,
+)
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
 RELEASES = ((0.3, 0.0), (1.0, 0.0), (2.5, 0.0))
@@ -31,12 +40,12 @@ def solution_residual(solution: Callable[[float], tuple[Motion, float]]) -> floa
     found = []
     for constant in (0.3, 0.5, 0.9):
         z, k = solution(constant)
-        found.append(motion_residual(z, spring_force(1 + k**2, -2 * k**2), INSTANTS))
+        found.append(motion_residual(z, duffing_force(1 + k**2, -2 * k**2), INSTANTS))
     return largest(found)
 
 
 def released(function: Callable[[Floats, float], Floats], t: Floats, theta0: float, velocity0: float) -> Floats:
-    """Lima (16) with sine or sn in it."""
+    """Lima (16) with a sine or with sn."""
     k = np.sin(theta0 / 2)
     angle: Floats = 2 * np.arcsin(k * function(t + complete_k(k=k), k))
     return angle
@@ -63,12 +72,12 @@ def highest(order: int) -> float:
 
 
 def range_residual(upper: Callable[[int], float]) -> float:
-    """For how many of N = 1, 3, 5, 7 Lima (22) has no value at t = 0 just below theta0 = upper(N)."""
+    """The number of N among 1, 3, 5, 7 for which Lima (22) has no value at t = 0 just below theta0 = upper(N)."""
     return sum(not finite_at_0(order, 0.999 * upper(order)) for order in (1, 3, 5, 7))
 
 
 def largest_residual(error: Callable[[int, float], float]) -> float:
-    """The largest miss of error(N, theta0) beside the largest deviation on a fine grid, rad."""
+    """The largest difference of error(N, theta0) from the largest deviation on a fine grid, rad."""
     found = []
     for order, theta0 in ((1, np.pi / 3), (2, 0.9 * np.pi), (4, 0.945 * np.pi)):
         approximation = fourier(order, theta0)
@@ -78,7 +87,7 @@ def largest_residual(error: Callable[[int, float], float]) -> float:
 
 
 def share_of_largest(order: int, theta0: float) -> float:
-    """Where in the period the largest deviation of Lima (22) is first reached."""
+    """The first time of the largest deviation of Lima (22), over the period."""
     return fourier(order, theta0).error(1).t / Pendulum(theta0).period
 
 
@@ -122,7 +131,7 @@ ERRATA = (
         Kind.OPEN,
         "largest |θ″ + sin θ|, or miss of the initial state",
         1e-8,
-        lambda form: swing_residual(form, RELEASES),
+        lambda form: pendulum_residual(form, RELEASES),
         functools.partial(released, lambda u, k: np.sin(u)),
         functools.partial(released, lambda u, k: jacobi(u, k=k).sn),
     ),

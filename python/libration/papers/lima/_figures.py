@@ -1,4 +1,4 @@
-"""The figures of Lima 2019: 1 to 4, the last three with the deviations in a lower panel."""
+"""The figures of Lima 2019: 1 to 4, 2 to 4 with the deviations in a lower panel."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def draw_pendulum(figure: Figure) -> None:
 
 
 def draw_solutions(figure: Figure, theta0: float, order: int, text: str, half: str) -> None:
-    """Figures 2 to 4: the exact solution, the harmonic one and N terms of the Fourier series; below, deviations."""
+    """Figures 2 to 4: the exact solution, the harmonic one and N terms of the Fourier series, above their deviations."""
     upper, lower = panels(figure, (1.7, 1))
     swing = Pendulum(theta0)
     shares = np.linspace(0, 1, 1601)

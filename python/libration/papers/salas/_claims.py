@@ -10,7 +10,7 @@ from ...pendulum import Pendulum, theta
 from .._claim import Claim, Interval, rounded
 from .._exact import salas_22, salas_23, salas_24
 from ._errata import TWELVE, forms_missing
-from ._errata_periods import swing_time
+from ._errata_periods import measured_period
 
 SALAS = functools.partial(Claim, "Salas 2019")
 NO_DATA = "its data are not in the text at hand; the figure is drawn for chosen ones"
@@ -29,13 +29,13 @@ def sine_row(place: str, name: str, degrees: float, printed: str) -> Claim:
 
 
 def prefactor_row(number: int, bound: float, text: str) -> Claim:
-    """A row for the factor in front of (26), (27), (28), found from the motion at the end of a range."""
+    """A row for the factor of (26), (27), (28), found from the motion at the end of a range."""
     return SALAS(
         f"({number})",
         f"factor in front of √(l/g) and the rational function, found from the motion at m = {text}",
         "π/2 = 1.571",
         (1.5, 1.65),
-        lambda: swing_time(at(bound)) / approx.period(f"salas-{number}").ratio(m=bound),
+        lambda: measured_period(at(bound)) / approx.period(f"salas-{number}").ratio(m=bound),
         "{:.4f}",
         (6.25, 6.32),
         "2π; π/2 gives a quarter of the period",
@@ -45,7 +45,7 @@ def prefactor_row(number: int, bound: float, text: str) -> Claim:
 def range_row(
     number: int, bound: float, printed: str, shown: str, corrected: Interval | None = None, reason: str = ""
 ) -> Claim:
-    """A row for the range of (26), (27), (28): the largest error of the whole period in it, %; read: at most 1 %."""
+    """A row for the range of (26), (27), (28): the largest error of the period in it, %; read: at most 1 %."""
     return SALAS(
         f"({number})",
         f"largest error of the period, as a whole one, for {printed} (read: at most 1 %)",
@@ -87,7 +87,7 @@ def exact_forms(theta0: float, velocity0: float, until: float) -> float:
 
 
 def order_of_small_m() -> float:
-    """The power of m in the error of the formula before fig. 6 over theta0, between m = 0.001 and 0.002."""
+    """The power of m in the error of the formula before fig. 6 over theta0, found from m = 0.001 and 0.002."""
     return math.log2(small_m(0.002) / small_m(0.001))
 
 
@@ -137,7 +137,7 @@ CLAIMS = (
         "T ω/K(m), found from the motion at m = 1/2",
         "1",
         rounded("1"),
-        lambda: swing_time(at(0.5)) / (approx.period("exact").ratio(m=0.5) * math.pi / 2),
+        lambda: measured_period(at(0.5)) / (approx.period("exact").ratio(m=0.5) * math.pi / 2),
         "{:.6f}",
         (4 - 1e-9, 4 + 1e-9),
         "K(m)/ω is a quarter of the period",

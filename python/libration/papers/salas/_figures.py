@@ -1,6 +1,6 @@
 """The figures of Salas 2019: 1 to 7, with the examples 1 to 4.
 
-The text gives data for example 3 only; what was chosen for the others stands in the captions.
+The text gives data for example 3 only. The captions say what was chosen for the others.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ EXAMPLE2 = (1.0, 2.18)
 EXAMPLE3 = (math.pi / 2, 0.0)
 EXAMPLE4 = (0.5, 0.4)
 PHI, TIME = r"$\varphi$ [rad]", r"$t$, in units of $1/\omega$"
-# Where (2) and (3) are said to serve.
+# The ends of the stated ranges of (2) and (3).
 CUBIC, QUINTIC = 7 * math.pi / 18, 2 * math.pi / 3
 
 
@@ -115,7 +115,7 @@ def draw_trigonometric(
 
 
 def told(state: State) -> str:
-    """A state in words, with its parameter."""
+    """A state as text, with its parameter."""
     return f"φ₀ = {state[0]:.4g} rad, φ̇₀ = {state[1]:.4g} ω, m = {Pendulum(*state).energy_ratio:.4f}"
 
 
