@@ -1,4 +1,4 @@
-"""The exact forms of the papers: right where they hold, and beside the truth where they do not."""
+"""The exact solutions of the papers: right where they hold, wrong or without a value where `limits` says so."""
 
 import itertools
 import math
@@ -21,17 +21,17 @@ SWINGS = [(0.1, 0.0, 1.0), (1.0, 0.5, 1.0), (1.0, -0.5, 2.0), (2.5, 0.3, 1.0), (
 @pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize(("theta0", "velocity0", "omega0"), SWINGS)
 def test_right_where_they_hold(form, theta0, velocity0, omega0):
-    truth = libration.theta(T, theta0, velocity0, omega0)
-    assert np.max(np.abs(form(T, theta0, velocity0, omega0) - truth)) < 2e-11
-    # A form that is right for another state is not right for this one.
-    assert np.max(np.abs(form(T, theta0 + 1e-6, velocity0, omega0) - truth)) > 1e-7
+    reference = libration.theta(T, theta0, velocity0, omega0)
+    assert np.max(np.abs(form(T, theta0, velocity0, omega0) - reference)) < 2e-11
+    # The angle from another initial state is wrong here.
+    assert np.max(np.abs(form(T, theta0 + 1e-6, velocity0, omega0) - reference)) > 1e-7
 
 
 @pytest.mark.parametrize("form", FORMS)
 def test_separatrix(form):
     velocity0 = 2 * math.cos(0.5)
-    truth = libration.theta(T[150:250], 1.0, velocity0)
-    assert np.max(np.abs(form(T[150:250], 1.0, velocity0) - truth)) < 1e-9
+    reference = libration.theta(T[150:250], 1.0, velocity0)
+    assert np.max(np.abs(form(T[150:250], 1.0, velocity0) - reference)) < 1e-9
 
 
 @pytest.mark.parametrize("form", [salas_22, salas_23, salas_24])
@@ -49,7 +49,7 @@ def test_salas_holds_modulo_a_turn(form, state):
 
 
 def test_complement():
-    # The parameter of (22) is the complement of that of (23): exchanged, it is another motion.
+    # The parameter of (22) is the complement of that of (23). With the wrong one of the two the angle is wrong.
     assert salas_22(1.3, 2.0, 0.4) == pytest.approx(salas_23(1.3, 2.0, 0.4), abs=1e-14)
 
 
@@ -69,7 +69,7 @@ def test_they_fail_where_they_are_said_to(limit):
 @pytest.mark.parametrize(
     ("name", "state", "t", "given", "truth"),
     [
-        # Measured with mpmath at 50 digits, apart from this package.
+        # From mpmath with 50 digits, without this package.
         ("Salas (23)", (1.0, 3.0), 7.0, 1.634282840633, 20.4838387621714),
         ("Salas (23)", (math.pi, 0.5), 1.0, -2.55533192399, 3.727853383189),
         ("Salas (24)", (0.0, 2.0), 800.0, math.nan, math.pi),
@@ -91,7 +91,7 @@ def test_from_the_top_downward_juchem_neto_holds():
     assert juchem_neto(0.5, math.pi, -1.0) == pytest.approx(libration.theta(0.5, math.pi, -1.0), abs=1e-12)
 
 
-# Beyond what floats of Python may be squared, divided by or divided: each is a number to NumPy.
+# Python raises for squares or quotients of some of these floats; NumPy gives a number for each.
 HOSTILE = [0, 1, -1.0, 1e200, -1e308, 5e-324, math.nan, math.inf, -math.inf, 10**300, True]
 
 
@@ -102,7 +102,7 @@ def test_any_numbers_give_numbers(form):
         for given in itertools.product(HOSTILE, repeat=4):
             value = form(*given)
             assert type(value) is np.float64, given
-            # The same as from arrays, which never raised.
+            # Arrays give the same.
             assert np.array_equal(value, form(*(np.array([float(each)]) for each in given))[0], equal_nan=True)
 
 
