@@ -1,4 +1,4 @@
-"""The errata: the corrected form passes its check, the printed form put in its place fails it, and the checks see."""
+"""The errata: the corrected form passes its check, the printed form fails it, and the checks find errors."""
 
 import math
 
@@ -7,7 +7,7 @@ import pytest
 
 import libration
 from libration.papers import Erratum, Kind, errata
-from libration.papers._erratum import largest, motion_residual, second_derivative, swing_residual
+from libration.papers._erratum import largest, motion_residual, pendulum_residual, second_derivative
 
 ROWS = errata()
 NAMES = [f"{row.work} {row.place}" for row in ROWS]
@@ -24,8 +24,8 @@ def test_printed_form_in_its_place_fails(row):
 
 
 @pytest.mark.parametrize("row", ROWS, ids=NAMES)
-def test_the_check_is_no_hair(row):
-    # A formula that is wrong misses by a multiple of what passes; a rounding to two places misses by what it is.
+def test_the_printed_form_fails_clearly(row):
+    # A wrong formula exceeds the tolerance several times; a wrong rounding to two decimals need not.
     if row.printed != "N = 2 at π/3: 0.04 %":
         assert not row.printed_residual < 4 * row.tolerance
 
@@ -48,7 +48,7 @@ def test_every_row_says_what_it_is():
 @pytest.mark.parametrize(
     ("work", "place", "residual"),
     [
-        # Measured with mpmath and an own integrator, apart from this package.
+        # From mpmath and a separate integrator, without this package.
         ("Salas 2019", "(25)", 0.75),
         ("Salas 2019", "conclusions", 0.0595),
         ("Lima 2019", "section 4", 0.0751),
@@ -60,7 +60,7 @@ def test_known_residuals(work, place, residual):
     assert row.printed_residual == pytest.approx(residual, rel=2e-3)
 
 
-def test_residual_of_a_true_motion_is_rounding_and_of_a_bent_one_is_not():
+def test_the_residual_of_a_motion_is_rounding_and_of_a_changed_one_is_not():
     t = np.linspace(0.1, 3.0, 30)
     swing = libration.Pendulum(2.5, 0.3)
     assert motion_residual(swing.theta, np.sin, t) < 1e-9
@@ -69,9 +69,9 @@ def test_residual_of_a_true_motion_is_rounding_and_of_a_bent_one_is_not():
 
 
 def test_initial_state_counts():
-    assert swing_residual(libration.theta) < 1e-9
-    assert swing_residual(lambda t, theta0, velocity0: libration.theta(t, theta0, -velocity0)) > 1e-3
-    assert swing_residual(lambda t, theta0, velocity0: libration.theta(t, theta0 + 1e-5, velocity0)) > 9e-6
+    assert pendulum_residual(libration.theta) < 1e-9
+    assert pendulum_residual(lambda t, theta0, velocity0: libration.theta(t, theta0, -velocity0)) > 1e-3
+    assert pendulum_residual(lambda t, theta0, velocity0: libration.theta(t, theta0 + 1e-5, velocity0)) > 9e-6
 
 
 def test_no_value_is_no_pass():

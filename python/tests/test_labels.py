@@ -11,7 +11,7 @@ import xarray
 from bits import all_same, same
 
 import libration
-from libration import CubicQuintic, Duffing, DuffingForm, Pendulum, approx, elliptic
+from libration import CubicQuintic, Duffing, DuffingForm, Pendulum, approx, elliptic, papers
 
 # Values that every argument takes: between 0 and 1.
 T = np.array([[0.1, 0.25, 0.3], [0.45, 0.6, 0.7]])
@@ -67,6 +67,10 @@ CALLS = {
     "carlson_rc": (lambda x: elliptic.carlson_rc(x, 1.0), [("carlson_rc", "1")]),
     "carlson_rd": (lambda x: elliptic.carlson_rd(x, 1.0, 2.0), [("carlson_rd", "1")]),
     "carlson_rj": (lambda x: elliptic.carlson_rj(x, 1.0, 2.0, 3.0), [("carlson_rj", "1")]),
+    "salas_22": (lambda t: papers.salas_22(t, 1.0, 0.5), [("theta", "rad")]),
+    "salas_23": (lambda t: papers.salas_23(0.3, 1.0, t), [("theta", "rad")]),
+    "salas_24": (lambda t: papers.salas_24(t, t, 0.5, omega0=2.0), [("theta", "rad")]),
+    "juchem_neto": (lambda t: papers.juchem_neto(t, t, 0.5, t), [("theta", "rad")]),
 }
 
 
@@ -84,6 +88,7 @@ for name in elliptic.__all__:
         CALLS[name] = (call(getattr(elliptic, name)), [(name, "1")])
 
 # Public functions and methods that take no array of any length, or make a matrix of every element.
+NO_ARRAYS = {"sensitivities", "claims", "errata", "limits", "pictures"}
 OTHERS = {
     "Pendulum": {"times", "turning_times", "fourier", "from_action_phase", "sensitivities", "second_sensitivities"},
     "Duffing": {"times", "of_pendulum"},
@@ -106,9 +111,9 @@ def parts(result):
 def test_every_public_function_of_arrays_is_called_here():
     functions = {
         name
-        for room in (libration, elliptic)
+        for room in (libration, elliptic, papers)
         for name in room.__all__
-        if inspect.isfunction(getattr(room, name)) and name != "sensitivities"
+        if inspect.isfunction(getattr(room, name)) and name not in NO_ARRAYS
     }
     for room in (libration, approx):
         for kind in (getattr(room, name) for name in room.__all__):

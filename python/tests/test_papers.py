@@ -1,11 +1,13 @@
-"""The exact forms of the papers: right where they hold, and beside the truth where they do not."""
+"""The exact solutions of the papers: right where they hold, wrong or without a value where `limits` says so."""
 
 import itertools
 import math
 import warnings
 
 import numpy as np
+import pandas
 import pytest
+import xarray
 
 import libration
 from libration.papers import juchem_neto, limits, salas_22, salas_23, salas_24
@@ -19,17 +21,17 @@ SWINGS = [(0.1, 0.0, 1.0), (1.0, 0.5, 1.0), (1.0, -0.5, 2.0), (2.5, 0.3, 1.0), (
 @pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize(("theta0", "velocity0", "omega0"), SWINGS)
 def test_right_where_they_hold(form, theta0, velocity0, omega0):
-    truth = libration.theta(T, theta0, velocity0, omega0)
-    assert np.max(np.abs(form(T, theta0, velocity0, omega0) - truth)) < 2e-11
-    # A form that is right for another state is not right for this one.
-    assert np.max(np.abs(form(T, theta0 + 1e-6, velocity0, omega0) - truth)) > 1e-7
+    reference = libration.theta(T, theta0, velocity0, omega0)
+    assert np.max(np.abs(form(T, theta0, velocity0, omega0) - reference)) < 2e-11
+    # The angle from another initial state is wrong here.
+    assert np.max(np.abs(form(T, theta0 + 1e-6, velocity0, omega0) - reference)) > 1e-7
 
 
 @pytest.mark.parametrize("form", FORMS)
 def test_separatrix(form):
     velocity0 = 2 * math.cos(0.5)
-    truth = libration.theta(T[150:250], 1.0, velocity0)
-    assert np.max(np.abs(form(T[150:250], 1.0, velocity0) - truth)) < 1e-9
+    reference = libration.theta(T[150:250], 1.0, velocity0)
+    assert np.max(np.abs(form(T[150:250], 1.0, velocity0) - reference)) < 1e-9
 
 
 @pytest.mark.parametrize("form", [salas_22, salas_23, salas_24])
@@ -47,7 +49,7 @@ def test_salas_holds_modulo_a_turn(form, state):
 
 
 def test_complement():
-    # The parameter of (22) is the complement of that of (23): exchanged, it is another motion.
+    # The parameter of (22) is the complement of that of (23). With the wrong one of the two the angle is wrong.
     assert salas_22(1.3, 2.0, 0.4) == pytest.approx(salas_23(1.3, 2.0, 0.4), abs=1e-14)
 
 
@@ -67,7 +69,7 @@ def test_they_fail_where_they_are_said_to(limit):
 @pytest.mark.parametrize(
     ("name", "state", "t", "given", "truth"),
     [
-        # Measured with mpmath at 50 digits, apart from this package.
+        # From mpmath with 50 digits, without this package.
         ("Salas (23)", (1.0, 3.0), 7.0, 1.634282840633, 20.4838387621714),
         ("Salas (23)", (math.pi, 0.5), 1.0, -2.55533192399, 3.727853383189),
         ("Salas (24)", (0.0, 2.0), 800.0, math.nan, math.pi),
@@ -89,7 +91,7 @@ def test_from_the_top_downward_juchem_neto_holds():
     assert juchem_neto(0.5, math.pi, -1.0) == pytest.approx(libration.theta(0.5, math.pi, -1.0), abs=1e-12)
 
 
-# Beyond what floats of Python may be squared, divided by or divided: each is a number to NumPy.
+# Python raises for squares or quotients of some of these floats; NumPy gives a number for each.
 HOSTILE = [0, 1, -1.0, 1e200, -1e308, 5e-324, math.nan, math.inf, -math.inf, 10**300, True]
 
 
@@ -100,7 +102,7 @@ def test_any_numbers_give_numbers(form):
         for given in itertools.product(HOSTILE, repeat=4):
             value = form(*given)
             assert type(value) is np.float64, given
-            # The same as from arrays, which never raised.
+            # Arrays give the same.
             assert np.array_equal(value, form(*(np.array([float(each)]) for each in given))[0], equal_nan=True)
 
 
@@ -116,3 +118,42 @@ def test_integers_beyond_the_doubles_are_refused(form, place, name):
     given[place] = 10**400
     with pytest.raises(ValueError, match=f"^{name} = an integer beyond the doubles: must be finite$"):
         form(*given)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_states_of_pandas_are_aligned_by_their_index(form):
+    theta0 = pandas.Series([0.5, 1.0, 1.5], list("abc"))
+    velocity0 = pandas.Series([0.3, 0.2, 0.1], list("dcb"))
+    result = form(2.0, theta0, velocity0, 1)
+    assert (list(result.index), result.name) == (list("abcd"), "theta")
+    expected = form(2.0, [1.0, 1.5], [0.1, 0.2])
+    assert np.array_equal(result.to_numpy(), [math.nan, *expected, math.nan], equal_nan=True)
+    whole = pandas.DataFrame({"x": [1, 2], "y": [3, None]}, [5, 6])
+    assert np.array_equal(form(0.5, whole, 0.1).to_numpy(), form(0.5, whole.to_numpy(), 0.1), equal_nan=True)
+    missing = pandas.Series([1, None], dtype="Int64")
+    assert np.array_equal(form(0.5, missing, 0.1).to_numpy(), form(0.5, [1, math.nan], 0.1), equal_nan=True)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_states_of_xarray_are_broadcast_by_their_dimensions(form):
+    t = xarray.DataArray([0.1, 0.2], {"time": [3, 4]}, "time", attrs={"units": "s", "source": "clock"})
+    theta0 = xarray.DataArray([0.5, 1.0, 1.5], dims="place")
+    result = form(t, theta0, 0.5)
+    assert (result.name, result.dims, list(result.time)) == ("theta", ("time", "place"), [3, 4])
+    assert result.attrs["units"] == "rad" and result.attrs["long_name"]
+    assert np.array_equal(result.values, form(t.values[:, None], theta0.values, 0.5))
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_is_masked_stays_masked(form):
+    t = np.ma.array([0.1, 0.2, 0.3], mask=[False, True, False])
+    theta0 = np.ma.array([0.5, 1.0, 1.5], mask=[False, False, True])
+    result = form(t, theta0, 0.5)
+    assert list(result.mask) == [False, True, True]
+    assert result[0] == form(0.1, 0.5, 0.5)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_does_not_go_together_is_refused(form):
+    with pytest.raises(TypeError, match=r"^pandas Series and xarray DataArray do not go together: "):
+        form(pandas.Series([0.1, 0.2]), xarray.DataArray([0.1, 0.2]))

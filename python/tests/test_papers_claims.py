@@ -1,4 +1,4 @@
-"""The claims: every row is accounted for, and a row that does not stand is seen."""
+"""The claims: the measured value of every row supports its verdict, and a row with a wrong value is found."""
 
 import dataclasses
 import math
@@ -17,7 +17,7 @@ def test_every_claim_stands(row):
 
 
 @pytest.mark.parametrize("row", [row for row in ROWS if row.measured], ids=lambda row: f"{row.work} {row.place}")
-def test_a_spoiled_value_does_not_stand(row):
+def test_a_mutated_value_does_not_stand(row):
     assert not dataclasses.replace(row, measured=lambda: math.nan).stands
     wrong = row.allows[0] - 1 if row.corrected is None else sum(row.allows) / 2
     assert not dataclasses.replace(row, measured=lambda: wrong).stands
@@ -38,7 +38,7 @@ def test_what_is_not_reproducible_has_a_reason():
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        # max |difference| / theta0 over a period, measured with mpmath apart from this package.
+        # max |difference| / theta0 over a period, from mpmath, without this package.
         ("harmonic approximation (17) at θ₀ = π/3", 0.9413),
         ("N = 1 at θ₀ = π/3", 1.951),
         ("N = 2 at θ₀ = π/3", 0.03496),

@@ -10,7 +10,18 @@ import xarray
 from numpy.typing import NDArray
 
 import libration
-from libration import Duffing, DuffingForm, Fourier, JacobiValues, OscillatorRegime, Pendulum, Regime, approx, elliptic
+from libration import (
+    Duffing,
+    DuffingForm,
+    Fourier,
+    JacobiValues,
+    OscillatorRegime,
+    Pendulum,
+    Regime,
+    approx,
+    elliptic,
+    papers,
+)
 
 Floats = NDArray[np.float64]
 T = np.linspace(0.0, 1.0, 5)
@@ -90,6 +101,16 @@ def springs_and_approximations() -> None:
     assert_type(libration.plot.linear_theta(PENDULUM, 1.0), np.float64)
 
 
+def exact_forms_of_papers() -> None:
+    assert_type(papers.salas_22(1.0, 1), np.float64)
+    assert_type(papers.salas_23(T, 1.0, [0.1, 0.2]), Floats)
+    assert_type(papers.salas_24(NAMED, 1.0, omega0=2.0), xarray.DataArray)
+    assert_type(papers.juchem_neto(1.0, NAMED), xarray.DataArray)
+    assert_type(papers.limits()[0].given, float)
+    assert_type(papers.claims("lima")[0].verdict, papers.Verdict)
+    assert_type(papers.errata()[0].holds(0.5), bool)
+
+
 def mistakes() -> None:
     libration.Pendulm(1.0)  # type: ignore[attr-defined]
     elliptic.complet_k(m=0.5)  # type: ignore[attr-defined]
@@ -101,3 +122,5 @@ def mistakes() -> None:
     libration.theta(1.0)  # type: ignore[call-overload]
     elliptic.complete_k(m=1j)  # type: ignore[call-overload]
     Pendulum("1")  # type: ignore[arg-type]
+    papers.salas_23(1.0, "1")  # type: ignore[arg-type]
+    papers.claims(1)  # type: ignore[arg-type]

@@ -1,8 +1,8 @@
-"""Three papers about the pendulum, worked through: Salas 2019, Lima 2019, Horsley 2025.
+"""The results of three papers about the pendulum, checked: Salas 2019, Lima 2019, Horsley 2025.
 
-Their exact forms, corrected (`salas_22`, `salas_23`, `salas_24`, `juchem_neto`), and where each fails (`limits`); every
-wrong line with its correction and a check that tells the two apart (`errata`); every numerical claim beside what is
-measured here (`claims`); every figure drawn anew (`pictures`). Their approximations are in `libration.approx`.
+`salas_22`, `salas_23`, `salas_24` and `juchem_neto` are their exact solutions, corrected; `limits` lists where they fail.
+`errata` lists every wrong line with its correction and a check that only the correction passes. `claims` lists every
+numerical claim with the value measured here. `pictures` draws every figure. Their approximations are in `libration.approx`.
 
 Examples
 --------

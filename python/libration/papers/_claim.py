@@ -1,7 +1,8 @@
 """One row of the claims: a number a paper prints, the number measured here, and whether the two agree.
 
-The verdict of a row is stated, and its measured value must support it: `reproduced` if the value lies where the printed
-one allows, `corrected` if it does not, and lies where the correction says. What is not reproducible names the reason.
+A row states its verdict, and the measured value must support it. `reproduced`: the value lies in the interval that the
+printed number allows. `corrected`: it does not, and lies in that of the correction. `not reproducible`: the row gives a
+reason.
 """
 
 import functools
@@ -12,7 +13,7 @@ from enum import StrEnum
 
 
 class Verdict(StrEnum):
-    """What became of a claim; a member compares equal to its string.
+    """The result of the check of a claim; a member compares equal to its string.
 
     Examples
     --------
@@ -31,7 +32,7 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True)
 class Claim:
-    """A numerical claim of a paper, with what is measured here.
+    """A numerical claim of a paper, with the value measured here.
 
     Parameters
     ----------
@@ -42,15 +43,15 @@ class Claim:
     printed : str
         The printed value.
     allows : pair of float, optional
-        The measured values with which the printed one is right.
+        The measured values for which the printed number is right.
     measured : callable, optional
-        The measured value; none for what cannot be reproduced.
+        Returns the measured value; None if the claim cannot be reproduced.
     shown : str
         Format of the measured value, with its unit.
     corrected : pair of float, optional
-        The measured values that the correction stands for; none for what is reproduced.
+        The measured values for which the correction is right; None if the claim is reproduced.
     reason : str
-        Why a claim cannot be reproduced, or what is to be known beside the number.
+        Why a claim cannot be reproduced, or a remark on the number.
 
     Examples
     --------
@@ -77,19 +78,19 @@ class Claim:
 
     @property
     def ours(self) -> str:
-        """The measured value in words; empty if there is none."""
+        """The measured value as text; empty if there is none."""
         return "" if self.measured is None else self.shown.format(self.value)
 
     @property
     def verdict(self) -> Verdict:
-        """What the row states of its claim."""
+        """The verdict that the row states."""
         if self.measured is None:
             return Verdict.NOT_REPRODUCIBLE
         return Verdict.REPRODUCED if self.corrected is None else Verdict.CORRECTED
 
     @property
     def stands(self) -> bool:
-        """Whether the row is accounted for: its measured value supports its verdict, or a reason is given."""
+        """Whether the measured value supports the verdict, or a reason is given where there is no value."""
         if self.measured is None:
             return bool(self.reason)
         if self.allows is None:
@@ -104,6 +105,6 @@ def within(value: float, interval: Interval) -> bool:
 
 
 def rounded(text: str) -> Interval:
-    """The values that round to a printed decimal number: half a unit of its last place to both sides."""
+    """The values that round to a printed decimal number: half a unit of its last place on both sides."""
     half = 0.5 * 10.0 ** -len(text.partition(".")[2])
     return float(text) - half, float(text) + half

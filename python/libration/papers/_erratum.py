@@ -1,7 +1,7 @@
-"""One row of the errata: what a paper prints, what it should print, and a measurement that tells the two apart.
+"""One row of the errata: what a paper prints, what it should print, and a check that only the correction passes.
 
-A check takes a form (a function, a number, a text, as the row has it) and returns its residual: how far it is from
-what the row's equation claims. The corrected form keeps the tolerance, the printed one in its place does not.
+A check takes a form (a function, a number or a text) and returns its residual, which is 0 if the equation of the row
+holds. The residual of the corrected form is within the tolerance, that of the printed form is not.
 """
 
 import functools
@@ -9,13 +9,26 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
+from .._arrays import Array, Floats
+
+# What a check takes: a function, a number or a text.
+Form = TypeVar("Form")
+# A quantity over time.
+Motion: TypeAlias = Callable[[Floats], Floats]
+
+
+class StateFormula(Protocol):
+    """A formula for the angle of the pendulum with omega0 = 1 from its initial state."""
+
+    def __call__(self, t: Floats, theta0: float, velocity0: float) -> Floats: ...
+
 
 class Kind(StrEnum):
-    """Where an erratum comes from; a member compares equal to its string.
+    """The origin of an erratum; a member compares equal to its string.
 
     Examples
     --------
@@ -30,8 +43,8 @@ class Kind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Erratum:
-    """One wrong line of a paper, with its correction and the check that holds for one of the two.
+class Erratum(Generic[Form]):
+    """One wrong line of a paper, with its correction and a check that only the correction passes.
 
     Parameters
     ----------
@@ -40,11 +53,11 @@ class Erratum:
     printed, corrected : str
         The line in both versions.
     why : str
-        The reason in words.
+        The reason.
     kind : Kind
-        A slip of the text at hand, an error of the paper, or what cannot be told apart from this text.
+        An error of our text of the paper, an error of the paper, or undecided between the two.
     measure : str
-        What the residual is, in words, with its unit.
+        What the residual is, with its unit.
     tolerance : float
         The largest residual that passes.
     check : callable
@@ -68,12 +81,30 @@ class Erratum:
     kind: Kind
     measure: str
     tolerance: float
-    check: Callable[[Any], float]
-    printed_form: Any
-    corrected_form: Any
+    check: Callable[[Form], float]
+    printed_form: Form
+    corrected_form: Form
 
-    def residual(self, form: Any) -> float:
-        """How far a form is from what the equation claims; NaN if it has no value."""
+    def residual(self, form: Form) -> float:
+        """The residual of a form: 0 if the equation holds for it.
+
+        Parameters
+        ----------
+        form : object
+            What the check takes.
+
+        Returns
+        -------
+        float
+            The residual, as `measure` says; NaN if the form has no value.
+
+        Examples
+        --------
+        >>> from libration.papers import errata
+        >>> row = next(row for row in errata() if row.place == "historical development")
+        >>> print(row.residual(13), row.residual(14))
+        1.0 0.0
+        """
         with np.errstate(all="ignore"):
             return float(self.check(form))
 
@@ -87,43 +118,72 @@ class Erratum:
         """The residual of the corrected form."""
         return self.residual(self.corrected_form)
 
-    def holds(self, form: Any) -> bool:
-        """Whether a form passes the check."""
+    def holds(self, form: Form) -> bool:
+        """Whether a form passes the check.
+
+        Parameters
+        ----------
+        form : object
+            What the check takes.
+
+        Returns
+        -------
+        bool
+            Whether the residual is at most `tolerance`; False for a form without a value.
+
+        Examples
+        --------
+        >>> from libration.papers import errata
+        >>> row = next(row for row in errata() if row.place == "historical development")
+        >>> print(row.holds(13), row.holds(14))
+        False True
+        """
         return self.residual(form) <= self.tolerance
 
 
-# Central difference of eighth order for a second derivative (Fornberg 1988, table 1), and its step: with rates near 1
-# the formula errs by 1e-15 and the rounding of the doubles by 1e-12.
+# Central difference of eighth order for a second derivative (Fornberg 1988, table 1), and its step. For
+# rates near 1 the error of the formula is 1e-15 and that of rounding 1e-12.
 WEIGHTS = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
 STEP = 0.02
-# States of the pendulum with omega0 = 1 that the checks start from: theta0 in rad, velocity0 in rad/s.
-SWINGS = ((1.0, 0.5), (0.3, -0.9), (2.2, 0.2))
+# States of the pendulum with omega0 = 1 from which the checks start: theta0 in rad, velocity0 in rad/s.
+STATES = ((1.0, 0.5), (0.3, -0.9), (2.2, 0.2))
 
 
-def largest(values: Any) -> float:
+def largest(values: Array) -> float:
     """The largest absolute value; NaN if there is one."""
     return float(np.max(np.abs(np.asarray(values, dtype=float))))
 
 
-def second_derivative(u: Callable[[Any], Any], t: Any) -> Any:
+def second_derivative(u: Motion, t: Floats) -> Floats:
     """u''(t) from values of u alone."""
-    return u(np.asarray(t)[:, None] + STEP * np.arange(-4, 5)) @ WEIGHTS / STEP**2
+    found: Floats = u(np.asarray(t)[:, None] + STEP * np.arange(-4, 5)) @ WEIGHTS / STEP**2
+    return found
 
 
-def motion_residual(u: Callable[[Any], Any], force: Callable[[Any], Any], t: Any) -> float:
+def duffing_force(p: float, q: float) -> Motion:
+    """The force p u + q u**3 of the Duffing equation u'' + p u + q u**3 = 0, as a function of u."""
+
+    def force(u: Floats) -> Floats:
+        against: Floats = p * u + q * u**3
+        return against
+
+    return force
+
+
+def motion_residual(u: Motion, force: Motion, t: Floats) -> float:
     """The largest |u'' + force(u)| over the instants t."""
     return largest(second_derivative(u, t) + force(u(np.asarray(t))))
 
 
-def swing_residual(form: Callable[..., Any], states: Sequence[tuple[float, float]] = SWINGS) -> float:
-    """The largest |theta'' + sin(theta)| of form(t, theta0, velocity0), or the largest miss of its initial state."""
+def pendulum_residual(form: StateFormula, states: Sequence[tuple[float, float]] = STATES) -> float:
+    """The largest |theta'' + sin(theta)| of form(t, theta0, velocity0), or the largest error of its initial state."""
     t = np.linspace(0.1, 3.0, 30)
     beside = STEP * np.array([-1.0, 1.0])
     found = []
     for theta0, velocity0 in states:
         motion = functools.partial(form, theta0=theta0, velocity0=velocity0)
         found.append(motion_residual(motion, np.sin, t))
-        # The velocity at 0 by the central difference, whose own error is a sixth of the jerk times the step squared.
+        # The velocity at 0 by the central difference. The error of that is a sixth of the jerk times the square of the step.
         slope = (motion(beside)[1] - motion(beside)[0]) / (2 * STEP)
         jerk = -math.cos(theta0) * velocity0
         found += [motion(np.zeros(1))[0] - theta0, (slope - jerk * STEP**2 / 6 - velocity0) * STEP]

@@ -1,12 +1,13 @@
-"""Where the exact forms of the papers end: states at which each gives another angle than the pendulum's, or none.
+"""Where the exact solutions of the papers fail: states for which they give a wrong angle, or none.
 
-The sources are the forms themselves (_exact.py); the truth beside them is `libration.theta`.
+The solutions are in _exact.py. The right angle is that of `libration.theta`.
 """
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+
+import numpy as np
 
 from ..pendulum import theta
 from ._exact import juchem_neto, salas_22, salas_23, salas_24
@@ -14,16 +15,16 @@ from ._exact import juchem_neto, salas_22, salas_23, salas_24
 
 @dataclass(frozen=True)
 class Limit:
-    """One state at which an exact form of a paper fails, and why. omega0 is 1.
+    """One state for which an exact solution of a paper fails, and why. omega0 is 1.
 
     Parameters
     ----------
     form : callable
-        A function of _exact.py.
+        `salas_22`, `salas_23`, `salas_24` or `juchem_neto`.
     theta0, velocity0, t : float
-        The state, and the instant, at which it fails.
+        The initial state in rad and rad/s, and the time in s, for which it fails.
     why : str
-        The reason in words.
+        The reason.
 
     Examples
     --------
@@ -32,7 +33,7 @@ class Limit:
     Salas (22) 1.634282841, truth 20.483838762
     """
 
-    form: Callable[..., Any]
+    form: Callable[[float, float, float], np.float64]
     theta0: float
     velocity0: float
     t: float
@@ -40,22 +41,22 @@ class Limit:
 
     @property
     def name(self) -> str:
-        """The equation."""
+        """The paper and the equation."""
         return NAMES[self.form.__name__]
 
     @property
     def given(self) -> float:
-        """The angle of the form, rad; NaN where it has none."""
+        """The angle that the solution of the paper gives, rad; NaN if it gives none."""
         return float(self.form(self.t, self.theta0, self.velocity0))
 
     @property
     def truth(self) -> float:
-        """The angle of the pendulum, rad."""
+        """The right angle, rad."""
         return float(theta(self.t, self.theta0, self.velocity0))
 
     @property
     def modulo(self) -> bool:
-        """Whether only whole turns are lost."""
+        """Whether the two angles differ by whole turns only."""
         return abs(math.remainder(self.given - self.truth, math.tau)) < 1e-9
 
 
@@ -88,7 +89,7 @@ LIMITS = (
 
 
 def limits() -> tuple[Limit, ...]:
-    """States at which the exact forms of the papers fail, with what they give there and the truth.
+    """States for which the exact solutions of the papers fail, with what they give and the right angle.
 
     Returns
     -------

@@ -1,36 +1,44 @@
-"""The style of the papers' figures: one picture with title, caption and metadata, saved as SVG or PNG.
+"""The figures of the papers: each has a title, a caption and metadata, and is saved as SVG or PNG.
 
-matplotlib is needed only here and in what draws; its Figure is used without pyplot, as in ../plot.py, whose quiet
-style is kept. The caption stands below the picture and in the metadata of the file.
+Only drawing needs matplotlib. Its Figure is used without pyplot, in the style of `libration.plot`. The caption is below
+the figure and in the metadata of the file.
 """
 
+from __future__ import annotations
+
+import os
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import IO, TYPE_CHECKING
 
 import numpy as np
 
+from .._arrays import Floats
 from ..plot._style import BLACK, DASHED, DOTTED, EXACT, LINEAR, SEPARATRIX, head, legend, quiet, save_figure
 
-# The exact curve is black, approximations are red and dotted or blue and dashed, as Lima has them.
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# The exact curve is black, approximations are red and dotted or blue and dashed, as in Lima 2019.
 RED, BLUE, GREY = SEPARATRIX, EXACT, LINEAR
-# Characters of the caption to an inch of the picture.
+# Characters of the caption per inch of width.
 CHARACTERS = 16
 
 
 @dataclass(frozen=True)
 class Picture:
-    """One figure of a paper, drawn anew.
+    """One figure of a paper, drawn by this package.
 
     Parameters
     ----------
     name : str
-        File name without its ending: the paper, and the number of the printed figure.
+        File name without suffix: the paper and the number of the figure.
     title : str
-        What is seen, in one line.
+        What the figure shows, in one line.
     caption : str
-        Source, and what was chosen where the paper does not say.
+        The source, and what was chosen where the paper gives no value.
     size : pair of float
         Width and height, inches.
     draw : callable
@@ -53,34 +61,43 @@ class Picture:
     title: str
     caption: str
     size: tuple[float, float]
-    draw: Callable[[Any], None]
+    draw: Callable[[Figure], None]
 
-    def save(self, files: dict[str, Any]) -> None:
-        """Draw once, and save in every form asked for.
+    def save(self, files: Mapping[str, str | os.PathLike[str] | IO[bytes]]) -> None:
+        """Draw once, and save in every file format of `files`.
 
         Parameters
         ----------
         files : dict
-            Path or binary file by form, `svg` or `png`.
+            Path or binary file by file format, `svg` or `png`.
 
         Raises
         ------
         ImportError
             If matplotlib is missing, or SciPy where the paper integrates.
+
+        Examples
+        --------
+        >>> from io import BytesIO
+        >>> from libration.papers import pictures
+        >>> file = BytesIO()
+        >>> pictures("salas")[1].save({"svg": file})
+        >>> b"Polynomials for the sine" in file.getvalue()
+        True
         """
 
-        def draw(figure):
+        def draw(figure: Figure) -> None:
             with np.errstate(all="ignore"):
                 self.draw(figure)
             head(figure, self.title)
-            # No line ends within `m = 0.1`.
+            # No line break within `m = 0.1`.
             text = textwrap.fill(self.caption.replace(" = ", "\u00a0=\u00a0"), int(CHARACTERS * self.size[0]))
             figure.supxlabel(text, x=0.012, ha="left", fontsize=8.5, color="#555555", linespacing=1.35)
 
-        save_figure(files, self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
+        save_figure(dict(files), self.size, draw, dpi=200, told={"Title": self.title, "Description": self.caption})
 
 
-def panels(figure, heights=(2.1, 1)):
+def panels(figure: Figure, heights: tuple[float, float] = (2.1, 1)) -> tuple[Axes, Axes]:
     """An upper and a lower panel over the same axis."""
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=heights)
     for axes in (upper, lower):
@@ -89,23 +106,23 @@ def panels(figure, heights=(2.1, 1)):
     return upper, lower
 
 
-def exact(axes, t, theta):
+def exact(axes: Axes, t: Floats, theta: Floats) -> None:
     """The exact solution: black, solid."""
     axes.plot(t, theta, color=BLACK, lw=2.1, label="exact")
 
 
-def dotted(axes, t, theta, label):
+def dotted(axes: Axes, t: Floats, theta: Floats, label: str) -> None:
     """The first approximation: red, dotted."""
     axes.plot(t, theta, color=RED, lw=1.9, ls=DOTTED, label=label)
 
 
-def dashed(axes, t, theta, label):
+def dashed(axes: Axes, t: Floats, theta: Floats, label: str) -> None:
     """The second approximation, or the numerical solution: blue, dashed."""
     axes.plot(t, theta, color=BLUE, lw=1.7, ls=DASHED, label=label)
 
 
-def named(axes, horizontal, vertical):
-    """Labels of both axes, and the legend above."""
+def named(axes: Axes, horizontal: str, vertical: str) -> None:
+    """Label both axes, and add the legend."""
     axes.set_xlabel(horizontal)
     axes.set_ylabel(vertical)
     if axes.get_legend_handles_labels()[0]:

@@ -1,6 +1,7 @@
-"""The three papers by name, and what is listed of them: figures, claims, errata."""
+"""The three papers by name, and the lists of their figures, claims and errata."""
 
 import difflib
+from typing import Any
 
 from . import horsley, lima, salas
 from ._claim import Claim
@@ -11,7 +12,7 @@ WORKS = {"salas": salas, "lima": lima, "horsley": horsley}
 
 
 def chosen(work: str | None) -> tuple[str, ...]:
-    """The paper of that name, all three without one, or a ValueError that names the nearest first."""
+    """The paper of that name, or all three for None; else a ValueError that names the nearest first."""
     if work is None:
         return tuple(WORKS)
     if work not in WORKS:
@@ -21,7 +22,7 @@ def chosen(work: str | None) -> tuple[str, ...]:
 
 
 def pictures(work: str | None = None) -> tuple[Picture, ...]:
-    """The figures of the three papers, and two that one of them wished for.
+    """The figures of the three papers, and two more that Horsley 2025 suggests.
 
     Parameters
     ----------
@@ -72,8 +73,8 @@ def claims(work: str | None = None) -> tuple[Claim, ...]:
     return tuple(row for name in chosen(work) for row in WORKS[name].CLAIMS)
 
 
-def errata() -> tuple[Erratum, ...]:
-    """The errata of the three papers, each with a check that its printed form fails and its corrected form passes.
+def errata() -> tuple[Erratum[Any], ...]:
+    """The errata of the three papers, each with a check that the corrected form passes and the printed form fails.
 
     Returns
     -------

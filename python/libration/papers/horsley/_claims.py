@@ -16,34 +16,34 @@ HORSLEY = functools.partial(Claim, "Horsley 2025")
 TIMES = np.linspace(0, 10, 500)
 
 
-def departure(theta0, until=10.0):
+def departure(theta0: float, until: float = 10.0) -> float:
     """The largest difference of the linear from the nonlinear solution, in % of theta0."""
     t = np.linspace(0, until, 20_001)
-    return 100 * np.max(np.abs(linear_theta(swing(theta0), t) - swing(theta0).theta(t))) / theta0
+    return 100 * float(np.max(np.abs(linear_theta(swing(theta0), t) - swing(theta0).theta(t)))) / theta0
 
 
-def numerical_error(theta0):
+def numerical_error(theta0: float) -> float:
     """The largest error of odeint at its defaults at the 500 instants of the graph, rad."""
     numerical = approx.numerical("odeint").of(swing(theta0))
-    return np.max(np.abs(numerical.theta(TIMES) - swing(theta0).theta(TIMES)))
+    return float(np.max(np.abs(numerical.theta(TIMES) - swing(theta0).theta(TIMES))))
 
 
-def smallest_growth():
-    """The smallest growth of the period from one amplitude to a larger one: above 0 if it always grows."""
-    return min(np.diff([Pendulum(each).period for each in np.linspace(0.1, 3.1, 31)]))
+def smallest_growth() -> float:
+    """The smallest growth of the period from one amplitude to the next: above 0 if it always grows."""
+    return float(min(np.diff([Pendulum(each).period for each in np.linspace(0.1, 3.1, 31)])))
 
 
-def projection():
+def projection() -> float:
     """The largest difference of sin(theta/2) from k times the ellipse's x, released from 2 rad."""
     k, t = math.sin(1.0), np.linspace(0, 20, 801)
     z = jacobi(t, m=k * k)
-    # x = r cos(phi) with r = 1/dn and phi = am: the point of the ellipse, not the function cd.
+    # x = r cos(phi) with r = 1/dn and phi = am comes from the point of the ellipse, not from the function cd.
     x = np.cos(z.am) / np.sqrt(1 - (k * np.sin(z.am)) ** 2)
-    return np.max(np.abs(np.sin(Pendulum(2.0).theta(t) / 2) - k * x))
+    return float(np.max(np.abs(np.sin(Pendulum(2.0).theta(t) / 2) - k * x)))
 
 
-def power_of_k():
-    """The power of the root of k in front of sn in (3), as the motion has it: theta0 = 1, velocity0 = 0.5."""
+def power_of_k() -> float:
+    """The power of the root of k in front of sn in (3), found from the motion with theta0 = 1, velocity0 = 0.5."""
     swing_k, rate = math.sin(0.5), 0.25
     gamma0 = math.hypot(1, rate / swing_k)
     m = (gamma0 * swing_k) ** 2
@@ -52,8 +52,8 @@ def power_of_k():
     return math.log(factor) / math.log(swing_k)
 
 
-def bluntness():
-    """How sharply the motion from 3 rad turns back, over the cosine of the same amplitude and period."""
+def bluntness() -> float:
+    """The acceleration at the turning point 3 rad, over that of the cosine of the same amplitude and period."""
     return swing(3.0).omega2 * math.sin(3.0) / (3.0 * (math.tau / swing(3.0).period) ** 2)
 
 

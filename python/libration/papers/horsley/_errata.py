@@ -2,11 +2,13 @@
 
 import ast
 import functools
+from collections.abc import Callable
 
 import numpy as np
 
+from ..._arrays import Floats
 from ...elliptic import carlson_rf, incomplete_e, incomplete_f, jacobi
-from .._erratum import Erratum, Kind, largest, motion_residual, swing_residual
+from .._erratum import Erratum, Kind, StateFormula, duffing_force, largest, motion_residual, pendulum_residual
 from .._exact import juchem_neto
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
@@ -16,7 +18,7 @@ OVER = ((1.0, 3.0), (np.pi, 1.0))
 BEYOND = ((4.0, 0.3), (5.5, -0.2))
 
 
-def written(t, theta0, velocity0, *, divided=False, sine=False):
+def written(t: Floats, theta0: float, velocity0: float, *, divided: bool = False, sine: bool = False) -> Floats:
     """Horsley (3), with gamma0 divided by the root of k, or a sine in place of sn, if asked for."""
     half, rate = theta0 / 2, velocity0 / 2
     k = np.abs(np.sin(half))
@@ -24,58 +26,65 @@ def written(t, theta0, velocity0, *, divided=False, sine=False):
     m = (gamma0 * k) ** 2
     u = incomplete_f(np.arcsin(1 / gamma0), m=m) + (1 if velocity0 > 0 else -1) * t
     inner = np.sin(u) if sine else jacobi(u, m=m).sn
-    return 2 * np.arcsin((gamma0 / k if divided else gamma0 * k) * inner)
+    angle: Floats = 2 * np.arcsin((gamma0 / k if divided else gamma0 * k) * inner)
+    return angle
 
 
-def mirrored(t, theta0, velocity0):
-    """Juchem Neto's formula for theta0 < 0 too: it has the motion of -theta0."""
+def mirrored(t: Floats, theta0: float, velocity0: float) -> Floats:
+    """Juchem Neto's formula for theta0 < 0 too, by the mirror image of the motion from -theta0."""
     sign = np.sign(theta0)
-    return sign * juchem_neto(t, abs(theta0), sign * velocity0)
+    angle: Floats = sign * juchem_neto(t, abs(theta0), sign * velocity0)
+    return angle
 
 
-def without_gamma0(t, theta0, velocity0):
+def without_gamma0(t: Floats, theta0: float, velocity0: float) -> Floats:
     """The same with m = sin(theta0/2)**2 + (velocity0/(2 omega0))**2 and the sign of theta0 in its sine."""
     sine, cosine, rate = np.sin(theta0 / 2), np.cos(theta0 / 2), velocity0 / 2
     m = sine**2 + rate**2
     start = sine / np.sqrt(m) * carlson_rf(rate**2 / m, cosine**2, 1.0)
-    return 2 * np.arcsin(np.sqrt(m) * jacobi(start + (1 if velocity0 > 0 else -1) * t, m=m).sn)
+    angle: Floats = 2 * np.arcsin(np.sqrt(m) * jacobi(start + (1 if velocity0 > 0 else -1) * t, m=m).sn)
+    return angle
 
 
-def turning(t, theta0, velocity0):
-    """Rotation upward: twice the amplitude with the reciprocal parameter."""
+def turning(t: Floats, theta0: float, velocity0: float) -> Floats:
+    """Rotation with positive velocity: twice am of the reciprocal parameter."""
     sine, cosine, rate = np.sin(theta0 / 2), np.cos(theta0 / 2), velocity0 / 2
     m = sine**2 + rate**2
     start = sine * carlson_rf(rate**2, m * cosine**2, m)
-    return 2 * jacobi(np.sqrt(m) * (start + t), m=1 / m).am
+    angle: Floats = 2 * jacobi(np.sqrt(m) * (start + t), m=1 / m).am
+    return angle
 
 
-def reduced(t, theta0, velocity0):
-    """Whole turns taken off theta0 first, and given back."""
+def reduced(t: Floats, theta0: float, velocity0: float) -> Floats:
+    """The whole turns of theta0 are subtracted first and added to the angle."""
     turns = 2 * np.pi * np.round(theta0 / (2 * np.pi))
-    return turns + mirrored(t, theta0 - turns, velocity0)
+    angle: Floats = turns + mirrored(t, theta0 - turns, velocity0)
+    return angle
 
 
-def frequency_residual(omega0):
+def cosine(rate: float, t: Floats) -> Floats:
+    """The solution of the linear equation from rest at 1."""
+    swing: Floats = np.cos(rate * t)
+    return swing
+
+
+def frequency_residual(omega0: Callable[[float, float], float]) -> float:
     """The largest |theta'' + (g/l) theta| of cos(omega0 t) for two lengths."""
     found = []
     for gravity, length in ((9.8, 1.0), (9.8, 2.0)):
-        rate = omega0(gravity, length)
-
-        def form(t, rate=rate):
-            return np.cos(rate * t)
-
-        found.append(motion_residual(form, lambda u, ratio=gravity / length: ratio * u, INSTANTS))
+        form = functools.partial(cosine, omega0(gravity, length))
+        found.append(motion_residual(form, duffing_force(gravity / length, 0.0), INSTANTS))
     return largest(found)
 
 
-def arc_residual(arc):
-    """The relative error of an arc of the ellipse (3 sin phi, 2 cos phi), beside a polygon of 20,000 sides."""
+def arc_residual(arc: Callable[[float, float, float], float]) -> float:
+    """The relative error of an arc of the ellipse (3 sin phi, 2 cos phi); the reference is a polygon of 20,000 sides."""
     phi = np.linspace(0.0, 1.2, 20_001)
     polygon = np.hypot(np.diff(3 * np.sin(phi)), np.diff(2 * np.cos(phi))).sum()
-    return abs(arc(1.2, 3.0, 2.0) / polygon - 1)
+    return abs(arc(1.2, 3.0, 2.0) / float(polygon) - 1)
 
 
-def syntax_residual(code):
+def syntax_residual(code: str) -> float:
     """0 if Python can read the line, 1 if not."""
     try:
         ast.parse(code)
@@ -86,8 +95,9 @@ def syntax_residual(code):
 
 SWING = "largest |θ″ + sin θ|, or miss of the initial state"
 HORSLEY = functools.partial(Erratum, "Horsley 2025")
+HORSLEY_ANGLE = functools.partial(Erratum[StateFormula], "Horsley 2025")
 ERRATA = (
-    HORSLEY(
+    HORSLEY_ANGLE(
         "(3), factor",
         "2 arcsin[(γ₀/√k) sn(…)]",
         "2 arcsin[γ₀√k sn(…)]",
@@ -95,11 +105,11 @@ ERRATA = (
         Kind.OPEN,
         SWING,
         1e-8,
-        swing_residual,
+        pendulum_residual,
         functools.partial(written, divided=True),
         written,
     ),
-    HORSLEY(
+    HORSLEY_ANGLE(
         "(3), function",
         "sin(F(arcsin(1/γ₀), γ₀²k) + Hω₀t, γ₀²k)",
         "sn(F(arcsin(1/γ₀), γ₀²k) + Hω₀t, γ₀²k)",
@@ -107,11 +117,11 @@ ERRATA = (
         Kind.OPEN,
         SWING,
         1e-8,
-        swing_residual,
+        pendulum_residual,
         functools.partial(written, sine=True),
         written,
     ),
-    HORSLEY(
+    HORSLEY_ANGLE(
         "(3), H",
         "H = −1 for φ₀ ≤ 0, 1 for φ₀ > 0",
         "for θ₀ < 0: H = sign(θ₀φ₀), and an overall factor sign(θ₀)",
@@ -119,11 +129,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", θ₀ < 0",
         1e-8,
-        lambda form: swing_residual(form, BELOW),
+        lambda form: pendulum_residual(form, BELOW),
         juchem_neto,
         mirrored,
     ),
-    HORSLEY(
+    HORSLEY_ANGLE(
         "(3), γ₀",
         "γ₀² = 1 + φ₀²/(4ω₀²k)",
         "γ₀²k = m = sin²(θ₀/2) + φ₀²/(4ω₀²), and sin(θ₀/2)/√m for 1/γ₀",
@@ -131,11 +141,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", θ₀ = 0",
         1e-8,
-        lambda form: swing_residual(form, THROWN),
+        lambda form: pendulum_residual(form, THROWN),
         juchem_neto,
         without_gamma0,
     ),
-    HORSLEY(
+    HORSLEY_ANGLE(
         "(3), rotation and θ₀ = π",
         "2 arcsin[γ₀√k sn(…)], silent about γ₀²k > 1",
         "2 am(√m (τ₀ + ω₀t) | 1/m) for γ₀²k = m > 1",
@@ -143,11 +153,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", rotation",
         1e-7,
-        lambda form: swing_residual(form, OVER),
+        lambda form: pendulum_residual(form, OVER),
         juchem_neto,
         turning,
     ),
-    HORSLEY(
+    HORSLEY_ANGLE(
         "(3), |θ₀| > π",
         "θ₀ as it is",
         "θ₀ less its whole turns, which are given back at the end",
@@ -155,7 +165,7 @@ ERRATA = (
         Kind.PAPER,
         SWING + ", π < θ₀ < 2π",
         1e-8,
-        lambda form: swing_residual(form, BEYOND),
+        lambda form: pendulum_residual(form, BEYOND),
         juchem_neto,
         reduced,
     ),

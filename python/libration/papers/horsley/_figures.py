@@ -1,11 +1,14 @@
-"""The figures of Horsley 2025: the force diagram and the two graphs, and what the essay wished for.
+"""The figures of Horsley 2025: the force diagram, the two graphs, and two figures that the essay suggests.
 
-Wished for are the phase space, and a picture of the elliptic functions: on the ellipse x**2 + y**2/b**2 = 1 with
+These are the phase space and a figure of the elliptic functions: on the ellipse x**2 + y**2/b**2 = 1 with
 b**2 = 1/(1 - m), a point at the distance r has cn = x/r, sn = y/r, dn = 1/r, and sin(theta/2) = k x.
 """
 
+from __future__ import annotations
+
 import functools
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,9 +16,13 @@ from ... import approx
 from ...elliptic import complete_k, jacobi
 from ...pendulum import Pendulum
 from ...plot import linear_theta
-from ...plot._style import angle_ticks, quiet
-from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical
-from .._picture import BLACK, BLUE, GREY, RED, Picture, named, panels
+from ...plot._style import BLACK, angle_ticks, quiet
+from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical, write
+from .._picture import BLUE, GREY, RED, Picture, named, panels
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 GRAVITY, LENGTH = 9.8, 1.0
 DARK_RED, GREEN = "#7a1f12", "#3f7d3f"
@@ -23,12 +30,12 @@ DARK_RED, GREEN = "#7a1f12", "#3f7d3f"
 RELEASE = 2 * math.pi / 3
 
 
-def swing(theta0):
+def swing(theta0: float) -> Pendulum:
     """Horsley's pendulum: 1 m, g = 9.8 m/s2."""
     return Pendulum(theta0, length=LENGTH, gravity=GRAVITY)
 
 
-def draw_forces(figure):
+def draw_forces(figure: Figure) -> None:
     """Figure 1: the force diagram."""
     axes = figure.subplots()
     bare(axes, (-0.45, -1.52), (1.2, 0.1))
@@ -38,22 +45,22 @@ def draw_forces(figure):
     path(axes, 0, at)
     rod(axes, at)
     angle(axes, 0, at, 0.22, r"$\theta$")
-    axes.text(*(bob(at, 0.3) + (0.07, 0.05)), r"$l$", **letter())
-    axes.text(*bob(at / 4, 0.95), r"$s$", **letter())
-    axes.text(*(place + (0.13, 0.06)), r"$m$", **letter())
+    write(axes, bob(at, 0.3) + (0.07, 0.05), r"$l$", letter())
+    write(axes, bob(at / 4, 0.95), r"$s$", letter())
+    write(axes, place + (0.13, 0.06), r"$m$", letter())
     weight = 0.6
     radial, along = np.array([math.sin(at), -math.cos(at)]), -np.array([math.cos(at), math.sin(at)])
     arrow(axes, place, -0.52 * radial, DARK_RED, r"$T$", (0.0, -0.13))
     arrow(axes, place, (0, -weight), "#e0301e", r"$mg$", (0.0, -0.08))
     arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.14, -0.1), thick=1.5)
     arrow(axes, place, weight * math.cos(at) * radial, GREEN, r"$mg\,\cos\theta$", (0.2, -0.02), thick=1.5)
-    # The components span the weight.
+    # The components add up to the weight.
     tip = place + (0, -weight)
     for corner in (weight * math.sin(at) * along, weight * math.cos(at) * radial):
         axes.plot(*zip(place + corner, tip, strict=True), color=GREEN, lw=0.8, ls=(0, (3, 3)))
 
 
-def draw_graph(figure, theta0):
+def draw_graph(figure: Figure, theta0: float) -> None:
     """The two graphs: the nonlinear and the linear equation over ten seconds."""
     upper, lower = panels(figure, (2.2, 1))
     pendulum = swing(theta0)
@@ -68,7 +75,7 @@ def draw_graph(figure, theta0):
     named(lower, "time [s]", "odeint − exact\n[µrad]")
 
 
-def draw_phase_space(figure):
+def draw_phase_space(figure: Figure) -> None:
     """The orbits of (2) in the plane of angle and velocity."""
     axes = figure.subplots()
     quiet(axes)
@@ -87,7 +94,7 @@ def draw_phase_space(figure):
     axes.plot(np.arange(-1, 2) * 2 * np.pi, np.zeros(3), "o", ms=6, color=BLACK, label="bottom", clip_on=False)
     axes.plot([-np.pi, np.pi], [0, 0], "o", ms=6, color="white", mec=BLACK, label="top")
     for x, y, text in ((-np.pi, 8.35, "rotation, forward"), (-np.pi, -8.35, "rotation, back"), (0, 3.4, "libration")):
-        patch = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+        patch: dict[str, str | float] = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
         axes.text(x, y, text, **letter("#666666") | {"fontsize": 9.5, "bbox": patch})
     axes.set(xlim=(grid[0], grid[-1]), ylim=(speed[0], speed[-1]))
     angle_ticks(axes.xaxis, grid[0], grid[-1])
@@ -96,8 +103,8 @@ def draw_phase_space(figure):
     axes.legend(loc="lower right", bbox_to_anchor=(1.01, 1.0), ncols=5, frameon=False, fontsize=9, columnspacing=1.0)
 
 
-def draw_ellipse(figure):
-    """The elliptic functions on the ellipse, the chord of the pendulum, and both over time."""
+def draw_ellipse(figure: Figure) -> None:
+    """Three panels: the elliptic functions on the ellipse, the chord of the pendulum, and both over time."""
     left, middle, right = figure.subplots(1, 3, width_ratios=(1.05, 1.0, 1.25))
     m, k = math.sin(RELEASE / 2) ** 2, math.sin(RELEASE / 2)
     u = 0.55 * complete_k(m=m)
@@ -106,7 +113,7 @@ def draw_ellipse(figure):
     over_time(right, m, u)
 
 
-def on_ellipse(axes, m, u):
+def on_ellipse(axes: Axes, m: float, u: float) -> None:
     """The point at u, its distance and its angle."""
     b = 1 / math.sqrt(1 - m)
     bare(axes, (-2.75, -2.2), (1.4, 2.3))
@@ -133,8 +140,8 @@ def on_ellipse(axes, m, u):
     axes.text(-2.75, 2.2, told, fontsize=11, va="top", linespacing=1.5)
 
 
-def on_circle(axes, k, u):
-    """The pendulum at the same u, with its chord from the lowest point."""
+def on_circle(axes: Axes, k: float, u: float) -> None:
+    """The pendulum at the same u, with the chord from the lowest point to the bob."""
     m = k * k
     bare(axes, (-0.62, -1.2), (1.15, 0.95))
     z = jacobi(u, m=m)
@@ -146,16 +153,13 @@ def on_circle(axes, k, u):
     low, place = bob(0.0), bob(theta)
     axes.plot([low[0], place[0]], [low[1], place[1]], color=RED, lw=3, solid_capstyle="butt")
     angle(axes, 0, theta, 0.24, r"$\theta$")
-    axes.text(
-        *(low + 0.42 * (place - low) + (-0.17, 0.17)),
-        "chord\n$2lk\\,x$",
-        **letter(RED) | {"fontsize": 11, "linespacing": 1.2},
-    )
-    axes.text(*(bob(theta, 0.6) + (-0.02, 0.1)), r"$l$", **letter() | {"fontsize": 11})
+    beside = low + 0.42 * (place - low) + (-0.17, 0.17)
+    write(axes, beside, "chord\n$2lk\\,x$", letter(RED) | {"fontsize": 11, "linespacing": 1.2})
+    write(axes, bob(theta, 0.6) + (-0.02, 0.1), r"$l$", letter() | {"fontsize": 11})
     axes.text(-0.62, 0.9, r"$\sin(\theta/2) = k\,x = k\,\mathrm{cd}\,u$", fontsize=11, va="top")
 
 
-def over_time(axes, m, u):
+def over_time(axes: Axes, m: float, u: float) -> None:
     """x on the ellipse and on the circle over one period."""
     quiet(axes)
     quarter = complete_k(m=m)
@@ -171,8 +175,8 @@ def over_time(axes, m, u):
     axes.legend(loc="lower right", bbox_to_anchor=(1.02, 1.0), ncols=3, frameon=False, fontsize=9, handlelength=1.5)
 
 
-def graph(number, theta0):
-    """The picture of the graph at 0.4 or 3 rad."""
+def graph(number: int, theta0: float) -> Picture:
+    """The figure of the graph at 0.4 or 3 rad."""
     ratio = swing(theta0).period * swing(theta0).omega0 / math.tau
     return Picture(
         f"horsley-{number}",

@@ -2,24 +2,34 @@
 
 import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 
 from ... import approx
 from ...elliptic import complete_k, nome
 from ...pendulum import Pendulum
-from .._claim import Claim, rounded
+from .._claim import Claim, Interval, rounded
 from ._errata import highest, share_of_largest
 
 LIMA = functools.partial(Claim, "Lima 2019")
 
 
-def percent(name, theta0, periods=1):
+def percent(name: str, theta0: float, periods: float = 1) -> Callable[[], float]:
     """The largest deviation over some periods, in % of theta0."""
     return lambda: 100 * approx.angle(name).of(Pendulum(theta0)).error(periods).relative
 
 
-def figure_row(place, theta0, text, name, printed, allows, corrected=None, reason=""):
+def figure_row(
+    place: str,
+    theta0: float,
+    text: str,
+    name: str,
+    printed: str,
+    allows: Interval,
+    corrected: Interval | None = None,
+    reason: str = "",
+) -> Claim:
     """A row for a percentage of figures 2 to 4 or of the text around them."""
     order = name.partition(":")[2]
     which = f"Fourier-based approximation (22) with N = {order}" if order else "harmonic approximation (17)"
@@ -27,31 +37,31 @@ def figure_row(place, theta0, text, name, printed, allows, corrected=None, reaso
     return LIMA(place, claim, printed, allows, percent(name, theta0), "{:.4g} %", corrected, reason)
 
 
-def small_swing_error():
-    """How far the period of small swings is from the period at 10 degrees, %."""
+def small_swing_error() -> float:
+    """The relative error of the period of small swings at 10 degrees, %."""
     return -100 * (math.tau / Pendulum(math.radians(10)).period - 1)
 
 
-def sum_error():
+def sum_error() -> float:
     """The relative difference of the sum below (23) from kK/(2 pi), k = 0.9."""
     q, odd = nome(k=0.9), np.arange(1, 121, 2)
     total = np.sum((-1.0) ** ((odd - 1) // 2) * q ** (odd / 2) / (1 - q**odd))
     return abs(total / (0.9 * complete_k(k=0.9) / math.tau) - 1)
 
 
-def period_error():
+def period_error() -> float:
     """The largest relative difference of (10) from the periods of pendulums."""
     angles = (0.1, 1.0, 3.0)
     return max(abs(4 * complete_k(k=math.sin(each / 2)) / Pendulum(each).period - 1) for each in angles)
 
 
-def long_times():
-    """The largest error over a thousand periods over that of one, N = 4 at 7 pi/8."""
+def long_times() -> float:
+    """The ratio of the largest errors over 1000 periods and over one, N = 4 at 7 pi/8."""
     return percent("fourier:4", 7 * math.pi / 8, 1000)() / percent("fourier:4", 7 * math.pi / 8)()
 
 
-def order_at_60():
-    """The largest error of (17) over that of (22) with N = 1, at pi/3."""
+def order_at_60() -> float:
+    """The ratio of the largest errors of (17) and of (22) with N = 1, at pi/3."""
     return percent("harmonic", math.pi / 3)() / percent("fourier:1", math.pi / 3)()
 
 

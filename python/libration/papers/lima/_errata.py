@@ -1,13 +1,24 @@
 """Errata of Lima 2019."""
 
 import functools
+from collections.abc import Callable
 
 import numpy as np
 
 from ... import approx
+from ..._arrays import Floats
 from ...elliptic import complete_k, jacobi, sn
 from ...pendulum import Pendulum, theta
-from .._erratum import Erratum, Kind, largest, motion_residual, second_derivative, swing_residual
+from .._erratum import (
+    Erratum,
+    Kind,
+    Motion,
+    duffing_force,
+    largest,
+    motion_residual,
+    pendulum_residual,
+    second_derivative,
+)
 
 INSTANTS = np.linspace(0.1, 3.0, 30)
 RELEASES = ((0.3, 0.0), (1.0, 0.0), (2.5, 0.0))
@@ -15,42 +26,43 @@ RELEASES = ((0.3, 0.0), (1.0, 0.0), (2.5, 0.0))
 HALVINGS = 40
 
 
-def balance_residual(balance):
+def balance_residual(balance: Callable[[Floats, Floats], Floats]) -> float:
     """Lima (1): the largest difference of its two sides along a motion."""
 
-    def motion(t):
+    def motion(t: Floats) -> Floats:
         return theta(t, 1.0)
 
     return largest(balance(motion(INSTANTS), second_derivative(motion, INSTANTS)))
 
 
-def solution_residual(solution):
+def solution_residual(solution: Callable[[float], tuple[Motion, float]]) -> float:
     """Lima (14): the largest residual of z(t), k = solution(constant) for several values of the free constant."""
     found = []
     for constant in (0.3, 0.5, 0.9):
         z, k = solution(constant)
-        found.append(motion_residual(z, lambda z, k=k: (1 + k**2) * z - 2 * k**2 * z**3, INSTANTS))
+        found.append(motion_residual(z, duffing_force(1 + k**2, -2 * k**2), INSTANTS))
     return largest(found)
 
 
-def released(function, t, theta0, velocity0):
-    """Lima (16) with sine or sn in it."""
+def released(function: Callable[[Floats, float], Floats], t: Floats, theta0: float, velocity0: float) -> Floats:
+    """Lima (16) with a sine or with sn."""
     k = np.sin(theta0 / 2)
-    return 2 * np.arcsin(k * function(t + complete_k(k=k), k))
+    angle: Floats = 2 * np.arcsin(k * function(t + complete_k(k=k), k))
+    return angle
 
 
-def fourier(order, theta0):
+def fourier(order: int, theta0: float) -> approx.AngleApproximation:
     """Lima (22) for a release from rest."""
     return approx.angle(f"fourier:{order}").of(Pendulum(theta0))
 
 
-def finite_at_0(order, theta0):
+def finite_at_0(order: int, theta0: float) -> bool:
     """Whether Lima (22) has a value at t = 0."""
     return bool(np.isfinite(fourier(order, theta0).theta(0.0)))
 
 
 @functools.cache
-def highest(order):
+def highest(order: int) -> float:
     """The turning angle up to which Lima (22) with an odd number of terms has a value at t = 0, rad."""
     low, high = 0.0, np.pi
     for _ in range(HALVINGS):
@@ -59,13 +71,13 @@ def highest(order):
     return low
 
 
-def range_residual(upper):
-    """For how many of N = 1, 3, 5, 7 Lima (22) has no value at t = 0 just below theta0 = upper(N)."""
+def range_residual(upper: Callable[[int], float]) -> float:
+    """The number of N among 1, 3, 5, 7 for which Lima (22) has no value at t = 0 just below theta0 = upper(N)."""
     return sum(not finite_at_0(order, 0.999 * upper(order)) for order in (1, 3, 5, 7))
 
 
-def largest_residual(error):
-    """The largest miss of error(N, theta0) beside the largest deviation on a fine grid, rad."""
+def largest_residual(error: Callable[[int, float], float]) -> float:
+    """The largest difference of error(N, theta0) from the largest deviation on a fine grid, rad."""
     found = []
     for order, theta0 in ((1, np.pi / 3), (2, 0.9 * np.pi), (4, 0.945 * np.pi)):
         approximation = fourier(order, theta0)
@@ -74,17 +86,18 @@ def largest_residual(error):
     return largest(found)
 
 
-def share_of_largest(order, theta0):
-    """Where in the period the largest deviation of Lima (22) is first reached."""
+def share_of_largest(order: int, theta0: float) -> float:
+    """The first time of the largest deviation of Lima (22), over the period."""
     return fourier(order, theta0).error(1).t / Pendulum(theta0).period
 
 
-def percent(order, theta0):
+def percent(order: int, theta0: float) -> float:
     """The largest deviation of Lima (22) over a period, in % of theta0."""
     return 100 * fourier(order, theta0).error(1).relative
 
 
 LIMA = functools.partial(Erratum, "Lima 2019")
+LIMA_RANGE = functools.partial(Erratum[Callable[[int], float]], "Lima 2019")
 ERRATA = (
     LIMA(
         "(1)",
@@ -118,11 +131,11 @@ ERRATA = (
         Kind.OPEN,
         "largest |θ″ + sin θ|, or miss of the initial state",
         1e-8,
-        lambda form: swing_residual(form, RELEASES),
+        lambda form: pendulum_residual(form, RELEASES),
         functools.partial(released, lambda u, k: np.sin(u)),
         functools.partial(released, lambda u, k: jacobi(u, k=k).sn),
     ),
-    LIMA(
+    LIMA_RANGE(
         "(23)",
         "θ̂(0) for any N ≥ 1 and 0 < θ₀ < π",
         "for odd N only up to " + ", ".join(f"{highest(n) / np.pi:.4f}π (N = {n})" for n in (1, 3, 5, 7)),

@@ -1,17 +1,24 @@
-"""The figures of Lima 2019: 1 to 4, the last three with the deviations in a lower panel."""
+"""The figures of Lima 2019: 1 to 4, 2 to 4 with the deviations in a lower panel."""
+
+from __future__ import annotations
 
 import functools
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ... import approx
 from ...pendulum import Pendulum
-from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical
-from .._picture import BLUE, DASHED, DOTTED, RED, Picture, dashed, dotted, exact, named, panels
+from ...plot._style import DASHED, DOTTED
+from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical, write
+from .._picture import BLUE, RED, Picture, dashed, dotted, exact, named, panels
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
-def draw_pendulum(figure):
+def draw_pendulum(figure: Figure) -> None:
     """Figure 1."""
     axes = figure.subplots()
     bare(axes, (-0.68, -1.25), (1.02, 0.12))
@@ -23,14 +30,14 @@ def draw_pendulum(figure):
     angle(axes, 0, start, 0.5, r"$\theta_0$", at=0.75)
     angle(axes, 0, swing, 0.28, r"$\theta$")
     axes.text(-0.1, 0.06, r"$C$", **letter())
-    axes.text(*(bob(swing, 0.66) + (0.09, 0.03)), r"$\ell$", **letter())
-    axes.text(*(bob(swing) + (0.14, -0.06)), r"$m$", **letter())
+    write(axes, bob(swing, 0.66) + (0.09, 0.03), r"$\ell$", letter())
+    write(axes, bob(swing) + (0.14, -0.06), r"$m$", letter())
     back = -0.42 * np.array([math.cos(swing), math.sin(swing)])
     arrow(axes, bob(swing), back, BLUE, r"$v=\ell\,\dot\theta$", (-0.06, -0.1))
 
 
-def draw_solutions(figure, theta0, order, text, half):
-    """Figures 2 to 4: the exact solution, the harmonic one and N terms of the Fourier series; below, deviations."""
+def draw_solutions(figure: Figure, theta0: float, order: int, text: str, half: str) -> None:
+    """Figures 2 to 4: the exact solution, the harmonic one and N terms of the Fourier series, above their deviations."""
     upper, lower = panels(figure, (1.7, 1))
     swing = Pendulum(theta0)
     shares = np.linspace(0, 1, 1601)
@@ -38,23 +45,25 @@ def draw_solutions(figure, theta0, order, text, half):
     exact(upper, shares, swing.theta(t))
     names = ("harmonic", f"fourier:{order}")
     terms = "1 term" if order == 1 else f"{order} terms"
-    for name, curve, label, style in zip(
+    for name, curve, label, color, dash, width in zip(
         names,
         (dotted, dashed),
         ("harmonic, (17)", f"Fourier, (22), {terms}"),
-        ({"color": RED, "ls": DOTTED, "lw": 1.9}, {"color": BLUE, "ls": DASHED, "lw": 1.7}),
+        (RED, BLUE),
+        (DOTTED, DASHED),
+        (1.9, 1.7),
         strict=True,
     ):
         approximation = approx.angle(name).of(swing)
         curve(upper, shares, approximation.theta(t), label)
-        lower.plot(shares, 100 * approximation.difference(t) / theta0, **style)
+        lower.plot(shares, 100 * approximation.difference(t) / theta0, color=color, ls=dash, lw=width)
     lower.set_xlim(0, 1)
     upper.set_yticks(theta0 * np.linspace(-1, 1, 5), [f"−{text}", f"−{half}", "0", half, text])
     named(upper, "", r"$\theta$ [rad]")
     named(lower, r"$t/T$", r"deviation [% of $\theta_0$]")
 
 
-def solutions(number, theta0, order, text, half):
+def solutions(number: int, theta0: float, order: int, text: str, half: str) -> Picture:
     """The picture of figure 2, 3 or 4."""
     return Picture(
         f"lima-{number}",

@@ -7,16 +7,16 @@ import numpy as np
 
 from ... import approx
 from ...pendulum import Pendulum, theta
-from .._claim import Claim, rounded
+from .._claim import Claim, Interval, rounded
 from .._exact import salas_22, salas_23, salas_24
 from ._errata import TWELVE, forms_missing
-from ._errata_periods import swing_time
+from ._errata_periods import measured_period
 
 SALAS = functools.partial(Claim, "Salas 2019")
 NO_DATA = "its data are not in the text at hand; the figure is drawn for chosen ones"
 
 
-def sine_row(place, name, degrees, printed):
+def sine_row(place: str, name: str, degrees: float, printed: str) -> Claim:
     """A row for the range of (2) or (3)."""
     return SALAS(
         place,
@@ -28,22 +28,24 @@ def sine_row(place, name, degrees, printed):
     )
 
 
-def prefactor_row(number, bound, text):
-    """A row for the factor in front of (26), (27), (28), found from the motion at the end of a range."""
+def prefactor_row(number: int, bound: float, text: str) -> Claim:
+    """A row for the factor of (26), (27), (28), found from the motion at the end of a range."""
     return SALAS(
         f"({number})",
         f"factor in front of √(l/g) and the rational function, found from the motion at m = {text}",
         "π/2 = 1.571",
         (1.5, 1.65),
-        lambda: swing_time(at(bound)) / approx.period(f"salas-{number}").ratio(m=bound),
+        lambda: measured_period(at(bound)) / approx.period(f"salas-{number}").ratio(m=bound),
         "{:.4f}",
         (6.25, 6.32),
         "2π; π/2 gives a quarter of the period",
     )
 
 
-def range_row(number, bound, printed, shown, corrected=None, reason=""):
-    """A row for the range of (26), (27), (28): the largest error of the whole period in it, %; read: at most 1 %."""
+def range_row(
+    number: int, bound: float, printed: str, shown: str, corrected: Interval | None = None, reason: str = ""
+) -> Claim:
+    """A row for the range of (26), (27), (28): the largest error of the period in it, %; read: at most 1 %."""
     return SALAS(
         f"({number})",
         f"largest error of the period, as a whole one, for {printed} (read: at most 1 %)",
@@ -56,40 +58,40 @@ def range_row(number, bound, printed, shown, corrected=None, reason=""):
     )
 
 
-def at(m):
+def at(m: float) -> Pendulum:
     """The pendulum released at rest with this parameter, omega0 = 1."""
     return Pendulum(2 * math.asin(math.sqrt(m)))
 
 
-def largest_error(number, bound):
+def largest_error(number: int, bound: float) -> float:
     """The largest relative error of (26), (27) or (28) for |m| <= bound."""
     m = np.linspace(-bound, bound, 401)
-    return np.max(np.abs(approx.period(f"salas-{number}").error(m=m)))
+    return float(np.max(np.abs(approx.period(f"salas-{number}").error(m=m))))
 
 
-def trigonometric(theta0, periods=1):
+def trigonometric(theta0: float, periods: float = 1) -> float:
     """The largest error of (35) over some periods, in % of theta0."""
     return 100 * approx.angle("trigonometric").of(Pendulum(theta0)).error(periods).relative
 
 
-def small_m(m, periods=1):
+def small_m(m: float, periods: float = 1) -> float:
     """The largest error of the formula before fig. 6, released at rest, in % of theta0."""
     return 100 * approx.angle("small-m").of(at(m)).error(periods).relative
 
 
-def exact_forms(theta0, velocity0, until):
+def exact_forms(theta0: float, velocity0: float, until: float) -> float:
     """The largest difference of (22), (23) and (24) from the motion, rad."""
     t = np.linspace(0, until, 161)
     truth = theta(t, theta0, velocity0)
-    return max(np.max(np.abs(form(t, theta0, velocity0) - truth)) for form in (salas_22, salas_23, salas_24))
+    return max(float(np.max(np.abs(form(t, theta0, velocity0) - truth))) for form in (salas_22, salas_23, salas_24))
 
 
-def order_of_small_m():
-    """The power of m in the error of the formula before fig. 6 over theta0, between m = 0.001 and 0.002."""
+def order_of_small_m() -> float:
+    """The power of m in the error of the formula before fig. 6 over theta0, found from m = 0.001 and 0.002."""
     return math.log2(small_m(0.002) / small_m(0.001))
 
 
-def system_33():
+def system_33() -> float:
     """The largest residual of (33) for the k and lambda of (34), over its largest coefficient; phi0 = pi/2."""
     square = (math.pi / 2) ** 2
     square_of_k = (81 / 262 * square**2 - 10 * square + 81) / 81
@@ -135,7 +137,7 @@ CLAIMS = (
         "T ω/K(m), found from the motion at m = 1/2",
         "1",
         rounded("1"),
-        lambda: swing_time(at(0.5)) / (approx.period("exact").ratio(m=0.5) * math.pi / 2),
+        lambda: measured_period(at(0.5)) / (approx.period("exact").ratio(m=0.5) * math.pi / 2),
         "{:.6f}",
         (4 - 1e-9, 4 + 1e-9),
         "K(m)/ω is a quarter of the period",

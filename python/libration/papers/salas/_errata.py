@@ -1,107 +1,130 @@
 """Errata of Salas 2019, up to the exact solution: the Duffing equation, its forms, and the angle."""
 
 import functools
+from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal, localcontext
+from typing import Literal, Protocol, TypeAlias
 
 import numpy as np
 
 from ... import elliptic
+from ..._arrays import Floats
 from ...elliptic import cn, dn, jacobi, nc, sn
 from ...oscillator import Duffing, DuffingForm
 from ...pendulum import Pendulum, theta
-from .._erratum import SWINGS, Erratum, Kind, largest, motion_residual, swing_residual
+from .._erratum import STATES, Erratum, Kind, StateFormula, duffing_force, largest, motion_residual, pendulum_residual
 from .._exact import salas_23
 
 # Duffing oscillators with real solutions: c1, c2, p, q.
-SPRINGS = ((1.0, 0.3, 1.0, 0.8), (0.7, -0.6, 0.4, 1.5))
+Constants: TypeAlias = tuple[float, float, float, float]
+OSCILLATORS: tuple[Constants, ...] = ((1.0, 0.3, 1.0, 0.8), (0.7, -0.6, 0.4, 1.5))
 INSTANTS = np.linspace(0.1, 1.2, 12)
 
 
-def tangents(theta0, velocity0):
+def tangents(theta0: float, velocity0: float) -> tuple[float, float]:
     """u and its derivative for u = tan(theta/2), Salas (5) and (11)."""
     return np.tan(theta0 / 2), velocity0 / 2 / np.cos(theta0 / 2) ** 2
 
 
-def system_residual(line):
+def system_residual(line: Callable[[float, float, float, float, float], float]) -> float:
     """Salas (9), first line: its value for the p and q of `Duffing.of_pendulum`."""
     found = []
-    for state in SWINGS:
+    for state in STATES:
         duffing = Duffing.of_pendulum(Pendulum(*state))
         found.append(line(*tangents(*state), duffing.p, duffing.q, 1.0))
     return largest(found)
 
 
-def coefficients_residual(coefficients):
+def coefficients_residual(coefficients: Callable[[float, float, float], tuple[float, float]]) -> float:
     """Salas (10): |u'' + p u + q u**3| for u = tan(theta/2) along the pendulum's motion."""
     found = []
-    for state in SWINGS:
+    for state in STATES:
         p, q = coefficients(*tangents(*state), 1.0)
         swing = Pendulum(*state)
 
-        def u(t, swing=swing):
+        def u(t: Floats, swing: Pendulum = swing) -> Floats:
             return np.tan(swing.theta(t) / 2)
 
-        found.append(motion_residual(u, lambda u, p=p, q=q: p * u + q * u**3, INSTANTS))
+        found.append(motion_residual(u, duffing_force(p, q), INSTANTS))
     return largest(found)
 
 
-def spring_residual(form, springs=SPRINGS):
+class DuffingSolution(Protocol):
+    """A solution of the Duffing equation with two constants."""
+
+    def __call__(self, t: Floats, c1: float, c2: float, p: float, q: float) -> Floats: ...
+
+
+def duffing_residual(form: DuffingSolution, oscillators: Sequence[Constants] = OSCILLATORS) -> float:
     """The largest |u'' + p u + q u**3| of form(t, c1, c2, p, q)."""
     found = [
-        motion_residual(functools.partial(form, c1=c1, c2=c2, p=p, q=q), lambda u, p=p, q=q: p * u + q * u**3, INSTANTS)
-        for c1, c2, p, q in springs
+        motion_residual(functools.partial(form, c1=c1, c2=c2, p=p, q=q), duffing_force(p, q), INSTANTS)
+        for c1, c2, p, q in oscillators
     ]
     return largest(found)
 
 
-def cn_form(slipped, t, c1, c2, p, q):
-    """c1 cn(rate t + c2 | m); slipped: t under the root."""
+def cn_form(slipped: bool, t: Floats, c1: float, c2: float, p: float, q: float) -> Floats:
+    """c1 cn(rate t + c2 | m); if slipped, with t under the root."""
     m = q * c1**2 / (2 * (q * c1**2 + p))
     return c1 * cn((np.sqrt(q * c1**2 + p * t) if slipped else np.sqrt(q * c1**2 + p) * t) + c2, m=m)
 
 
-def nc_form(slipped, t, c1, c2, p, q):
-    """c1 nc(rate t + c2 | m); slipped: t under the root."""
+def nc_form(slipped: bool, t: Floats, c1: float, c2: float, p: float, q: float) -> Floats:
+    """c1 nc(rate t + c2 | m); if slipped, with t under the root."""
     m = (q * c1**2 + 2 * p) / (2 * (q * c1**2 + p))
     return c1 * nc((np.sqrt(-q * c1**2 - p * t) if slipped else np.sqrt(-q * c1**2 - p) * t) + c2, m=m)
 
 
-def addition(t, c1, c2, p, q, *, factor=True, time=True, c=None):
-    """Salas (14), with c1 on the second term or not, t in its dn or not, and another c than m sn(c2)**2."""
+def addition(
+    t: Floats,
+    c1: float,
+    c2: float,
+    p: float,
+    q: float,
+    *,
+    factor: bool = True,
+    time: bool = True,
+    c: float | None = None,
+) -> Floats:
+    """Salas (14), with or without c1 on the second term and t in its dn; c is m sn(c2)**2 if not given."""
     m, rate = q * c1**2 / (2 * (q * c1**2 + p)), np.sqrt(q * c1**2 + p)
     z = rate * t
     second = sn(z, m=m) * dn(z if time else rate, m=m) * sn(c2, m=m) * dn(c2, m=m)
     c = m * sn(c2, m=m) ** 2 if c is None else c
-    return c1 * (cn(z, m=m) * cn(c2, m=m) - (1 if factor else 1 / c1) * second) / (1 - c * sn(z, m=m) ** 2)
+    u: Floats = c1 * (cn(z, m=m) * cn(c2, m=m) - (1 if factor else 1 / c1) * second) / (1 - c * sn(z, m=m) ** 2)
+    return u
 
 
-def constants_residual(constants):
+def constants_residual(constants: Callable[[float, float, float], tuple[float, float]]) -> float:
     """Salas (15) in (18): the equation of motion for a, b = constants(c1, c2, m)."""
 
-    def form(t, c1, c2, p, q):
+    def form(t: Floats, c1: float, c2: float, p: float, q: float) -> Floats:
         m, z = q * c1**2 / (2 * (q * c1**2 + p)), np.sqrt(q * c1**2 + p) * t
         a, b = constants(c1, c2, m)
         above = a * cn(z, m=m) - b * sn(z, m=m) * dn(z, m=m)
-        return above / (1 - m * sn(c2, m=m) ** 2 * sn(z, m=m) ** 2)
+        u: Floats = above / (1 - m * sn(c2, m=m) ** 2 * sn(z, m=m) ** 2)
+        return u
 
-    return spring_residual(form)
+    return duffing_residual(form)
 
 
-def relation_residual(relation):
-    """Salas (17) for a and b as (18) needs them: the value of what should be 0."""
+def relation_residual(relation: Callable[[float, float, float, float, float], float]) -> float:
+    """Salas (17) for the a and b that (18) needs: the value of what should be 0."""
     found = []
-    for c1, c2, p, q in SPRINGS:
+    for c1, c2, p, q in OSCILLATORS:
         m = q * c1**2 / (2 * (q * c1**2 + p))
         found.append(relation(c1 * cn(c2, m=m), c1 * sn(c2, m=m) * dn(c2, m=m), c1, p, q))
     return largest(found)
 
 
-def signed(sign, t, theta0, velocity0):
-    """Salas (18) with the constants that solve (21), its b and its c with one sign or the other."""
+def signed(sign: float, t: Floats, theta0: float, velocity0: float) -> Floats:
+    """Salas (18) with the constants that solve (21); sign is that of b and c."""
     a, b = np.tan(theta0 / 2), velocity0 / 2 / np.cos(theta0 / 2) ** 2
     c = -((velocity0 / 2 / np.cos(theta0 / 2)) ** 2)
     z = jacobi(t, m=np.sin(theta0 / 2) ** 2 + velocity0**2 / 4)
-    return 2 * np.arctan((a * z.cn + sign * b * z.sn * z.dn) / (1 + sign * c * z.sn**2))
+    angle: Floats = 2 * np.arctan((a * z.cn + sign * b * z.sn * z.dn) / (1 + sign * c * z.sn**2))
+    return angle
 
 
 # A p and q for which each of the twelve forms with c1 = 1 is real.
@@ -119,19 +142,19 @@ TWELVE = {
 }
 
 
-def forms_missing(names):
-    """How many of Jacobi's twelve functions solve the Duffing equation and are not named."""
+def forms_missing(names: Iterable[str]) -> int:
+    """The number of Jacobi's twelve functions that solve the Duffing equation and are not among the names."""
     near = np.linspace(0.5, 0.8, 4)
     solving = []
     for name, (p, q) in TWELVE.items():
         form = DuffingForm(name, 1.0, 0.3, p=p, q=q)
-        if motion_residual(form.u, lambda u, p=p, q=q: p * u + q * u**3, near) < 1e-7:
+        if motion_residual(form.u, duffing_force(p, q), near) < 1e-7:
             solving.append(name)
     return len(set(solving) - set(names))
 
 
-def parameter_residual(parameter):
-    """The parameter of the sd form for small p, beside 60 digits."""
+def parameter_residual(parameter: Callable[[float, float], float]) -> float:
+    """The parameter of the sd form for small p; the reference has 60 digits."""
     found = []
     for p in (1e-9, 1e-17):
         with localcontext() as context:
@@ -141,22 +164,25 @@ def parameter_residual(parameter):
     return largest(found)
 
 
-def largest_step(form):
+def largest_step(form: StateFormula) -> float:
     """The largest change of the angle within a millisecond of a rotation, rad."""
     return largest(np.diff(form(np.linspace(0.0, 7.0, 7001), 1.0, 3.0)))
 
 
-def in_modulus(name, t, theta0, velocity0):
+def in_modulus(name: Literal["k", "m"], t: Floats, theta0: float, velocity0: float) -> Floats:
     """Salas (23) with its m passed as the parameter or as the modulus."""
     half, rate = theta0 / 2, velocity0 / 2
     z = jacobi(t, **{name: np.sin(half) ** 2 + rate**2})
     above = np.tan(half) * z.cn + rate / np.cos(half) ** 2 * z.dn * z.sn
-    return 2 * np.arctan(above / (1 - (rate / np.cos(half)) ** 2 * z.sn**2))
+    angle: Floats = 2 * np.arctan(above / (1 - (rate / np.cos(half)) ** 2 * z.sn**2))
+    return angle
 
 
 MOTION = "largest |u″ + p u + q u³|"
 SWING = "largest |φ″ + sin φ|"
 SALAS = functools.partial(Erratum, "Salas 2019")
+SALAS_ANGLE = functools.partial(Erratum[StateFormula], "Salas 2019")
+SALAS_DUFFING = functools.partial(Erratum[DuffingSolution], "Salas 2019")
 ERRATA = (
     SALAS(
         "(9), first line",
@@ -208,7 +234,7 @@ ERRATA = (
         Kind.TEXT,
         MOTION,
         1e-8,
-        spring_residual,
+        duffing_residual,
         functools.partial(cn_form, True),
         functools.partial(cn_form, False),
     ),
@@ -220,7 +246,7 @@ ERRATA = (
         Kind.TEXT,
         MOTION,
         1e-7,
-        lambda form: spring_residual(form, ((1.0, 0.1, 0.3, -1.0),)),
+        lambda form: duffing_residual(form, ((1.0, 0.1, 0.3, -1.0),)),
         functools.partial(nc_form, True),
         functools.partial(nc_form, False),
     ),
@@ -236,7 +262,7 @@ ERRATA = (
         lambda p, qc2: (qc2 + p - np.sqrt(qc2**2 + p**2)) / (2 * p),
         lambda p, qc2: (1 - p / (qc2 + np.sqrt(qc2**2 + p**2))) / 2,
     ),
-    SALAS(
+    SALAS_DUFFING(
         "(14), second term",
         "… − sn z dn z sn c₂ dn c₂",
         "… − c₁ sn z dn z sn c₂ dn c₂",
@@ -244,11 +270,11 @@ ERRATA = (
         Kind.PAPER,
         MOTION,
         1e-8,
-        spring_residual,
+        duffing_residual,
         functools.partial(addition, factor=False),
         addition,
     ),
-    SALAS(
+    SALAS_DUFFING(
         "(14), (18), dn",
         "dn(√(qc₁² + p), m)",
         "dn(√(qc₁² + p) t, m)",
@@ -256,11 +282,11 @@ ERRATA = (
         Kind.PAPER,
         MOTION,
         1e-8,
-        spring_residual,
+        duffing_residual,
         functools.partial(addition, time=False),
         addition,
     ),
-    SALAS(
+    SALAS_DUFFING(
         "(14), denominator",
         "1 − csn²(√(qc₁² + p) t, m), c not defined",
         "1 − c sn²(√(qc₁² + p) t, m) with c = m sn²(c₂, m)",
@@ -268,7 +294,7 @@ ERRATA = (
         Kind.PAPER,
         MOTION,
         1e-8,
-        spring_residual,
+        duffing_residual,
         functools.partial(addition, c=np.nan),
         addition,
     ),
@@ -305,11 +331,11 @@ ERRATA = (
         Kind.PAPER,
         SWING + " with a, b, c, w from (21)",
         1e-8,
-        swing_residual,
+        pendulum_residual,
         functools.partial(signed, -1.0),
         functools.partial(signed, 1.0),
     ),
-    SALAS(
+    SALAS_ANGLE(
         "(5), (22), (23), (24)",
         "φ = 2 arctan u",
         "φ = 2 arctan u + 2πn, the turns counted on",
@@ -329,7 +355,7 @@ ERRATA = (
         Kind.PAPER,
         SWING + " of (23)",
         1e-8,
-        swing_residual,
+        pendulum_residual,
         functools.partial(in_modulus, "k"),
         functools.partial(in_modulus, "m"),
     ),

@@ -1,7 +1,8 @@
-"""Errata of Salas 2019, from the period (25) on: a quarter taken for a whole, and ranges that do not hold."""
+"""Errata of Salas 2019, from (25) on: periods that are a quarter of the period, and ranges that do not hold."""
 
 import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -14,23 +15,23 @@ from .._erratum import Erratum, Kind, largest
 LIBRATIONS = ((0.4, 1.0), (1.0, 3.0), (2.5, 0.5))
 
 
-def swing_time(swing):
-    """The time from one turning point to the next but one, as the motion shows it."""
+def measured_period(swing: Pendulum) -> float:
+    """The period as the time from a turning point to the second one after it."""
     first, _, second = swing.turning_times(0.0, 1.2 * swing.period)[:3]
-    return second - first
+    return float(second - first)
 
 
-def libration_residual(period):
-    """The largest relative error of period(m, omega0) beside the time between turning points."""
+def libration_residual(period: Callable[[float, float], float]) -> float:
+    """The largest relative error of period(m, omega0); the reference is the time between turning points."""
     found = []
     for theta0, omega0 in LIBRATIONS:
         swing = Pendulum(theta0, omega0=omega0)
-        found.append(period(swing.energy_ratio, omega0) / swing_time(swing) - 1)
+        found.append(period(swing.energy_ratio, omega0) / measured_period(swing) - 1)
     return largest(found)
 
 
-def rotation_residual(period):
-    """The largest miss of one whole turn after period(m, omega0), rad."""
+def rotation_residual(period: Callable[[float, float], float]) -> float:
+    """The largest difference from one whole turn after period(m, omega0), rad."""
     found = []
     for velocity0 in (2.1, 3.0, 9.0):
         wheel = Pendulum(1.0, velocity0)
@@ -38,16 +39,16 @@ def rotation_residual(period):
     return largest(found)
 
 
-def range_residual(bound, period):
-    """The largest relative error of omega0 T = period(m) for 0 < m <= bound, beside the motion's own."""
+def range_residual(bound: float, period: Callable[[float], float]) -> float:
+    """The largest relative error of omega0 T = period(m) for 0 < m <= bound; the reference is the motion."""
     found = []
     for m in bound * np.linspace(0.05, 1.0, 20):
-        found.append(period(m) / swing_time(Pendulum(2 * math.asin(math.sqrt(m)))) - 1)
+        found.append(period(m) / measured_period(Pendulum(2 * math.asin(math.sqrt(m)))) - 1)
     return largest(found)
 
 
-def pade_row(number, bound, percent, text):
-    """The row of (26), (27) or (28): the printed prefactor gives a quarter of the period."""
+def pade_row(number: int, bound: float, percent: float, text: str) -> Erratum[Callable[[float], float]]:
+    """The row of (26), (27) or (28), whose printed factor gives a quarter of the period."""
     ratio = approx.period(f"salas-{number}").ratio
     return SALAS(
         f"({number})",
@@ -63,14 +64,14 @@ def pade_row(number, bound, percent, text):
     )
 
 
-def bound_residual(bound):
+def bound_residual(bound: float) -> float:
     """The largest relative error of (28), as a whole period, for |m| < bound."""
     m = bound * (1 - np.geomspace(1e-9, 1.0, 200))
     formula = approx.period("salas-28")
     return largest([formula.error(m=m), formula.error(m=-m)])
 
 
-def small_m_residual(bound):
+def small_m_residual(bound: float) -> float:
     """The largest error of the formula before fig. 6 over one period, released at rest with m = bound, over theta0."""
     return approx.angle("small-m").of(Pendulum(2 * math.asin(math.sqrt(bound)))).error(1).relative
 

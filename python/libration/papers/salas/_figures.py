@@ -1,18 +1,26 @@
 """The figures of Salas 2019: 1 to 7, with the examples 1 to 4.
 
-The text gives data for example 3 only; what was chosen for the others stands in the captions.
+The text gives data for example 3 only. The captions say what was chosen for the others.
 """
 
+from __future__ import annotations
+
 import math
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
 from ... import approx
 from ...pendulum import Pendulum
-from ...plot._style import angle_ticks
-from .._diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical
+from ...plot._style import BLACK, DASHED, DOTTED, angle_ticks
+from .._diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical, write
 from .._exact import salas_23
-from .._picture import BLACK, BLUE, DASHED, DOTTED, GREY, RED, Picture, dashed, dotted, exact, named, panels
+from .._picture import BLUE, GREY, RED, Picture, dashed, dotted, exact, named, panels
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+State: TypeAlias = tuple[float, float]
 
 # Chosen: a libration with a velocity, a rotation, and a small swing with a velocity; omega0 = 1.
 EXAMPLE1 = (1.0, 1.2)
@@ -20,11 +28,11 @@ EXAMPLE2 = (1.0, 2.18)
 EXAMPLE3 = (math.pi / 2, 0.0)
 EXAMPLE4 = (0.5, 0.4)
 PHI, TIME = r"$\varphi$ [rad]", r"$t$, in units of $1/\omega$"
-# Where (2) and (3) are said to serve.
+# The ends of the stated ranges of (2) and (3).
 CUBIC, QUINTIC = 7 * math.pi / 18, 2 * math.pi / 3
 
 
-def draw_pendulum(figure):
+def draw_pendulum(figure: Figure) -> None:
     """Figure 1."""
     axes = figure.subplots()
     bare(axes, (-0.6, -1.42), (1.05, 0.13))
@@ -34,14 +42,14 @@ def draw_pendulum(figure):
     path(axes, -0.45, 0.95)
     rod(axes, swing)
     angle(axes, 0, swing, 0.36, r"$\varphi$")
-    axes.text(*(bob(swing, 0.55) + (0.09, 0.05)), r"$l$", **letter())
-    axes.text(*(bob(swing) + (0.13, 0.02)), r"$m$", **letter())
+    write(axes, bob(swing, 0.55) + (0.09, 0.05), r"$l$", letter())
+    write(axes, bob(swing) + (0.13, 0.02), r"$m$", letter())
     arrow(axes, bob(swing), (0, -0.55), RED, r"$mg$", (0.11, 0.05))
     along = -0.55 * math.sin(swing) * np.array([math.cos(swing), math.sin(swing)])
     arrow(axes, bob(swing), along, BLUE, r"$mg\,\sin\varphi$", (-0.07, -0.1))
 
 
-def draw_sines(figure):
+def draw_sines(figure: Figure) -> None:
     """Figure 2."""
     upper, lower = panels(figure, (1.5, 1))
     phi = np.linspace(0, np.pi, 721)
@@ -63,7 +71,7 @@ def draw_sines(figure):
     named(lower, PHI, "difference")
 
 
-def draw_numerical(figure, state, until, *, wrapped=False):
+def draw_numerical(figure: Figure, state: State, until: float, *, wrapped: bool = False) -> None:
     """Figures 3 and 4: exact and numerical, and their difference."""
     upper, lower = panels(figure)
     t = np.linspace(0, until, 1501)
@@ -85,7 +93,9 @@ def draw_numerical(figure, state, until, *, wrapped=False):
     named(lower, TIME, "difference [µrad]")
 
 
-def draw_trigonometric(figure, state, name, periods, label, second=None):
+def draw_trigonometric(
+    figure: Figure, state: State, name: str, periods: float, label: str, second: tuple[str, str] | None = None
+) -> None:
     """Figures 5 to 7: exact and trigonometric, and their difference."""
     upper, lower = panels(figure)
     swing = Pendulum(*state)
@@ -104,8 +114,8 @@ def draw_trigonometric(figure, state, name, periods, label, second=None):
     named(lower, TIME, "difference [rad]")
 
 
-def told(state):
-    """A state in words, with its parameter."""
+def told(state: State) -> str:
+    """A state as text, with its parameter."""
     return f"φ₀ = {state[0]:.4g} rad, φ̇₀ = {state[1]:.4g} ω, m = {Pendulum(*state).energy_ratio:.4f}"
 
 
