@@ -82,7 +82,6 @@ def test_a_bad_number_of_threads_is_refused_by_the_import(threads):
     assert done.stderr.count("Error") == 1
 
 
-@pytest.mark.skipif(os.name == "nt", reason="the environment is text there")
 def test_a_number_of_threads_that_is_no_text_is_refused_by_the_import():
     run, environment = [sys.executable, "-c", "import libration"], dict(os.environb)
     environment[b"LIBRATION_NUM_THREADS"] = b"2\xff"

@@ -7,8 +7,6 @@ Every integral of a square root of a polynomial of degree three or four is made 
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
-from __future__ import annotations
-
 from typing import Any, overload
 
 import numpy as np

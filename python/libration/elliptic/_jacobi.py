@@ -6,8 +6,6 @@ Source: DLMF 22.2, 22.8.1 to 22.8.3, 22.16(i), 22.17.
 # A number fits where an array does: of several signatures the first that fits is meant.
 # mypy: disable-error-code="overload-overlap"
 
-from __future__ import annotations
-
 from typing import Any, Generic, NamedTuple, TypeVar, overload
 
 import numpy as np

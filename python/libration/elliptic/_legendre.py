@@ -3,8 +3,6 @@
 Source: DLMF 19.2(ii); Byrd & Friedman 150.03 for Heuman's lambda.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from ._parameter import function
