@@ -159,6 +159,9 @@ fn glaisher(name: &str) -> PyResult<Glaisher> {
     })
 }
 
+/// An array of results.
+type Column<'py> = Bound<'py, PyArray1<f64>>;
+
 /// c1 pq(Omega t + c2 | m): what `libration.DuffingForm` stands on.
 #[pyclass(frozen, weakref, module = "libration._core")]
 pub struct DuffingForm {
@@ -190,7 +193,7 @@ impl DuffingForm {
         &self,
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    ) -> PyResult<(Column<'py>, Column<'py>)> {
         let t = t.as_slice()?;
         let (mut u, mut velocity) = (vec![f64::NAN; t.len()], vec![f64::NAN; t.len()]);
         signals::detached(py, |stop| {
@@ -218,13 +221,13 @@ impl DuffingForm {
 /// Adds the ufuncs of one oscillator under its name.
 macro_rules! kernels {
     ($module:expr, $name:literal, $core:ident, $set_up:expr) => {{
-        type Column = [[f64; BLOCK]; 1];
-        type Columns = [[f64; BLOCK]; 2];
+        type One = [[f64; BLOCK]; 1];
+        type Two = [[f64; BLOCK]; 2];
         add(
             $module,
             concat!($name, "_u"),
             $set_up,
-            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [u]: &mut Column| {
+            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [u]: &mut One| {
                 made.u_into(t, &mut u[..rows]);
             }),
         )?;
@@ -232,7 +235,7 @@ macro_rules! kernels {
             $module,
             concat!($name, "_velocity"),
             $set_up,
-            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut Column| {
+            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut One| {
                 made.velocity_into(t, &mut velocity[..rows]);
             }),
         )?;
@@ -240,11 +243,9 @@ macro_rules! kernels {
             $module,
             concat!($name, "_motion"),
             $set_up,
-            whole::<[f64; 2], _>(
-                |made: &$core, [t]: [&[f64]; 1], rows: usize, [u, velocity]: &mut Columns| {
-                    made.motion_into(t, &mut u[..rows], &mut velocity[..rows]);
-                },
-            ),
+            whole::<[f64; 2], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [u, velocity]: &mut Two| {
+                made.motion_into(t, &mut u[..rows], &mut velocity[..rows]);
+            }),
         )
     }};
 }

@@ -95,7 +95,7 @@ pub fn leave(error: PyErr) {
 /// Whether the error that this thread left still stands: the ufunc is at its end, and its other loops have no work.
 pub fn ending() -> bool {
     LEFT.get() && {
-        let stands = with_interpreter(|py| PyErr::occurred(py));
+        let stands = with_interpreter(PyErr::occurred);
         LEFT.set(stands);
         stands
     }

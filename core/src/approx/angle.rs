@@ -49,7 +49,7 @@ pub(super) enum Shape {
     Trigonometric(Trigonometric),
     Secular(Secular),
     Bounded(Bounded),
-    Model(SineModel),
+    Model(Box<SineModel>),
     Polynomial(Polynomial),
 }
 
@@ -131,8 +131,8 @@ impl AngleFormula {
             {
                 Shape::Exact
             }
-            (_, AngleRule::Cubic) => Shape::Model(SineModel::cubic(orbit)?),
-            (_, AngleRule::CubicQuintic) => Shape::Model(SineModel::cubic_quintic(orbit)?),
+            (_, AngleRule::Cubic) => Shape::Model(Box::new(SineModel::cubic(orbit)?)),
+            (_, AngleRule::CubicQuintic) => Shape::Model(Box::new(SineModel::cubic_quintic(orbit)?)),
             (_, AngleRule::Taylor) => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
             (_, AngleRule::SmallM) => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
             (Solution::Libration(e), AngleRule::SmallMBounded) => {

@@ -132,7 +132,7 @@ impl Formula<1, 2> for BoundedByInterpolant<'_> {
 
 impl Bounded {
     /// Counted from the far end of its quarter period, where the motion turns: there u' has the other sign.
-    pub fn from_far_end(self, origin: Origin) -> Bounded {
+    pub fn counted_from_far_end(self, origin: Origin) -> Bounded {
         let start = self.phase.start - Dd::from(0.5);
         let [u, velocity] = self.scales;
         Bounded { origin, phase: Phase { start, ..self.phase }, scales: [u, -velocity], ..self }

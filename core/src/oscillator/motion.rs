@@ -33,18 +33,18 @@ impl CubicQuintic {
             Solution::Equilibrium => self.line(evaluation, false),
             Solution::Line(_) => self.line(evaluation, true),
             Solution::Theta(motion) => match &motion.scaled {
-                Some(scaled) => self.from_start(evaluation, OneByOne(|t| scaled.at(t))),
+                Some(scaled) => self.started(evaluation, OneByOne(|t| scaled.at(t))),
                 None => self.theta(motion, evaluation),
             },
-            Solution::Elementary(given, None) => self.from_start(evaluation, OneByOne(|t| given.at(t))),
+            Solution::Elementary(given, None) => self.started(evaluation, OneByOne(|t| given.at(t))),
             Solution::Elementary(_, Some(lanes)) => match &**lanes {
-                ElementaryLanes::Pq(formula) => self.from_start(evaluation, formula),
-                ElementaryLanes::Hyperbolic(formula) => self.from_start(evaluation, formula),
+                ElementaryLanes::Pq(formula) => self.started(evaluation, formula),
+                ElementaryLanes::Hyperbolic(formula) => self.started(evaluation, formula),
             },
         }
     }
 
-    fn from_start<E: Evaluation<1, 2>>(&self, evaluation: E, formula: impl Formula<1, 2>) -> E::Output {
+    fn started<E: Evaluation<1, 2>>(&self, evaluation: E, formula: impl Formula<1, 2>) -> E::Output {
         evaluation.of(&FromStart { formula, start: [self.u0, self.velocity0] })
     }
 
@@ -58,30 +58,30 @@ impl CubicQuintic {
         let (clock, neville) = (&motion.clock, &motion.neville);
         match (motion.interpolant(), kind, &motion.quotient) {
             (Some(interpolant), InterpolantKind::Bounded(bounded), _) => {
-                self.from_start(evaluation, BoundedByInterpolant(bounded, interpolant))
+                self.started(evaluation, BoundedByInterpolant(bounded, interpolant))
             }
             (Some(interpolant), InterpolantKind::Escape(escape), _) => {
-                self.from_start(evaluation, EscapeByInterpolant(escape, interpolant))
+                self.started(evaluation, EscapeByInterpolant(escape, interpolant))
             }
             (_, InterpolantKind::Bounded(_), Quotient::Pq(quotient)) => {
                 if hyperbolic {
-                    self.from_start(evaluation, BoundedFormula::<true> { clock, neville, quotient })
+                    self.started(evaluation, BoundedFormula::<true> { clock, neville, quotient })
                 } else {
-                    self.from_start(evaluation, BoundedFormula::<false> { clock, neville, quotient })
+                    self.started(evaluation, BoundedFormula::<false> { clock, neville, quotient })
                 }
             }
             (_, InterpolantKind::Escape(escape), Quotient::Pq(quotient)) => {
                 if hyperbolic {
-                    self.from_start(evaluation, EscapeFormula::<true> { escape, neville, quotient })
+                    self.started(evaluation, EscapeFormula::<true> { escape, neville, quotient })
                 } else {
-                    self.from_start(evaluation, EscapeFormula::<false> { escape, neville, quotient })
+                    self.started(evaluation, EscapeFormula::<false> { escape, neville, quotient })
                 }
             }
             (_, _, Quotient::Root(quotient, _)) => {
                 if hyperbolic {
-                    self.from_start(evaluation, RootFormula::<true> { clock, neville, quotient })
+                    self.started(evaluation, RootFormula::<true> { clock, neville, quotient })
                 } else {
-                    self.from_start(evaluation, RootFormula::<false> { clock, neville, quotient })
+                    self.started(evaluation, RootFormula::<false> { clock, neville, quotient })
                 }
             }
         }

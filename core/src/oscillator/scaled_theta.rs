@@ -91,7 +91,7 @@ impl ScaledTheta {
         let x = self.base[0] + self.base[1] * t;
         let Some([ahead, pole]) = self.poles else {
             let count = (x / self.half).value().round();
-            if !(count.abs() < LAST_HALF_PERIOD) {
+            if count.is_nan() || count.abs() >= LAST_HALF_PERIOD {
                 return None;
             }
             let rest = x - self.half * count;

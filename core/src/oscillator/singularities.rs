@@ -176,7 +176,7 @@ pub(super) fn bounded(
     let (origin, far) = place.origin();
     let removed = place.removed(2.0 * neville.quarter.hi, neville.aspect);
     let bounded = Bounded { origin, removed, phase, time, scales };
-    if far { bounded.from_far_end(origin) } else { bounded }
+    if far { bounded.counted_from_far_end(origin) } else { bounded }
 }
 
 /// The phase of an escape, and whether it is counted from the pole; with the power of two that times take. From the
@@ -228,8 +228,8 @@ pub(super) fn pq_bounded(
     let bounded = Bounded { origin: Origin::Zero, removed, phase, time, scales };
     match pq {
         // From the turning point the poles are straight above the origin.
-        Pq::Sd => bounded.from_far_end(Origin::TurningPoint),
-        Pq::Nd => bounded.from_far_end(Origin::WellTurningPoint),
+        Pq::Sd => bounded.counted_from_far_end(Origin::TurningPoint),
+        Pq::Nd => bounded.counted_from_far_end(Origin::WellTurningPoint),
         _ => bounded,
     }
 }
