@@ -160,7 +160,7 @@ fn glaisher(name: &str) -> PyResult<Glaisher> {
 }
 
 /// An array of results.
-type Column<'py> = Bound<'py, PyArray1<f64>>;
+type Samples<'py> = Bound<'py, PyArray1<f64>>;
 
 /// c1 pq(Omega t + c2 | m): what `libration.DuffingForm` stands on.
 #[pyclass(frozen, weakref, module = "libration._core")]
@@ -193,7 +193,7 @@ impl DuffingForm {
         &self,
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Column<'py>, Column<'py>)> {
+    ) -> PyResult<(Samples<'py>, Samples<'py>)> {
         let t = t.as_slice()?;
         let (mut u, mut velocity) = (vec![f64::NAN; t.len()], vec![f64::NAN; t.len()]);
         signals::detached(py, |stop| {
