@@ -2,7 +2,7 @@
 
 use super::host;
 use super::instruction_set::InstructionSet;
-use super::lane::{Kernel, Lane};
+use super::lane::{Entry, Kernel};
 #[cfg(target_feature = "simd128")]
 use super::{pair, wasm};
 
@@ -12,17 +12,11 @@ type WidePlain = pair::Pair<wasm::F64x2>;
 #[cfg(not(target_feature = "simd128"))]
 type WidePlain = f64;
 
-/// Runs the kernel without fused multiplication: compiled once where both widths are the same.
-#[inline(never)]
-fn plain<L: Lane, K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<L>()
-}
-
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
 pub fn single<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
-        InstructionSet::Plain => plain::<f64, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<f64, K>(kernel),
         InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
     }
 }
@@ -31,7 +25,7 @@ pub fn single<K: Kernel>(kernel: K) -> K::Output {
 #[inline]
 pub fn wide<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
-        InstructionSet::Plain => plain::<WidePlain, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<WidePlain, K>(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
     }

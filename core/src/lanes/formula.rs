@@ -9,11 +9,14 @@ use super::lane::{Kernel, Lane, WIDEST};
 
 /// A function of A numbers with N results that serves every lane.
 pub trait Formula<const A: usize, const N: usize> {
+    /// The type in whose module its kernels are compiled: itself, unless it wraps another formula.
+    type Place;
     /// The results at one lane of each argument; `#[inline(always)]`.
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N];
 }
 
 impl<F: Formula<A, N>, const A: usize, const N: usize> Formula<A, N> for &F {
+    type Place = F::Place;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
         (**self).at(arguments)
@@ -83,6 +86,7 @@ impl<const A: usize, E: Evaluation<A, 2>> Evaluation<A, 2> for Second<E> {
 struct Swapped<'a, F>(&'a F);
 
 impl<const A: usize, F: Formula<A, 2>> Formula<A, 2> for Swapped<'_, F> {
+    type Place = F::Place;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; 2] {
         let [first, second] = self.0.at(arguments);
@@ -99,6 +103,7 @@ struct Point<'s, F, const A: usize, const N: usize> {
 
 impl<F: Formula<A, N>, const A: usize, const N: usize> Kernel for Point<'_, F, A, N> {
     type Output = [f64; N];
+    type Place = F::Place;
     #[inline(always)]
     fn run<L: Lane>(mut self) -> [f64; N] {
         let mut arguments = [L::splat(0.0); A];
@@ -128,6 +133,7 @@ impl<F: Formula<A, N>, const A: usize, const N: usize, const R: usize> Kernel
     for Rows<'_, '_, '_, F, A, N, R>
 {
     type Output = ();
+    type Place = F::Place;
     #[inline(always)]
     fn run<L: Lane>(self) {
         sweep::<L, A, N, R>(&self.formula, self.arguments, self.results)

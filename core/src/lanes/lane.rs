@@ -51,9 +51,26 @@ pub trait Lane:
 pub trait Kernel {
     /// What it returns.
     type Output;
+    /// The type in whose module it is compiled: [`Entry`].
+    type Place;
     /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
     fn run<L: Lane>(self) -> Self::Output;
 }
 
 /// Widest lane.
 pub const WIDEST: usize = 16;
+
+/// The function that holds a compiled kernel.
+///
+/// It is a default method, because the compiler puts such a function into the code unit of the module of its `Self` type.
+/// So the kernels of each room are units of their own, which are compiled in parallel. A plain function would put all of
+/// them into one unit.
+pub trait Entry {
+    /// Runs a kernel without fused multiplication: compiled once where both widths are the same.
+    #[inline(never)]
+    fn enter<L: Lane, K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<L>()
+    }
+}
+
+impl<Place> Entry for Place {}

@@ -15,37 +15,47 @@ pub fn instruction_sets() -> usize {
     1 + usize::from(fused) + usize::from(fused && std::arch::is_x86_feature_detected!("avx512f"))
 }
 
+/// The functions that hold the kernels, with the features they are compiled for; as [`Entry`](super::lane::Entry), default
+/// methods of the type in whose module they are compiled.
+trait FeatureEntry {
+    /// SAFETY: only where the processor has AVX2 and FMA.
+    #[target_feature(enable = "avx2,fma")]
+    unsafe fn single_fused<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Fused>()
+    }
+    /// SAFETY: only where the processor has AVX2 and FMA.
+    #[target_feature(enable = "avx2,fma")]
+    unsafe fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Pair<F64x4>>()
+    }
+    /// SAFETY: only where the processor has AVX-512.
+    #[target_feature(enable = "avx512f")]
+    unsafe fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Pair<F64x8>>()
+    }
+}
+
+impl<Place> FeatureEntry for Place {}
+
 /// Width one, compiled for AVX2 with FMA.
 #[inline]
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx2,fma")]
-    fn enter<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<Fused>()
-    }
     // SAFETY: see the top of this file.
-    unsafe { enter(kernel) }
+    unsafe { K::Place::single_fused(kernel) }
 }
 
-/// Width four.
+/// Width eight.
 #[inline]
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx2,fma")]
-    fn enter<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<Pair<F64x4>>()
-    }
     // SAFETY: see the top of this file.
-    unsafe { enter(kernel) }
+    unsafe { K::Place::wide_fused(kernel) }
 }
 
 /// Width sixteen.
 #[inline]
 pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx512f")]
-    fn enter<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<Pair<F64x8>>()
-    }
     // SAFETY: see the top of this file.
-    unsafe { enter(kernel) }
+    unsafe { K::Place::wide_avx512(kernel) }
 }
 
 vector! {

@@ -99,6 +99,7 @@ impl<Q: QuarterPeriod> EvenFunctions for BoundedFunctions<Q> {
 pub(crate) struct BoundedByInterpolant<'a>(pub &'a Bounded, pub &'a Interpolant);
 
 impl Formula<1, 2> for BoundedByInterpolant<'_> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let BoundedByInterpolant(Bounded { origin, removed, phase, time, scales }, interpolant) = self;

@@ -86,6 +86,7 @@ struct Product<'a> {
 
 impl Kernel for Product<'_> {
     type Output = Row;
+    type Place = Self;
     #[inline(always)]
     fn run<L: Lane>(self) -> Row {
         let Product { rows, values: [hi, lo] } = self;

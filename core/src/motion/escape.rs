@@ -153,6 +153,7 @@ impl Escape {
 pub(crate) struct EscapeByInterpolant<'a>(pub &'a Escape, pub &'a Interpolant);
 
 impl Formula<1, 2> for EscapeByInterpolant<'_> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let EscapeByInterpolant(escape, interpolant) = self;

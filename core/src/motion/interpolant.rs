@@ -254,6 +254,7 @@ struct AtNodes<'a, C> {
 }
 
 impl<C: EvenFunctions> Formula<2, 4> for AtNodes<'_, C> {
+    type Place = C;
     #[inline(always)]
     fn at<L: Lane>(&self, [hi, lo]: [L; 2]) -> [L; 4] {
         let one = Unnormalised::from_double(L::splat(1.0));

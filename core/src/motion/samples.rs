@@ -40,6 +40,7 @@ pub(crate) struct FromStart<F> {
 }
 
 impl<F: Formula<1, 2>> Formula<1, 2> for FromStart<F> {
+    type Place = F::Place;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let [u, velocity] = self.formula.at([t]);

@@ -351,6 +351,7 @@ fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<L>) -
 }
 
 impl<const HYPERBOLIC: bool> Formula<1, 2> for ThetaFormula<'_, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let ThetaFormula(form, slope) = self;
@@ -360,6 +361,7 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for ThetaFormula<'_, HYPERBOLIC> {
 }
 
 impl Formula<1, 2> for HyperbolicFormula<'_> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let HyperbolicFormula(form, slope) = self;

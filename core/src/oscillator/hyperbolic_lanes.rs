@@ -103,6 +103,7 @@ fn tanh<L: Lane>(y: Dd<L>) -> Dd<L> {
 }
 
 impl Formula<1, 2> for Hyperbolic {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Hyperbolic { kind, base, rest, pole, velocity, scales, .. } = self;

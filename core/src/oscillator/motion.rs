@@ -15,6 +15,7 @@ use crate::motion::samples::{FromStart, InterpolantKind};
 struct OneByOne<F>(F);
 
 impl<F: Fn(f64) -> (f64, f64)> Formula<1, 2> for OneByOne<F> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let (mut u, mut velocity) = ([0.0; WIDEST], [0.0; WIDEST]);

@@ -115,6 +115,7 @@ fn exponential<L: Lane>(y: Dd<L>, size: Dd<L>, amplitude: Dd, scale: f64) -> L {
 }
 
 impl Formula<1, 2> for PqElementary {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let scaled = t * L::splat(self.time);
@@ -182,6 +183,7 @@ impl Formula<1, 2> for PqElementary {
 }
 
 impl Formula<1, 2> for Line {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         // Zero, and NaN for t = NaN.

@@ -199,6 +199,7 @@ fn product<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
 }
 
 impl<const HYPERBOLIC: bool> Formula<1, 2> for BoundedFormula<'_, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let BoundedFormula { clock, neville, quotient } = self;
@@ -236,6 +237,7 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for BoundedFormula<'_, HYPERBOLIC> {
 }
 
 impl<const HYPERBOLIC: bool> Formula<1, 2> for EscapeFormula<'_, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let EscapeFormula { escape, neville, quotient: pq } = self;

@@ -251,6 +251,7 @@ pub(super) struct RootFormula<'a, const HYPERBOLIC: bool> {
 }
 
 impl<const HYPERBOLIC: bool> Formula<1, 2> for RootFormula<'_, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let RootFormula { clock, neville, quotient } = self;

@@ -135,6 +135,7 @@ pub(super) struct SharedState<'a, 'b, const ROTATION: bool, const HYPERBOLIC: bo
 
 impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for SharedState<'_, '_, ROTATION, HYPERBOLIC> {
     type Output = ();
+    type Place = Self;
     #[inline(always)]
     fn run<L: Lane>(mut self) {
         let omega = Unnormalised::new(L::splat(self.omega), L::splat(0.0));
@@ -148,6 +149,7 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for SharedState<'_, '_
 pub(super) struct PerRow<const ROTATION: bool, const HYPERBOLIC: bool>(pub f64);
 
 impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for PerRow<ROTATION, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 2] {
         let omega = Unnormalised::new(omega, L::splat(self.0));

@@ -37,6 +37,7 @@ const LARGE: f64 = 1e100;
 struct Classify;
 
 impl Formula<3, 1> for Classify {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [theta, velocity, omega]: [L; 3]) -> [L; 1] {
         let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));

@@ -18,6 +18,7 @@ impl AtEquilibrium {
 }
 
 impl Formula<1, RESULTS> for AtEquilibrium {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let zero = L::splat(0.0);
@@ -48,6 +49,7 @@ impl ForceFree {
 }
 
 impl Formula<1, RESULTS> for ForceFree {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));

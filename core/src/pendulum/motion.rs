@@ -17,6 +17,7 @@ struct InFrame<'a, M, const ANGLE: bool, const VELOCITY: bool>(&'a Orbit, M);
 impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RESULTS>
     for InFrame<'_, M, ANGLE, VELOCITY>
 {
+    type Place = M;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let InFrame(orbit, motion) = self;
@@ -70,6 +71,7 @@ impl<const FROM: usize, const COUNT: usize, E: Evaluation<1, COUNT>> Evaluation<
 impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, COUNT>
     for PartOf<'_, FROM, F>
 {
+    type Place = F::Place;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; 1]) -> [L; COUNT] {
         let all = self.0.at(arguments);

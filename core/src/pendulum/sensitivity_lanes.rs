@@ -170,6 +170,7 @@ impl SensitivityLanes {
 struct Derivatives<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a SensitivityLanes);
 
 impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<1, 6> for Derivatives<'_, ROTATION, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 6] {
         self.0.at::<ROTATION, HYPERBOLIC, L>(t)

@@ -267,6 +267,7 @@ fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
 struct DoublyPeriodic<'a, const HYPERBOLIC: bool>(&'a Jacobi);
 
 impl<const HYPERBOLIC: bool> Formula<1, 4> for DoublyPeriodic<'_, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
         odd(u, self.0.doubly_periodic::<HYPERBOLIC, L>(u))
@@ -277,6 +278,7 @@ impl<const HYPERBOLIC: bool> Formula<1, 4> for DoublyPeriodic<'_, HYPERBOLIC> {
 struct HyperbolicLimit;
 
 impl Formula<1, 4> for HyperbolicLimit {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
         let sign = L::splat(1.0).copysign(u);

@@ -156,6 +156,7 @@ fn odd<L: Lane>([p, q]: [NevilleIndex; 2], u: L, value: L) -> L {
 struct NevilleQuotient<'a, const HYPERBOLIC: bool>(&'a Jacobi, [NevilleIndex; 2]);
 
 impl<const HYPERBOLIC: bool> Formula<1, 1> for NevilleQuotient<'_, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
         let (_, values) = self.0.neville_values::<HYPERBOLIC, L>(u);
@@ -175,6 +176,7 @@ struct HyperbolicQuotient([NevilleIndex; 2]);
 const TANH_IS_ONE: f64 = 40.0;
 
 impl Formula<1, 1> for HyperbolicQuotient {
+    type Place = Self;
     /// tanh, sech and their quotients: from sinh and cosh where both matter, from e^-u where the range ends.
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
