@@ -16,8 +16,8 @@ use crate::ufunc::interpreter::with_interpreter;
 /// Time between two questions.
 pub const INTERVAL: Duration = Duration::from_millis(50);
 
-/// Rows between two looks at the clock: one takes 100 microseconds at most.
-const ROWS: usize = 512;
+/// Rows between two looks at the clock. A row takes 100 microseconds at most, a look some 100 nanoseconds.
+const ROWS: usize = 2048;
 
 thread_local! {
     /// Rows since the last look at the clock.

@@ -15,13 +15,13 @@ class Function:
         self.results = results
 
     def __call__(self, *arguments: Any, out: Any, where: Any, **given: Any) -> Any:
-        found = [(name, value) for name, value in given.items() if value is not None]
+        found = [name for name in given if given[name] is not None]
         if len(found) != 1:
             *others, last = given
-            named = " and ".join(name for name, _ in found) or "none"
+            named = " and ".join(found) or "none"
             raise ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
-        [(name, value)] = found
-        return apply(self.ufuncs[name], *arguments, value, results=self.results, out=out, where=where)
+        name = found[0]
+        return apply(self.ufuncs[name], *arguments, given[name], results=self.results, out=out, where=where)
 
 
 def function(name: str, meaning: str, keywords: tuple[str, ...] = ("m", "mc", "k")) -> Function:
