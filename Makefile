@@ -75,7 +75,10 @@ run: $(VENV)/.built ## solve Horsley's pendulum: out/motion.csv, out/motion.png 
 QUICK := CARGO_TARGET_DIR=target/quick RUSTFLAGS='--cfg one_instruction_set'
 
 quick: ## build for one instruction set and run the Rust tests named: make quick test=NAME (30 s, then 10 s)
-	@$(QUICK) cargo test --quiet --locked --test suite $(if $(test),-- $(test),--no-run)
+	@mkdir -p $(LOGS)
+	@$(QUICK) cargo test --quiet --locked --lib --test suite $(if $(test),-- $(test),--no-run) >$(LOGS)/quick.log 2>&1; \
+	  kept=$$?; cat $(LOGS)/quick.log; test $$kept = 0
+	@$(if $(test),grep -qE '[1-9][0-9]* passed' $(LOGS)/quick.log || { echo "no test has $(test) in its name"; exit 1; })
 
 quick-python: $(VENV)/.packages ## the same for Python: make quick-python test=python/tests/FILE.py::NAME (60 s, then 10 s)
 	@rm -f $(VENV)/.built

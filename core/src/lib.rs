@@ -41,6 +41,7 @@ pub use elliptic::{
 };
 pub use lanes::InstructionSet;
 pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
+pub use pendulum::frequency::STANDARD_GRAVITY;
 pub use pendulum::{
     Extremes, Fourier, Frequency, Hessians, Jacobian, Orbit, Regime, Sensitivity, Turns, advance,
     advance_into,

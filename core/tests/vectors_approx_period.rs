@@ -1,7 +1,7 @@
 //! Every formula of the period and its error against the truth, and the spoiled siblings that must go red.
 
 use crate::ruler::{Row, distance, rows, ulp};
-use libration::approx::PeriodFormula;
+use libration::approx::{PERIODS, PeriodFormula};
 
 const VECTORS: &str = include_str!("../../reference/vectors/approx_period.csv");
 const ROWS: usize = 2175;
@@ -55,6 +55,19 @@ fn holds(rows: &[Row], measured: impl Fn(&Row) -> [f64; 2]) -> bool {
 #[test]
 fn every_formula_keeps_its_last_digits() {
     assert!(holds(&rows(VECTORS, ROWS), measured));
+}
+
+/// A formula without reference rows, or rows without a formula.
+#[test]
+fn every_formula_has_its_reference_rows() {
+    let rows = rows(VECTORS, ROWS);
+    let base = |name: &str| name.split(':').next().unwrap_or(name).to_string();
+    let mut given: Vec<String> = rows.iter().map(|row| base(row.text("formula"))).collect();
+    given.sort();
+    given.dedup();
+    let mut listed: Vec<String> = PERIODS.iter().map(|entry| base(entry.name)).collect();
+    listed.sort();
+    assert_eq!(listed, given, "reference/approx_period.py writes the rows of every formula");
 }
 
 #[test]
