@@ -7,11 +7,10 @@ use super::angle_phase::{counted, framed, turning_angle};
 use super::salas::{CUBIC, QUINTIC};
 use crate::domain::Domain;
 use crate::elliptic::phase::Phase;
-use crate::float::exponent::{exp2, ldexp};
+use crate::float::exponent::{carried, exp2, ldexp};
 use crate::float::{Dd, PI, Scaled, Td};
 use crate::oscillator::{CubicQuintic, Duffing};
 use crate::pendulum::Orbit;
-use crate::pendulum::orbit::carried;
 use crate::pendulum::theta_quotients::Elliptic;
 
 /// theta0 cos(omega0 t) + velocity0/omega0 sin(omega0 t).

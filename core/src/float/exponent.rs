@@ -36,6 +36,15 @@ pub fn ldexp(value: f64, power: i32) -> f64 {
     }
 }
 
+/// Powers of two that a double-double can carry beside its digits.
+pub const CARRIED: i32 = 300;
+
+/// The part of a power of two that a double-double carries, and the part that is kept separately.
+pub fn carried(power: i32) -> (i32, i32) {
+    let inside = power.clamp(-CARRIED, CARRIED);
+    (inside, power - inside)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

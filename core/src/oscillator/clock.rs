@@ -2,7 +2,7 @@
 
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
-use crate::float::exponent::ldexp;
+use crate::float::exponent::{carried, ldexp};
 use crate::float::scaled::Scaled;
 
 /// The poles of an escape: argument to the one ahead at any time, and of both, in half periods.
@@ -22,11 +22,8 @@ pub(super) struct Clock {
     pub time: f64,
 }
 
-/// Powers of two that a double-double can carry beside its digits.
-const CARRIED: i32 = 300;
-
 /// A rate in the range that a double-double carries, and the power of two that times take for it.
-pub(super) fn carried(rate: Scaled) -> (Dd, f64) {
-    let time = rate.power() - rate.power().clamp(-CARRIED, CARRIED);
+pub(super) fn carried_rate(rate: Scaled) -> (Dd, f64) {
+    let (_, time) = carried(rate.power());
     (rate.shift(-time).to_dd(), ldexp(1.0, time))
 }

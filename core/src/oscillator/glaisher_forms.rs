@@ -42,6 +42,7 @@ use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 #[derive(Clone, Debug)]
 pub struct DuffingForm {
     which: Glaisher,
+    others: [NevilleIndex; 2],
     c1: f64,
     c2: f64,
     rate: Dd,
@@ -160,7 +161,7 @@ impl DuffingForm {
         if !mc.is_zero() {
             jacobi.phase.start = argument.start / jacobi.neville.quarter.scale(2.0);
         }
-        Ok(DuffingForm { which, c1, c2, rate, unit, jacobi, argument })
+        Ok(DuffingForm { which, others: which.others(), c1, c2, rate, unit, jacobi, argument })
     }
 
     /// Which of the twelve.
@@ -316,28 +317,11 @@ struct HyperbolicFormula<'a>(&'a DuffingForm, Dd);
 #[inline(always)]
 fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<L>) -> [L; 2] {
     let [above, below] = form.which.pq();
-    let others = match (above, below) {
-        (NevilleIndex::S, NevilleIndex::N) | (NevilleIndex::N, NevilleIndex::S) => {
-            [NevilleIndex::C, NevilleIndex::D]
-        }
-        (NevilleIndex::C, NevilleIndex::N) | (NevilleIndex::N, NevilleIndex::C) => {
-            [NevilleIndex::S, NevilleIndex::D]
-        }
-        (NevilleIndex::D, NevilleIndex::N) | (NevilleIndex::N, NevilleIndex::D) => {
-            [NevilleIndex::S, NevilleIndex::C]
-        }
-        (NevilleIndex::S, NevilleIndex::C) | (NevilleIndex::C, NevilleIndex::S) => {
-            [NevilleIndex::D, NevilleIndex::N]
-        }
-        (NevilleIndex::S, NevilleIndex::D) | (NevilleIndex::D, NevilleIndex::S) => {
-            [NevilleIndex::C, NevilleIndex::N]
-        }
-        _ => [NevilleIndex::S, NevilleIndex::N],
-    };
+    let [left, right] = form.others;
     let (above, above_sign) = values.theta(above);
     let (below, below_sign) = values.theta(below);
-    let (left, left_sign) = values.theta(others[0]);
-    let (right, right_sign) = values.theta(others[1]);
+    let (left, left_sign) = values.theta(left);
+    let (right, right_sign) = values.theta(right);
     let c1 = L::splat(form.c1);
     let u = quotient(above, below).value();
     // An exact zero below: the quotient's remainder would be infinity minus infinity.

@@ -4,7 +4,7 @@
 //! straight line u0 + velocity0 t. They are what M = l C^2 + m S^2 (elementary.rs) leaves where v = 0 is a root of C(v).
 //! Source: DLMF 4.34.
 
-use super::clock::carried;
+use super::clock::carried_rate;
 use super::elementary::{Elementary, Functions, Sum};
 use super::hyperbolic_lanes::held_argument;
 use crate::elliptic::phase::Phase;
@@ -82,7 +82,7 @@ impl PqElementary {
         let [start, rate] = given.base;
         let ([u], u_scale) = over_common_power([amplitude]);
         let ([velocity], velocity_scale) = over_common_power([amplitude * rate]);
-        let (rate, time) = carried(rate);
+        let (rate, time) = carried_rate(rate);
         let phase = Phase { rate, start: start.to_dd() };
         Some(PqElementary { function, phase, u, velocity, scales: [u_scale, velocity_scale], time })
     }

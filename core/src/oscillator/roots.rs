@@ -10,13 +10,11 @@
 use crate::elliptic::integrals::carlson::rf_of_roots;
 use crate::float::Dd;
 use crate::float::dyadic::Dyadic;
+use crate::float::exponent::CARRIED;
 use crate::float::scaled::Scaled;
 use crate::float::series::long_sin_cos;
 
 const THREE: f64 = 3.0;
-
-/// Below this power of two a double-double has no room for squares beside 1.
-const CARRIED: i32 = 300;
 
 pub(super) fn less(a: Scaled, b: Scaled) -> bool {
     (a - b).is_negative()

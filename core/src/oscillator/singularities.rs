@@ -20,7 +20,7 @@
 //!
 //! with F(sin^2, m). Two digits of it are enough. Source: Byrd & Friedman 232, 235, 236, 238, 243.
 
-use super::clock::carried;
+use super::clock::carried_rate;
 use super::nonzero_energy::RootCase;
 use super::pq_quotient::Pq;
 use super::root_quotient::Squares;
@@ -183,7 +183,7 @@ pub(super) fn bounded(
 /// argument per time, and those of the start from the middle, to the pole, and of the pole from the middle.
 fn escape_phase(omega: Scaled, [base, rest, pole]: [Scaled; 3], turn: f64) -> (Phase, bool, f64) {
     let whole = pole.shift(1);
-    let (rate, time) = carried(omega / whole);
+    let (rate, time) = carried_rate(omega / whole);
     let from_pole = (base - rest).is_positive();
     let (start, turn) = if from_pole { (rest, -turn) } else { (base, turn) };
     (Phase { rate: rate * turn, start: (start / whole).to_dd() }, from_pole, time)

@@ -1,6 +1,6 @@
 //! A motion by theta functions: its phase, its poles, and the quotient that u is.
 
-use super::clock::{Clock, Poles, carried};
+use super::clock::{Clock, Poles, carried_rate};
 use super::energy::{Orientation, Outline};
 use super::nonzero_energy::Argument;
 use super::pq_quotient::PqQuotient;
@@ -46,7 +46,7 @@ impl ThetaMotion {
         let [m, mc] = factors.parameter();
         let neville = NevilleTheta::of_scaled(m, mc);
         let half = Scaled::from(neville.quarter).shift(1);
-        let (rate, time) = carried(outline.omega / half);
+        let (rate, time) = carried_rate(outline.omega / half);
         let rate = rate * orientation.direction;
         let phase = Phase { rate, start: (start.base / half).to_dd() };
         let arguments = |pole: Scaled| [start.base, start.pole, pole];

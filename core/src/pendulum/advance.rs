@@ -7,13 +7,13 @@
 
 use super::batch::{fill, row};
 use super::frequency::Frequency;
-use super::orbit::{Orbit, carried};
+use super::orbit::Orbit;
 use super::regime::Regime;
 use super::state::State;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
-use crate::float::exponent::ldexp;
+use crate::float::exponent::{carried, ldexp};
 use crate::float::{Dd, PI, TWO_PI};
 
 /// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.

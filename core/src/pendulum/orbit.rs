@@ -16,7 +16,7 @@ use crate::elliptic::integrals::carlson_duplication::rf_of_roots;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
-use crate::float::exponent::{exponent, ldexp, mantissa};
+use crate::float::exponent::{carried, exponent, ldexp, mantissa};
 use crate::float::{Dd, TWO_PI};
 
 /// The formula of the motion.
@@ -59,15 +59,6 @@ pub struct Orbit {
     energy_ratio_c: f64,
     energy: f64,
     pub(crate) force: Frequency,
-}
-
-/// Powers of two that a double-double can carry; larger ones are kept separately.
-const CARRIED: i32 = 300;
-
-/// The part of a power of two that is carried, and the part that is kept separately.
-pub(crate) fn carried(power: i32) -> (i32, i32) {
-    let inside = power.clamp(-CARRIED, CARRIED);
-    (inside, power - inside)
 }
 
 /// k' as a divisor whose inverse stays in range: an angle of 1e-290 from the top is as good as none.

@@ -7,7 +7,7 @@
 //! and by omega0, because theta(t; theta0, velocity0, omega0) = theta(omega0 t; theta0, velocity0/omega0, 1).
 //! Source: DLMF 22.13(i), 22.16(ii), 19.25(i); the derivative by kappa^2 of Salas 2019 (23).
 
-use super::orbit::{Orbit, Solution, carried};
+use super::orbit::{Orbit, Solution};
 use super::regime::Regime;
 use super::sensitivity_lanes::SensitivityLanes;
 use super::separatrix::Separatrix;
@@ -17,7 +17,7 @@ use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::exponent::ldexp;
+use crate::float::exponent::{carried, ldexp};
 use crate::float::{Dd, PI, Scaled};
 use crate::lanes::{Columns, Once};
 

@@ -91,6 +91,18 @@ impl Glaisher {
             Glaisher::Dc => [D, C],
         }
     }
+    /// The other two of the four theta functions: those of the derivative, DLMF 22.13(i).
+    pub(crate) fn others(self) -> [NevilleIndex; 2] {
+        use NevilleIndex::{C, D, N, S};
+        let (mut others, mut found) = ([S; 2], 0);
+        for index in [S, C, D, N] {
+            if !self.pq().contains(&index) {
+                others[found] = index;
+                found += 1;
+            }
+        }
+        others
+    }
 }
 
 impl Jacobi {
