@@ -126,7 +126,7 @@ def jacobi(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f} {values.am:.6f}")
     0.803002 0.595977 0.823161 0.932315
     """
-    return JacobiValues(*_JACOBI(u, m=m, mc=mc, k=k, out=out, where=where))
+    return JacobiValues(*_JACOBI.of((u,), m, mc, k, out, where))
 
 
 class _Joined:
@@ -162,7 +162,7 @@ def _parts(u: Any) -> tuple[Any, Any]:
 
 
 _JACOBI_COMPLEX = Function("jacobi_complex", _SN, _CN, _DN)
-_JACOBI_COMPLEX.ufuncs = {keyword: _Joined(ufunc) for keyword, ufunc in _JACOBI_COMPLEX.ufuncs.items()}
+_JACOBI_COMPLEX.ufuncs = tuple(ufunc and _Joined(ufunc) for ufunc in _JACOBI_COMPLEX.ufuncs)
 
 
 @overload
@@ -235,4 +235,4 @@ def jacobi_complex(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f}")
     0.891000+0.239754j 0.618716-0.345266j 0.805834-0.132547j
     """
-    return JacobiComplexValues(*_JACOBI_COMPLEX(*_parts(u), m=m, mc=mc, k=k, out=out, where=where))
+    return JacobiComplexValues(*_JACOBI_COMPLEX.of(_parts(u), m, mc, k, out, where))
