@@ -38,9 +38,16 @@ struct Correction {
 }
 
 impl Correction {
-    /// From q-series: each argument is one coefficient of x before normalisation by `origin`.
-    fn new(origin: Dd, first: Dd, second: f64, third: f64) -> Correction {
-        Correction { first: first / origin, second: second / origin.hi, third: third / origin.hi }
+    /// From the rows of a function in [`SERIES`] and the powers of q that their last three columns name.
+    fn of(rows: &[[f64; 4]; 4], (first, second, third): (Dd, Dd, f64)) -> Correction {
+        // A loop, not `map`: the closure would be called, and half the time of a set-up goes by here.
+        let mut sums = [Dd::ZERO; 4];
+        for (sum, [a, b, c, d]) in sums.iter_mut().zip(rows) {
+            let small = second * *c + Dd::from(third * d);
+            *sum = if *b == 0.0 { small } else { Dd::from(*a) + first * *b + small };
+        }
+        let [origin, one, two, three] = sums;
+        Correction { first: one / origin, second: two.hi / origin.hi, third: three.hi / origin.hi }
     }
     /// The same in double-double, good to 2^-66.
     fn long_at(&self, x: Dd) -> Dd {
@@ -275,15 +282,13 @@ fn corrections(q: Dd) -> [Correction; 4] {
     let q2 = q.square();
     let q4 = q2.square();
     let (q6, q9, q12) = (q4.hi * q2.hi, q4.hi * q4.hi * q.hi, q4.hi * q4.hi * q4.hi);
-    let powers = [(q2, Dd::from(q6), q12), (q2, Dd::from(q6), q12), (q, q4, q9), (q, q4, q9)];
-    core::array::from_fn(|i| {
-        let (first, second, third) = powers[i];
-        let [origin, one, two, three] = SERIES[i].map(|[a, b, c, d]| {
-            let small = second * c + Dd::from(third * d);
-            if b == 0.0 { small } else { Dd::from(a) + first * b + small }
-        });
-        Correction::new(origin, one, two.hi, three.hi)
-    })
+    let (even, odd) = ((q2, Dd::from(q6), q12), (q, q4, q9));
+    [
+        Correction::of(&SERIES[0], even),
+        Correction::of(&SERIES[1], even),
+        Correction::of(&SERIES[2], odd),
+        Correction::of(&SERIES[3], odd),
+    ]
 }
 
 /// A [`Correction`] per lane, in double.
