@@ -70,7 +70,7 @@ pub(super) struct ThetaMotion {
     pub clock: Clock,
     pub quotient: Quotient,
     /// The polynomials of the motion.
-    pub interpolant: LazyInterpolant,
+    pub interpolant: LazyInterpolant<InterpolantKind>,
     /// The motion one sample after the other, where lanes do not serve.
     pub scaled: Option<Box<ScaledTheta>>,
     /// 2K.

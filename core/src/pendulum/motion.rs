@@ -111,7 +111,7 @@ impl Orbit {
         elliptic: &Elliptic,
         evaluation: E,
     ) -> E::Output {
-        if let Some(interpolant) = self.interpolant.get::<ROTATION>(elliptic) {
+        if let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) {
             self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
         } else if elliptic.lattice.hyperbolic() {
             self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, true>(elliptic), evaluation)
