@@ -6,8 +6,7 @@
 
 use super::entry::{Entry, Named, Row, entries, row};
 use crate::domain::Domain;
-use crate::float::angle_reduction::reduce;
-use crate::float::series::sin_cos;
+use crate::elliptic::amplitude::sine_cosine;
 
 /// From a state to the next: the step h and omega0^2.
 type Step = fn(State, f64, f64) -> State;
@@ -51,14 +50,7 @@ struct State(f64, f64);
 
 /// -omega^2 sin theta, correctly rounded but for the product.
 fn pull(theta: f64, omega2: f64) -> f64 {
-    if !theta.is_finite() {
-        return f64::NAN;
-    }
-    let reduced = reduce(theta);
-    // sin x = 2 sin(x/2) cos(x/2); the series serves up to pi/4, and the half angle reaches pi/2.
-    let (near, far) = (reduced.from_bottom, reduced.from_top);
-    let (sine, cosine) = sin_cos(if near.hi < far.hi { near.scale(0.5) } else { far.scale(0.5) });
-    -omega2 * reduced.side * (2.0 * (sine.to_dd() * cosine.to_dd()).value())
+    if theta.is_finite() { -omega2 * sine_cosine(theta).0.value() } else { f64::NAN }
 }
 
 impl State {
