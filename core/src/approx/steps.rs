@@ -13,7 +13,7 @@ type Step = fn(State, f64, f64) -> State;
 
 const TABLE: &[Row<Step>] = &[
     row(
-        scheme(
+        Entry::new(
             "euler",
             "theta += h v and v -= h omega^2 sin theta, both from the old state",
             "Euler 1768; order 1",
@@ -21,22 +21,18 @@ const TABLE: &[Row<Step>] = &[
         euler,
     ),
     row(
-        scheme(
+        Entry::new(
             "euler-cromer",
             "v -= h omega^2 sin theta, then theta += h v from the new v",
             "Cromer 1981; order 1, symplectic",
         ),
         euler_cromer,
     ),
-    row(scheme("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
+    row(Entry::new("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
 ];
 
 /// The schemes, each of a fixed step.
 pub static SCHEMES: [Entry; TABLE.len()] = entries(TABLE);
-
-const fn scheme(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
-    Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
-}
 
 /// One of [`SCHEMES`].
 #[derive(Clone, Copy, Debug)]
