@@ -80,6 +80,7 @@ pub struct NevilleTheta {
     pub kc: Dd,
     /// K'/K to two digits, not above it.
     pub aspect: f64,
+    /// Of theta1/A to theta4, beside sin, cos, 1, 1 on the circular side and sinh, 1, 1, cosh on the hyperbolic one.
     theta: [Correction; 4],
 }
 
@@ -130,7 +131,8 @@ impl NevilleTheta {
             };
         }
         let other = agm(k);
-        let theta = corrections(small_nome(mc, k));
+        // theta2 and theta4 change places.
+        let [t1, t4, t3, t2] = corrections(small_nome(mc, k));
         let angle = PI * other / mean;
         let aspect = PI.hi / angle.hi;
         NevilleTheta {
@@ -140,7 +142,7 @@ impl NevilleTheta {
             quarter,
             kc,
             aspect,
-            theta,
+            theta: [t1, t2, t3, t4],
         }
     }
 
@@ -167,17 +169,17 @@ impl NevilleTheta {
     pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
         let (folded, v) = fold(f);
         let angle = v * Dd::splat(self.angle);
-        let [t1, t2, t3, t4] = &self.theta;
         let one = Dd::from_double(L::splat(1.0));
-        let theta = if HYPERBOLIC {
+        let ([first, second, third, fourth], x) = if HYPERBOLIC {
             let (sine, cosine) = sinh_cosh(angle);
-            let x = -bounded_square(sine.hi);
-            [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
+            ([sine, one, one, cosine], -bounded_square(sine.hi))
         } else {
             let (sine, cosine) = sin_cos(angle);
-            let x = sine.hi * sine.hi;
-            [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
+            ([sine, cosine, one, one], sine.hi * sine.hi)
         };
+        let [t1, t2, t3, t4] = &self.theta;
+        let theta =
+            [first.nudge(t1.at(x)), second.nudge(t2.at(x)), third.nudge(t3.at(x)), fourth.nudge(t4.at(x))];
         Thetas { theta, folded }
     }
 
@@ -190,23 +192,16 @@ impl NevilleTheta {
         let [t1, t2, t3, t4] = &self.theta;
         let (factor, kc) = (L::splat(self.theta1_factor.hi), L::splat(self.kc.hi));
         let one = L::splat(1.0);
-        let (theta, near, far) = if HYPERBOLIC {
-            let (sine, cosine) = sinh_cosh(angle);
-            let (sine, cosine) = (sine.hi, cosine.hi);
-            let x = -(sine * sine);
-            let twice = sine * cosine * L::splat(-2.0);
-            let tail = t2.logarithmic_slope(x) * twice;
-            let theta = [sine * (one + t1.at(x)), one + t4.at(x), one + t3.at(x), cosine * (one + t2.at(x))];
-            (theta, sine / cosine + tail, t3.logarithmic_slope(x) * twice)
-        } else {
-            let (sine, cosine) = sin_cos(angle);
-            let (sine, cosine) = (sine.hi, cosine.hi);
-            let x = sine * sine;
-            let twice = sine * cosine * L::splat(2.0);
-            let theta = [sine * (one + t1.at(x)), cosine * (one + t2.at(x)), one + t3.at(x), one + t4.at(x)];
-            (theta, t4.logarithmic_slope(x) * twice, t3.logarithmic_slope(x) * twice)
-        };
-        let [t1, t2, t3, t4] = theta;
+        let (sine, cosine) = if HYPERBOLIC { sinh_cosh(angle) } else { sin_cos(angle) };
+        let (sine, cosine) = (sine.hi, cosine.hi);
+        let side = L::splat(if HYPERBOLIC { -1.0 } else { 1.0 });
+        let (x, twice) = (sine * sine * side, sine * cosine * side * L::splat(2.0));
+        let tail = t4.logarithmic_slope(x) * twice;
+        let near = if HYPERBOLIC { sine / cosine + tail } else { tail };
+        let far = t3.logarithmic_slope(x) * twice;
+        let (second, fourth) = if HYPERBOLIC { (one, cosine) } else { (cosine, one) };
+        let (t1, t2) = (sine * (one + t1.at(x)), second * (one + t2.at(x)));
+        let (t3, t4) = (one + t3.at(x), fourth * (one + t4.at(x)));
         let below = one / L::select(folded, t3, t4);
         let (t1, upper) = (t1 * factor, kc * below);
         let sn = L::select(folded, t2, t1) * below;
@@ -220,32 +215,19 @@ impl NevilleTheta {
         let folded = f.hi > 0.25;
         let v = if folded { Dd::from(0.5) - f } else { f };
         let angle = v * self.angle;
-        let [t1, t2, t3, t4] = &self.theta;
-        let times = |lead: Dd, correction: Dd| lead + lead * correction;
-        let theta = match self.side {
+        let (leads, x) = match self.side {
             Side::Circular => {
                 let (sine, cosine) = long_sin_cos(angle);
-                let x = sine.square();
-                [
-                    times(sine, t1.long_at(x)),
-                    times(cosine, t2.long_at(x)),
-                    times(Dd::ONE, t3.long_at(x)),
-                    times(Dd::ONE, t4.long_at(x)),
-                ]
+                ([sine, cosine, Dd::ONE, Dd::ONE], sine.square())
             }
             Side::Hyperbolic => {
                 let (sine, cosine) = long_sinh_cosh(angle);
                 let square = sine.square();
                 let x = if square.hi > LARGE { Dd::from(-LARGE) } else { -square };
-                [
-                    times(sine, t1.long_at(x)),
-                    times(Dd::ONE, t4.long_at(x)),
-                    times(Dd::ONE, t3.long_at(x)),
-                    times(cosine, t2.long_at(x)),
-                ]
+                ([sine, Dd::ONE, Dd::ONE, cosine], x)
             }
         };
-        Thetas { theta, folded }
+        Thetas { theta: [0, 1, 2, 3].map(|i| leads[i] + leads[i] * self.theta[i].long_at(x)), folded }
     }
 
     /// sn, cn, dn at a reduced phase, with the digits of [`NevilleTheta::long_thetas`].
