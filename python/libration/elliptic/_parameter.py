@@ -15,13 +15,22 @@ class Function:
         self.results = results
 
     def __call__(self, *arguments: Any, out: Any, where: Any, **given: Any) -> Any:
-        found = [name for name in given if given[name] is not None]
-        if len(found) != 1:
-            *others, last = given
-            named = " and ".join(found) or "none"
-            raise ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
-        name = found[0]
-        return apply(self.ufuncs[name], *arguments, given[name], results=self.results, out=out, where=where)
+        found = None
+        for name in given:
+            if given[name] is not None:
+                if found is not None:
+                    raise _several(given)
+                found = name
+        if found is None:
+            raise _several(given)
+        return apply(self.ufuncs[found], *arguments, given[found], results=self.results, out=out, where=where)
+
+
+def _several(given: dict[str, Any]) -> ValueError:
+    """The error of none of the keywords, or of more than one."""
+    *others, last = given
+    named = " and ".join(name for name in given if given[name] is not None) or "none"
+    return ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
 
 
 def function(name: str, meaning: str, keywords: tuple[str, ...] = ("m", "mc", "k")) -> Function:
