@@ -270,7 +270,6 @@ class Pendulum(Crossings):
     def phase(self, t: Scalar, out: Floats) -> Floats: ...
     @overload
     def phase(self, t: Labelled, out: Labelled | None = None) -> Labelled: ...
-    @explained
     def phase(self, t: Any, out: Any = None) -> Any:
         """Phase at the times `t`, which grows evenly: ``phase(0) + frequency * t``.
 
@@ -301,7 +300,10 @@ class Pendulum(Crossings):
         >>> f"{pendulum.phase(0.0):.6f} {pendulum.phase(pendulum.period):.6f}"
         '1.570796 7.853982'
         """
-        return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
+        try:
+            return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
+        except (TypeError, ValueError) as error:
+            refuse(error, Pendulum.phase, (self, t, out))
 
     @overload
     def sensitivities(self, t: Scalar | Array) -> Floats: ...
