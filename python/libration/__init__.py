@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import elliptic as elliptic
 from ._core import __version__
+from ._messages import no_member
 from .elliptic import (
     JacobiComplexValues,
     JacobiValues,
@@ -119,4 +120,6 @@ if not TYPE_CHECKING:
         """The packages that are loaded when they are asked for."""
         if name in ("approx", "papers", "plot"):
             return import_module(f".{name}", __name__)
-        raise AttributeError(f"module 'libration' has no attribute {name!r}")
+        if name in elliptic.__all__:
+            raise AttributeError(f"module 'libration' has no attribute {name!r}: did you mean elliptic.{name}?")
+        raise no_member("libration", name)

@@ -12,6 +12,7 @@ import numpy as np
 
 from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._labels import Result, like
+from .._messages import explained
 from ._parameter import Function
 
 Value = TypeVar("Value")
@@ -85,6 +86,7 @@ def jacobi(
     out: tuple[Labelled, Labelled, Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> JacobiValues[Labelled]: ...
+@explained
 def jacobi(
     u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
 ) -> JacobiValues[Any]:
@@ -195,6 +197,7 @@ def jacobi_complex(
     out: tuple[Labelled, Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> JacobiComplexValues[Labelled]: ...
+@explained
 def jacobi_complex(
     u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
 ) -> JacobiComplexValues[Any]:
