@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import Column, Json, strict, write_table
+from libration.cli.help import Topic
 from libration.cli.parameters import keyed, table_parameters
-from libration.cli.parser import Parser, Refusal, refusal
+from libration.cli.parser import Flag, Refusal, Value, command, refusal
 from libration.cli.quantities import plain
 from libration.cli.sampling import ResultOptions, check_plot, check_targets, form, targets, written
 from libration.cli.state import UNITS, StateOptions, has_frequency, pendulum, state, state_options, upright
@@ -29,76 +30,69 @@ How far approximations and numerical solutions are from the exact motion: the la
 error of each, in rad and in percent of the turning angle (as Lima 2019 counts), over one
 period and over a hundred."""
 
-EPILOG = f"""\
-approximations:
-  linear                theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t)
-  harmonic              a cosine with the exact period (Lima 17)
-  fourier:N             N terms of sn, under the arcsine (Lima 22); undefined where that is
-  fourier-theta:N       N terms of the series of theta itself
-  trigonometric         cosine over root, for a release from rest (Salas 35)
-  small-m               first order in m, any start; its error grows with time (Salas)
-  small-m-bounded       the same without that growth
-  cubic, cubic-quintic  sin(theta) as a polynomial (Salas 2, 3), solved exactly
-  taylor:N              N-th Taylor polynomial in t about t = 0
-numerical solutions, with steps of H seconds, or SciPy's with their defaults:
-  euler:H, euler-cromer:H, rk4:H, solve_ivp, odeint
-
-Without --length or --omega0 it is a pendulum with omega0 = 1 rad/s.
-
-{UNITS}
-
-files:
-  --out writes t, the exact theta and that of each solution at 1,000 instants a period to a
-  .csv, .npz or .json file, nan (in JSON null) where one is undefined. --plot draws the
-  angles above their errors to a .png or .svg file.
-
-examples:
-  libration compare --theta0 157.5deg --with harmonic,fourier:4,fourier-theta:4
-  libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png
-  libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025"""
+APPROXIMATIONS = Topic(
+    "approximations",
+    (
+        ("linear", "theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t)"),
+        ("harmonic", "a cosine with the exact period (Lima 17)"),
+        ("fourier:N", "N terms of sn, under the arcsine (Lima 22); undefined where that is"),
+        ("fourier-theta:N", "N terms of the series of theta itself"),
+        ("trigonometric", "cosine over root, for a release from rest (Salas 35)"),
+        ("small-m", "first order in m, any start; its error grows with time (Salas)"),
+        ("small-m-bounded", "the same without that growth"),
+        ("cubic, cubic-quintic", "sin(theta) as a polynomial (Salas 2, 3), solved exactly"),
+        ("taylor:N", "N-th Taylor polynomial in t about t = 0"),
+    ),
+)
+NUMERICAL = Topic(
+    "numerical solutions",
+    (
+        ("euler:H", "explicit Euler, with steps of H seconds"),
+        ("euler-cromer:H", "semi-implicit Euler, symplectic"),
+        ("rk4:H", "the classical Runge-Kutta method of order 4"),
+        ("solve_ivp, odeint", "SciPy's, with their defaults"),
+    ),
+)
+TOPICS = (
+    APPROXIMATIONS,
+    NUMERICAL,
+    Topic("omega0", text="Without --length or --omega0 it is a pendulum with omega0 = 1 rad/s."),
+    UNITS,
+    Topic(
+        "files",
+        text="""\
+--out writes t, the exact theta and that of each solution at 1,000 instants a period to a .csv, .npz or .json file, nan
+(in JSON null) where one is undefined. --plot draws the angles above their errors to a .png or .svg file.""",
+    ),
+)
+EXAMPLES = (
+    "libration compare --theta0 157.5deg --with harmonic,fourier:4,fourier-theta:4",
+    "libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png",
+    "libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025",
+)
+PERIODS = "periods of the table, the plot and one of the errors; the other is over 100 (default 1)"
 
 LONG = 100.0
 
 
 class CompareOptions(StateOptions, ResultOptions):
-    """The options of `libration compare`; `with`, a keyword of Python, is read by `getattr`."""
+    """The options of `libration compare`; `names` are those of --with."""
 
+    names: str | None
     periods: str | None
 
 
-def parser() -> Parser:
-    """The options of `libration compare`."""
-    made = Parser("libration compare", DESCRIPTION, EPILOG)
-    made.usage = "libration compare --theta0 ANGLE --with NAMES [options]"
-    state_options(made, "(gives the time in seconds)")
-    group = made.add_argument_group("the comparison")
-    made.value(group, "--with", "NAMES", "what to compare, separated by commas (required)")
-    made.value(
-        group,
-        "--periods",
-        "N",
-        "periods of the table, the plot and one of the errors; the other is over 100 (default 1)",
-    )
-    group = made.add_argument_group("the results")
-    made.value(group, "--out", "FILE", "write the angles to a .csv, .npz or .json file")
-    made.value(group, "--plot", "FILE", "draw the angles and their errors to a .png or .svg file")
-    group.add_argument("--json", action="store_true", help="print the errors as one JSON object")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: CompareOptions) -> None:
     """Compare the solutions that the words name, write the files, print the errors."""
-    options = parser().options(words, CompareOptions())
     given = state(options)
     assumed = not has_frequency(given)
     if assumed:
         given["omega0"] = 1.0
-    text: str | None = getattr(options, "with")
-    wanted = names(text)
+    wanted = names(options.names)
     periods = span(options.periods)
     check_targets(options)
     motion = moving(options, pendulum(given))
-    solutions = different([solution(name, motion) for name in wanted], text)
+    solutions = different([solution(name, motion) for name in wanted], options.names)
     with targets(options) as (table, plot):
         check_plot(options)
         spans = sorted({periods, LONG})
@@ -299,3 +293,23 @@ def remarks(motion: "Pendulum", errors: Sequence[Measured]) -> str:
     if not math.isnan(top):
         said.append(f"goes over the top at t = {top:.4g} s")
     return "  " + "; ".join(said) if said else ""
+
+
+COMMAND = command(
+    "compare",
+    DESCRIPTION,
+    run,
+    CompareOptions,
+    short="approximations and numerical solutions beside the exact motion",
+    parameters=[
+        *state_options("(gives the time in seconds)"),
+        Value("--with", "NAMES", "what to compare, separated by commas (required)", "the comparison", name="names"),
+        Value("--periods", "N", PERIODS, "the comparison"),
+        Value("--out", "FILE", "write the angles to a .csv, .npz or .json file", "the results"),
+        Value("--plot", "FILE", "draw the angles and their errors to a .png or .svg file", "the results"),
+        Flag("--json", "print the errors as one JSON object", "the results"),
+    ],
+    usage=["libration compare", "--theta0 ANGLE", "--with NAMES", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

@@ -7,8 +7,9 @@ import math
 from typing import TYPE_CHECKING
 
 from libration.cli.files import Column, Parameter, strict, write_table
+from libration.cli.help import Topic
 from libration.cli.parameters import keyed
-from libration.cli.parser import Parser, Refusal
+from libration.cli.parser import Refusal, Value, command
 from libration.cli.quantities import plain
 from libration.cli.sampling import (
     FILES,
@@ -35,21 +36,26 @@ DESCRIPTION = """\
 The exact motion of the Duffing oscillator u'' + p u + q u^3 = 0 from any start: hardening or
 softening, with one well or two, on a separatrix, or escaping to infinity in finite time."""
 
-EPILOG = f"""\
-u0, velocity0, p and q are numbers without a unit, of any sign; u is in any unit, time in s
-(--until takes ms, min, h too). Beyond an escape u does not exist: nan in a table, null in
-JSON.
-
-{FILES}
-
-With --json: one object on the standard output. null stands for a value that is infinite or
-does not exist: a motion that does not repeat has no period, one that does not escape no
-escape time.
-
-examples:
-  libration duffing --p 1 --q 0.5 --u0 2
-  libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png
-  libration duffing --p 1 --q -1 --u0 1.1 --out escape.csv"""
+TOPICS = (
+    Topic(
+        "numbers",
+        text="""\
+u0, velocity0, p and q are numbers without a unit, of any sign; u is in any unit, time in s (--until takes ms, min, h
+too). Beyond an escape u does not exist: nan in a table, null in JSON.""",
+    ),
+    FILES,
+    Topic(
+        "json",
+        text="""\
+With --json: one object on the standard output. null stands for a value that is infinite or does not exist: a motion
+that does not repeat has no period, one that does not escape no escape time.""",
+    ),
+)
+EXAMPLES = (
+    "libration duffing --p 1 --q 0.5 --u0 2",
+    "libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png",
+    "libration duffing --p 1 --q -1 --u0 1.1 --out escape.csv",
+)
 
 
 class DuffingOptions(InstantOptions):
@@ -61,25 +67,10 @@ class DuffingOptions(InstantOptions):
     velocity0: str | None
 
 
-def parser() -> Parser:
-    """The options of `libration duffing`."""
-    made = Parser("libration duffing", DESCRIPTION, EPILOG)
-    made.usage = "libration duffing --p P --q Q --u0 U0 [options]"
-    group = made.add_argument_group("the oscillator")
-    made.value(group, "--p", "P", "coefficient of the linear force (required)")
-    made.value(group, "--q", "Q", "coefficient of the cubic force (required)")
-    made.value(group, "--u0", "U0", "initial displacement (required)")
-    made.value(group, "--velocity0", "VELOCITY0", "initial velocity (default 0)")
-    instant_options(made)
-    result_options(made, "t, u and velocity", "u(t)")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: DuffingOptions) -> None:
     """Solve what the words ask for, write the files, print the summary."""
     from libration import Duffing
 
-    options = parser().options(words, DuffingOptions())
     required = {"p": options.p, "q": options.q, "u0": options.u0}
     missing = [f"--{name}" for name, text in required.items() if text is None]
     if missing:
@@ -161,3 +152,23 @@ def print_text(motion: "Duffing", times: "Floats", u: "Floats", source: str | No
         lines.append(("of them beyond an escape", f"{beyond}, nan in a table"))
     lines += valueless(nans(u) - beyond)
     print_lines(lines + [("written", path) for path in files])
+
+
+COMMAND = command(
+    "duffing",
+    DESCRIPTION,
+    run,
+    DuffingOptions,
+    short="the nonlinear spring u'' + p u + q u^3 = 0, as solve",
+    parameters=[
+        Value("--p", "P", "coefficient of the linear force (required)", "the oscillator"),
+        Value("--q", "Q", "coefficient of the cubic force (required)", "the oscillator"),
+        Value("--u0", "U0", "initial displacement (required)", "the oscillator"),
+        Value("--velocity0", "VELOCITY0", "initial velocity (default 0)", "the oscillator"),
+        *instant_options(),
+        *result_options("t, u and velocity", "u(t) and the phase portrait"),
+    ],
+    usage=["libration duffing", "--p P", "--q Q", "--u0 U0", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

@@ -5,7 +5,8 @@ import math
 from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import Json, staged
-from libration.cli.parser import Parser
+from libration.cli.help import Topic
+from libration.cli.parser import Flag, Value, command
 from libration.cli.sampling import PICTURES, check_matplotlib, form
 from libration.cli.state import (
     UNITS,
@@ -31,21 +32,28 @@ The exact period of a pendulum that starts at an angle, at rest or with a veloci
 In rotation it is the time of one turn; on the separatrix it is infinite; at rest it is that
 of small swings. For swings the known formulas follow, each with its error."""
 
-EPILOG = f"""\
-Without --length or --omega0 the answer is T/T0, the ratio to the period of small swings,
-and T*omega0; --velocity0 is then a number without a unit, the multiple of omega0.
-
-{UNITS}
-
-With --json: one object; the keys end in the unit. null stands for a value that is infinite
-or does not exist, depending on "regime": on the separatrix the period is infinite, in
-rotation there is no turning angle. "formulas" holds T/T0 and the relative error of each.
-
-examples:
-  libration period --theta0 150deg
-  libration period --theta0 150deg --chart period.svg
-  libration period --theta0 20deg --length 25cm
-  libration period --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --json"""
+TOPICS = (
+    Topic(
+        "without a frequency",
+        text="""\
+Without --length or --omega0 the answer is T/T0, the ratio to the period of small swings, and T*omega0; --velocity0 is
+then a number without a unit, the multiple of omega0.""",
+    ),
+    UNITS,
+    Topic(
+        "json",
+        text="""\
+With --json: one object; the keys end in the unit. null stands for a value that is infinite or does not exist, depending
+on "regime": on the separatrix the period is infinite, in rotation there is no turning angle. "formulas" holds T/T0 and
+the relative error of each.""",
+    ),
+)
+EXAMPLES = (
+    "libration period --theta0 150deg",
+    "libration period --theta0 150deg --chart period.svg",
+    "libration period --theta0 20deg --length 25cm",
+    "libration period --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --json",
+)
 
 
 class PeriodOptions(StateOptions):
@@ -55,20 +63,8 @@ class PeriodOptions(StateOptions):
     json: bool
 
 
-def parser() -> Parser:
-    """The options of `libration period`."""
-    made = Parser("libration period", DESCRIPTION, EPILOG)
-    made.usage = "libration period --theta0 ANGLE [--length LENGTH | --omega0 OMEGA0] [options]"
-    state_options(made, "(gives the period in seconds)")
-    group = made.add_argument_group("the results")
-    made.value(group, "--chart", "FILE", "draw the formulas against the turning angle to a .png or .svg file")
-    group.add_argument("--json", action="store_true", help="print one JSON object instead of lines")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: PeriodOptions) -> None:
     """Print the period that the words ask for."""
-    options = parser().options(words, PeriodOptions())
     given = state(options)
     motion = pendulum(given)
     regime = str(motion.regime)
@@ -173,3 +169,20 @@ def print_text(
     lines.append(("T * omega0", f"{digits(phase)} rad" if math.isfinite(phase) else "infinite"))
     lines.append(("turning angle", angle_text(regime, motion.theta_max)))
     print_lines(lines)
+
+
+COMMAND = command(
+    "period",
+    DESCRIPTION,
+    run,
+    PeriodOptions,
+    short="the period, and how much longer it is than that of small swings",
+    parameters=[
+        *state_options("(gives the period in seconds)"),
+        Value("--chart", "FILE", "draw the formulas against the turning angle to a .png or .svg file", "the results"),
+        Flag("--json", "print one JSON object instead of lines", "the results"),
+    ],
+    usage=["libration period", "--theta0 ANGLE", "[--length LENGTH | --omega0 OMEGA0]", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

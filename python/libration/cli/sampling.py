@@ -1,6 +1,5 @@
 """What the commands that sample a motion share: instants, files and the plot."""
 
-import argparse
 import contextlib
 import importlib
 import os
@@ -8,8 +7,11 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, BinaryIO, Protocol, TypeVar
 
+import click
+
 from libration.cli.files import staged
-from libration.cli.parser import Parser, Refusal, quoted, refusal, shown
+from libration.cli.help import Topic
+from libration.cli.parser import Flag, Options, Refusal, Value, quoted, refusal, shown
 from libration.cli.times import even_times, file_times
 
 if TYPE_CHECKING:
@@ -18,16 +20,18 @@ if TYPE_CHECKING:
 TABLES = (".csv", ".npz", ".json")
 PICTURES = (".png", ".svg")
 
-FILES = """\
-files:
-  .csv keeps the parameters in `#` lines and names its columns with units; every number
-  reads back to the same double. .npz (numpy.load) and .json hold the same.
-  A file is written under another name and then renamed: it is complete, or it does not
-  appear. One that exists is replaced. A missing directory is made if its parent exists.
-  --times reads text up to 256 MiB: `#` lines are skipped, columns are separated by comma,
-  semicolon or tab, a header is optional. The default of --column is the column t or time,
-  else the first. Whole numbers between commas, which may be decimal commas, need a header
-  or --column. The unit is that of the header, as in `t [ms]`; default s. The order is kept."""
+FILES = Topic(
+    "files",
+    text="""\
+.csv keeps the parameters in `#` lines and names its columns with units; every number reads back to the same double.
+.npz (numpy.load) and .json hold the same. A file is written under another name and then renamed: it is complete, or it
+does not appear. One that exists is replaced. A missing directory is made if its parent exists.
+
+--times reads text up to 256 MiB: `#` lines are skipped, columns are separated by comma, semicolon or tab, a header is
+optional. The default of --column is the column t or time, else the first. Whole numbers between commas, which may be
+decimal commas, need a header or --column. The unit is that of the header, as in `t [ms]`; default s. The order is kept.
+""",
+)
 
 
 Motion = TypeVar("Motion", contravariant=True)
@@ -39,7 +43,7 @@ class Plot(Protocol[Motion]):
     def __call__(self, motion: Motion, t: "Floats", path: BinaryIO, /, *, form: str | None) -> None: ...
 
 
-class ResultOptions(argparse.Namespace):
+class ResultOptions(Options):
     """The options of the files and the summary, as typed."""
 
     out: str | None
@@ -57,26 +61,26 @@ class InstantOptions(ResultOptions):
     column: str | None
 
 
-def instant_options(parser: Parser) -> None:
-    """Add the options of the instants."""
-    group = parser.add_argument_group("the instants")
-    parser.value(group, "--until", "TIME", "last instant; the first is 0 (default 10s)")
-    parser.value(group, "--samples", "N", "number of instants, evenly spaced, both ends included (default 501)")
-    parser.value(group, "--times", "FILE", "read the instants from a text file instead")
-    parser.value(
-        group,
-        "--column",
-        "NAME",
-        "column of --times that holds the instants: its name, or its number if there is no header",
-    )
+def instant_options() -> list[Value]:
+    """The options of the instants."""
+    group = "the instants"
+    column = "column of --times that holds the instants: its name, or its number if there is no header"
+    return [
+        Value("--until", "TIME", "last instant; the first is 0 (default 10s)", group),
+        Value("--samples", "N", "number of instants, evenly spaced, both ends included (default 501)", group),
+        Value("--times", "FILE", "read the instants from a text file instead", group),
+        Value("--column", "NAME", column, group),
+    ]
 
 
-def result_options(parser: Parser, columns: str, curve: str) -> None:
-    """Add the options of the files and the summary; `columns` and `curve` say what is written and drawn."""
-    group = parser.add_argument_group("the results")
-    parser.value(group, "--out", "FILE", f"write {columns} to a .csv, .npz or .json file")
-    parser.value(group, "--plot", "FILE", f"draw {curve} and the phase portrait to a .png or .svg file")
-    group.add_argument("--json", action="store_true", help="print the summary as one JSON object")
+def result_options(columns: str, curve: str) -> list[click.Option]:
+    """The options of the files and the summary; `columns` and `curve` say what is written and drawn."""
+    group = "the results"
+    return [
+        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file", group),
+        Value("--plot", "FILE", f"draw {curve} to a .png or .svg file", group),
+        Flag("--json", "print the summary as one JSON object", group),
+    ]
 
 
 @contextlib.contextmanager

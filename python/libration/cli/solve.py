@@ -6,8 +6,9 @@ Everything that can be refused is refused before the motion is evaluated; files 
 from typing import TYPE_CHECKING
 
 from libration.cli.files import Column, strict, write_table
+from libration.cli.help import Topic
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
-from libration.cli.parser import Parser, Refusal
+from libration.cli.parser import Refusal, command
 from libration.cli.sampling import (
     FILES,
     InstantOptions,
@@ -35,38 +36,30 @@ The exact motion of a pendulum: angle and angular velocity at many instants, and
 the linear solution, theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t), is from it.
 The angle of a rotation grows beyond a turn."""
 
-EPILOG = f"""\
-{UNITS}
-
-{FILES}
-
-With --json: one object on the standard output; the keys end in the unit. null stands for a
-value that is infinite or does not exist; "regime" tells which: on the separatrix the period
-is infinite, in rotation there is no turning angle.
-
-examples:
-  libration solve --theta0 170deg --length 1m
-  libration solve --theta0 3 --length 1m --gravity 9.8 --out motion.csv --plot motion.png
-  libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz"""
+TOPICS = (
+    UNITS,
+    FILES,
+    Topic(
+        "json",
+        text="""\
+With --json: one object on the standard output; the keys end in the unit. null stands for a value that is infinite or
+does not exist; "regime" tells which: on the separatrix the period is infinite, in rotation there is no turning angle.
+""",
+    ),
+)
+EXAMPLES = (
+    "libration solve --theta0 170deg --length 1m",
+    "libration solve --theta0 3 --length 1m --gravity 9.8 --out motion.csv --plot motion.png",
+    "libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz",
+)
 
 
 class SolveOptions(StateOptions, InstantOptions):
     """The options of `libration solve`."""
 
 
-def parser() -> Parser:
-    """The options of `libration solve`."""
-    made = Parser("libration solve", DESCRIPTION, EPILOG)
-    made.usage = "libration solve --theta0 ANGLE (--length LENGTH | --omega0 OMEGA0) [options]"
-    state_options(made, "(this or --omega0 is required)")
-    instant_options(made)
-    result_options(made, "t, theta, velocity and theta_linear", "theta(t)")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: SolveOptions) -> None:
     """Solve what the words ask for, write the files, print the summary."""
-    options = parser().options(words, SolveOptions())
     given = state(options)
     if not has_frequency(given):
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
@@ -140,3 +133,20 @@ def print_text(
         ),
     ]
     print_lines(lines + [("written", path) for path in files])
+
+
+COMMAND = command(
+    "solve",
+    DESCRIPTION,
+    run,
+    SolveOptions,
+    short="angle and velocity at many instants, as a table and as a plot",
+    parameters=[
+        *state_options("(this or --omega0 is required)"),
+        *instant_options(),
+        *result_options("t, theta, velocity and theta_linear", "theta(t) and the phase portrait"),
+    ],
+    usage=["libration solve", "--theta0 ANGLE", "(--length LENGTH | --omega0 OMEGA0)", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

@@ -1,30 +1,42 @@
 """What the commands of a pendulum share: the options of its initial state and frequency, and the Pendulum they give."""
 
-import argparse
 import math
 import re
 from typing import TYPE_CHECKING
 
-from libration.cli.parser import Parser, Refusal, refusal
-from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, VELOCITY, has_unit, quantity
+from libration.cli.help import Topic
+from libration.cli.parser import Options, Refusal, Value, refusal
+from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, Dimension, has_unit, quantity
 
 if TYPE_CHECKING:
     from libration import Pendulum
 
-UNITS = """\
-units:
-  angle       rad, deg, turn          length     m, cm, mm, km, in, ft
-  time        s, ms, min, h           gravity    m/s2
-  velocity    rad/s, deg/s            omega0     rad/s, 1/s, deg/s, Hz (times 2 pi)
-  A number without a unit is in the first: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m, with a
-  decimal point. The value is rounded to a double only once: 180deg is the double nearest
-  to pi."""
+
+def unit_list(dimension: Dimension) -> str:
+    """The units of a dimension, the first of which is that of a number without one."""
+    return ", ".join(dimension.units)
+
+
+UNITS = Topic(
+    "units",
+    (
+        ("angle", unit_list(ANGLE)),
+        ("velocity", unit_list(VELOCITY)),
+        ("time", unit_list(TIME)),
+        ("length", unit_list(LENGTH)),
+        ("gravity", unit_list(GRAVITY)),
+        ("omega0", f"{unit_list(FREQUENCY)} (Hz times 2 pi)"),
+    ),
+    """\
+A number without a unit is in the first: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m, with a decimal point. The value is
+rounded to a double only once: 180deg is the double nearest to pi.""",
+)
 
 # The parameters that a message of Pendulum may name; each is an option after `--`.
 NAMES = re.compile(r"(?<![\w-])(theta0|velocity0|omega0|length|gravity)\b")
 
 
-class StateOptions(argparse.Namespace):
+class StateOptions(Options):
     """The options of the initial state and the frequency, as typed."""
 
     theta0: str | None
@@ -34,16 +46,21 @@ class StateOptions(argparse.Namespace):
     omega0: str | None
 
 
-def state_options(parser: Parser, frequency: str) -> None:
-    """Add the options of the state and the frequency; `frequency` says what happens without one."""
-    group = parser.add_argument_group("the pendulum")
-    parser.value(group, "--theta0", "ANGLE", "initial angle from the lowest point (required)")
-    parser.value(group, "--velocity0", "VELOCITY", "initial angular velocity (default 0)")
-    parser.value(group, "--length", "LENGTH", f"length of the pendulum, positive {frequency}")
-    parser.value(
-        group, "--gravity", "GRAVITY", "acceleration of gravity, positive, with --length (default 9.80665 m/s2)"
-    )
-    parser.value(group, "--omega0", "OMEGA0", "angular frequency of small swings, positive, instead of --length")
+def state_options(frequency: str) -> list[Value]:
+    """The options of the state and the frequency; `frequency` says what happens without one."""
+    group = "the pendulum"
+    return [
+        Value("--theta0", "ANGLE", "initial angle from the lowest point (required)", group),
+        Value("--velocity0", "VELOCITY", "initial angular velocity (default 0)", group),
+        Value("--length", "LENGTH", f"length of the pendulum, positive {frequency}", group),
+        Value(
+            "--gravity",
+            "GRAVITY",
+            "acceleration of gravity, positive, with --length (default 9.80665 m/s2)",
+            group,
+        ),
+        Value("--omega0", "OMEGA0", "angular frequency of small swings, positive, instead of --length", group),
+    ]
 
 
 def state(options: StateOptions) -> dict[str, float]:
