@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from libration.cli.parser import Refusal
-from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, quantity
+from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, quantities, quantity
 
 # pi to 60 digits (OEIS A000796), apart from the constant under test.
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459")
@@ -43,6 +43,43 @@ PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459"
         ("180deg/s", FREQUENCY, math.pi),
         ("360 deg/s", VELOCITY, math.tau),
         ("-2.5rad/s", VELOCITY, -2.5),
+        ("180\N{MASCULINE ORDINAL INDICATOR}", ANGLE, math.pi),
+        ("180\N{RING ABOVE}", ANGLE, math.pi),
+        ("180 degrees", ANGLE, math.pi),
+        ("1 degree", ANGLE, math.radians(1)),
+        ("200gon", ANGLE, math.pi),
+        ("0.5 turns", ANGLE, math.pi),
+        ("1.5 radians", ANGLE, 1.5),
+        ("1100 mrad", ANGLE, 1.1),
+        ("11\N{MICRO SIGN}m", LENGTH, 0.000011),
+        ("11\N{GREEK SMALL LETTER MU}m", LENGTH, 0.000011),
+        ("11um", LENGTH, 0.000011),
+        ("1.1 meters", LENGTH, 1.1),
+        ("1.1 inches", LENGTH, 0.02794),
+        ("11 feet", LENGTH, 3.3528),
+        ("1,5m", LENGTH, 1.5),
+        ("0,250 m", LENGTH, 0.25),
+        ("-0,5", ANGLE, -0.5),
+        ("1,5e-2m", LENGTH, 0.015),
+        ("1,250e1m", LENGTH, 12.5),
+        ("9,8", GRAVITY, 9.8),
+        ("1.1 sec", TIME, 1.1),
+        ("1.1 seconds", TIME, 1.1),
+        ("1.1\N{MICRO SIGN}s", TIME, 0.0000011),
+        ("2 minutes", TIME, 120.0),
+        ("2 hours", TIME, 7200.0),
+        ("9.8 N/kg", GRAVITY, 9.8),
+        ("978.1cm/s2", GRAVITY, 9.781),
+        ("978.1 cm/s\N{SUPERSCRIPT TWO}", GRAVITY, 9.781),
+        ("978.1 cm / s^2", GRAVITY, 9.781),
+        ("978.1 Gal", GRAVITY, 9.781),
+        ("32.1ft/s2", GRAVITY, 9.78408),
+        ("32.1ft/s**2", GRAVITY, 9.78408),
+        ("9.8 m s\N{SUPERSCRIPT MINUS}\N{SUPERSCRIPT TWO}", GRAVITY, 9.8),
+        ("2 s^-1", FREQUENCY, 2.0),
+        ("180\N{MASCULINE ORDINAL INDICATOR}/s", VELOCITY, math.pi),
+        ("60 rpm", VELOCITY, math.tau),
+        ("0.5 turns/s", VELOCITY, math.pi),
     ],
 )
 def test_values(text, dimension, expected):
@@ -76,11 +113,16 @@ def test_the_naive_product_would_not_do():
     ("text", "said"),
     [
         ("12 parsecs", "unknown unit 'parsecs'; lengths take m, cm, mm, km, in, ft"),
-        ("1CM", "unknown unit 'CM'"),
+        ("1CM", "unknown unit 'CM'; lengths take m, cm, mm, km, in, ft; did you mean cm?"),
         ("1deg", "unknown unit 'deg'"),
         ("1e", "unknown unit 'e'"),
-        ("1,5m", "has a decimal comma; write 1.5"),
-        (",5", "has a decimal comma; write 0.5"),
+        (",5", "has a decimal comma after no digit; write 0.5"),
+        ("1,500m", "may have a decimal comma or one after the thousands; write 1.500m or 1500m"),
+        ("-12,345 cm", "write -12.345cm or -12345cm"),
+        ("1,234,567", "is not a number with a unit"),
+        ("1,5,2m", "is not a number with a unit"),
+        ("1.234,5m", "is not a number with a unit"),
+        ("1,", "is not a number with a unit"),
         ("nan", "must be a finite number"),
         ("-inf", "must be a finite number"),
         ("infinity m", "must be a finite number"),
@@ -120,7 +162,7 @@ LONG = 1_000_000
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (LONG * "1" + "," + LONG * "1", "has a decimal comma"),
+        (LONG * "1" + "," + LONG * "1", "is beyond the largest double"),
         (LONG * "1" + "." + LONG * "1" + ".", "is not a number with a unit"),
         ("1" + LONG * " " + "x", "unknown unit 'x'"),
         ("1x" + LONG * " " + "y", "unknown unit"),
@@ -134,3 +176,62 @@ def test_time_grows_with_the_length(text, said):
     with pytest.raises(Refusal, match=said) as caught:
         quantity("--theta0", text, ANGLE)
     assert len(str(caught.value)) < 300
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("1m", [1.0]),
+        ("1m,25cm, 3 mm", [1.0, 0.25, 0.003]),
+        ("1,5m;0,25m", [1.5, 0.25]),
+        ("1;2", [1.0, 2.0]),
+        ("1.5m;2", [1.5, 2.0]),
+    ],
+)
+def test_lists(text, expected):
+    assert quantities("--x", text, LENGTH) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("0,5", "a comma between digits may separate values or be decimal; write 0;5 or 0.5"),
+        ("1m,2,5m", "write 1m;2;5m or 1m,2.5m"),
+        ("1m,,2m", "has an empty place between its separators"),
+        ("1m;", "has an empty place"),
+        ("", "has an empty place"),
+        ("1m,2deg", "--x = 2deg: unknown unit 'deg'"),
+    ],
+)
+def test_refusals_of_lists(text, said):
+    with pytest.raises(Refusal) as caught:
+        quantities("--x", text, LENGTH)
+    assert said in str(caught.value)
+
+
+def test_grad_means_two_things():
+    with pytest.raises(Refusal, match="it is a degree in some languages and pi/200 in others: write deg or gon"):
+        quantity("--theta0", "30grad", ANGLE)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("150", "taken as 150 rad, 24 whole turns and -45.63 deg; for degrees write 150deg"),
+        ("-90", "taken as -90 rad, -14 whole turns and -116.6 deg; for degrees write -90deg"),
+        ("6.3", "taken as 6.3 rad, 1 whole turn and 0.9634 deg; for degrees write 6.3deg"),
+    ],
+)
+def test_a_large_angle_without_unit_is_taken_and_said(capsys, text, said):
+    assert quantity("--theta0", text, ANGLE) == float(text)
+    answer = capsys.readouterr()
+    assert answer.out == ""
+    assert answer.err == f"libration: --theta0 = {text}: {said}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension"), [("150deg", ANGLE), ("150rad", ANGLE), ("6.28", ANGLE), ("150", LENGTH), ("150", VELOCITY)]
+)
+def test_nothing_is_said_otherwise(capsys, text, dimension):
+    quantity("--x", text, dimension)
+    assert capsys.readouterr() == ("", "")

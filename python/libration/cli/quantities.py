@@ -1,28 +1,36 @@
-"""Quantities with units, as typed: `170deg`, `25 cm`, `3min`, `1e-3`.
+"""Quantities with units, as typed: `170deg`, `25 cm`, `1,5m`, `3min`, `1e-3`.
 
 The decimal text is multiplied by an exact (or, with pi, a 100-digit) factor in decimal arithmetic and rounded
 once: `25cm` is the double 0.25 and `180deg` the double nearest to pi. A number without a unit is in
 the first unit.
+
+A comma between two digits is a decimal comma where one value is asked for; where several may be given they are
+separated by commas or by semicolons, and only between semicolons is it a decimal comma.
 """
 
 import math
 import re
+import sys
 from dataclasses import dataclass
 from decimal import Context, Decimal, DecimalException
 
-from libration.cli.parser import quoted, refusal, shown
+from libration.cli.parser import Refusal, quoted, refusal, shown
 
 # 100 digits after the point (OEIS A000796); a quotient with a hundred digits leaves one rounding to a double.
 PI = Decimal("3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679")
 # Each matches from the start of a stripped text, and in one way only: the time is linear in its length.
 NUMBER = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![0-9.,])")
 NOT_FINITE = re.compile(r"[+-]?(?:inf|infinity|nan)\b", re.IGNORECASE)
-COMMA = re.compile(r"([+-]?[0-9]*+),([0-9]++)(?![.,])")
+COMMA = re.compile(r"([+-]?[0-9]++),([0-9]++(?:[eE][+-]?[0-9]++)?)(?![0-9.,])")
+NO_WHOLE = re.compile(r"([+-]?),([0-9]++)(?![.,])")
+# As thousands are written in English: 1,500 is 1500 there, and 1.5 where the comma is decimal.
+THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9eE])")
+BETWEEN_DIGITS = re.compile(r"(?<=[0-9]),(?=[0-9])")
 
 
 @dataclass(frozen=True)
 class Dimension:
-    """A kind of quantity: its name in the plural, and its units as factors of the first."""
+    """A kind of quantity: its name in the plural, its units as factors of the first, and other spellings of them."""
 
     plural: str
     units: dict[str, Decimal]
@@ -30,37 +38,88 @@ class Dimension:
 
     def factor(self, unit: str) -> Decimal | None:
         """The factor of a unit, None for an unknown one."""
+        unit = spelled(unit)
         return self.units.get(unit, self.also.get(unit))
+
+
+# Letters that look alike, as keyboards and spreadsheets write them: the degree sign, the ordinal of Portuguese and
+# Spanish, the ring above; the micro sign and the Greek mu; raised digits and a raised minus.
+LETTERS = str.maketrans({"\xba": "°", "\u02da": "°", "\u03bc": "µ", "²": "2", "¹": "1", "⁻": "-"})
+
+
+def spelled(unit: str) -> str:
+    """A unit as the tables spell it: `m/s2` for `m/s²`, `m/s^2`, `m/s**2` and `m / s2`."""
+    unit = unit.translate(LETTERS).replace("**", "").replace("^", "")
+    return "/".join(part.strip() for part in unit.split("/"))
 
 
 LONG = Context(prec=100)
 ONE = Decimal(1)
 DEGREE = LONG.divide(PI, Decimal(180))
 TURN = LONG.multiply(PI, Decimal(2))
+GON = LONG.divide(PI, Decimal(200))
+PER_MINUTE = LONG.divide(TURN, Decimal(60))
+MILLI = Decimal("0.001")
+MICRO = Decimal("0.000001")
+INCH = Decimal("0.0254")
+FOOT = Decimal("0.3048")
 
-ANGLE = Dimension("angles", {"rad": ONE, "deg": DEGREE, "turn": TURN}, {"°": DEGREE})
+
+def names(factor: Decimal, *spellings: str) -> dict[str, Decimal]:
+    """One factor under several names."""
+    return dict.fromkeys(spellings, factor)
+
+
+ANGLE = Dimension(
+    "angles",
+    {"rad": ONE, "deg": DEGREE, "turn": TURN},
+    names(DEGREE, "°", "degree", "degrees")
+    | names(ONE, "radian", "radians")
+    | names(TURN, "turns", "rev")
+    | {"mrad": MILLI, "gon": GON},
+)
 LENGTH = Dimension(
     "lengths",
-    {
-        "m": ONE,
-        "cm": Decimal("0.01"),
-        "mm": Decimal("0.001"),
-        "km": Decimal(1000),
-        "in": Decimal("0.0254"),
-        "ft": Decimal("0.3048"),
-    },
-    {},
+    {"m": ONE, "cm": Decimal("0.01"), "mm": MILLI, "km": Decimal(1000), "in": INCH, "ft": FOOT},
+    names(ONE, "meter", "meters", "metre", "metres")
+    | names(MICRO, "µm", "um")
+    | names(INCH, "inch", "inches")
+    | names(FOOT, "foot", "feet"),
 )
-TIME = Dimension("times", {"s": ONE, "ms": Decimal("0.001"), "min": Decimal(60), "h": Decimal(3600)}, {})
-GRAVITY = Dimension("accelerations", {"m/s2": ONE, "m/s^2": ONE}, {"m/s²": ONE})
-FREQUENCY = Dimension("angular frequencies", {"rad/s": ONE, "1/s": ONE, "deg/s": DEGREE, "Hz": TURN}, {"°/s": DEGREE})
-VELOCITY = Dimension("angular velocities", {"rad/s": ONE, "deg/s": DEGREE}, {"°/s": DEGREE})
+TIME = Dimension(
+    "times",
+    {"s": ONE, "ms": MILLI, "min": Decimal(60), "h": Decimal(3600)},
+    names(ONE, "sec", "secs", "second", "seconds")
+    | names(MICRO, "µs", "us")
+    | names(MILLI, "msec")
+    | names(Decimal(60), "minute", "minutes")
+    | names(Decimal(3600), "hr", "hour", "hours"),
+)
+GRAVITY = Dimension(
+    "accelerations",
+    {"m/s2": ONE, "N/kg": ONE, "cm/s2": Decimal("0.01"), "ft/s2": FOOT},
+    names(Decimal("0.01"), "Gal") | names(Decimal("0.00001"), "mGal") | names(ONE, "m s-2"),
+)
+FREQUENCY = Dimension(
+    "angular frequencies",
+    {"rad/s": ONE, "1/s": ONE, "deg/s": DEGREE, "Hz": TURN},
+    names(DEGREE, "°/s", "degrees/s") | names(ONE, "s-1", "rad/sec"),
+)
+VELOCITY = Dimension(
+    "angular velocities",
+    {"rad/s": ONE, "deg/s": DEGREE, "turn/s": TURN, "rpm": PER_MINUTE},
+    names(DEGREE, "°/s", "degrees/s") | names(ONE, "1/s", "s-1", "rad/sec") | names(TURN, "turns/s", "rev/s"),
+)
+# Units that mean different things to different people, and what to write instead.
+DOUBTFUL = {"grad": "; it is a degree in some languages and pi/200 in others: write deg or gon"}
 
 
 def quantity(
     option: str, text: str, dimension: Dimension, *, above: float | None = None, least: float | None = None
 ) -> float:
     """The double nearest to a quantity, or a Refusal.
+
+    An angle without a unit that is larger than a turn is taken, and a line on the standard error says as what.
 
     Parameters
     ----------
@@ -93,7 +152,65 @@ def quantity(
         raise refusal(option, text, f"must be greater than {above:g}")
     if least is not None and not value >= least:
         raise refusal(option, text, f"must be {least:g} or greater")
+    if dimension is ANGLE and abs(value) > math.tau and not has_unit(text):
+        warn_of_radians(option, text, value)
     return value
+
+
+def quantities(option: str, text: str, dimension: Dimension) -> list[float]:
+    """The quantities of a list, or a Refusal.
+
+    Parameters
+    ----------
+    option : str
+        The option's name, for the refusal.
+    text : str
+        What was typed: values separated by commas, or by semicolons.
+    dimension : Dimension
+        What each must be.
+
+    Returns
+    -------
+    list of float
+        In the dimension's first unit, in the order typed.
+
+    Examples
+    --------
+    >>> from libration.cli.quantities import LENGTH, quantities
+    >>> quantities("--length", "1m,25cm", LENGTH)
+    [1.0, 0.25]
+    >>> quantities("--length", "1,5m; 0,25m", LENGTH)
+    [1.5, 0.25]
+    """
+    if ";" in text:
+        pieces = text.split(";")
+    elif BETWEEN_DIGITS.search(text):
+        reason = "a comma between digits may separate values or be decimal"
+        apart, decimal = text.replace(",", ";"), BETWEEN_DIGITS.sub(".", text)
+        raise refusal(option, text, f"{reason}; write {shown(apart)} or {shown(decimal)}")
+    else:
+        pieces = text.split(",")
+    if not all(piece.strip() for piece in pieces):
+        raise refusal(option, text, "has an empty place between its separators")
+    return [quantity(option, piece, dimension) for piece in pieces]
+
+
+def warn_of_radians(option: str, text: str, value: float) -> None:
+    """One line on the standard error: how an angle without a unit was taken."""
+    if sys.stderr is None:
+        return
+    rest = math.remainder(value, math.tau)
+    turns = round((value - rest) / math.tau)
+    whole = "1 whole turn" if turns == 1 else f"{turns:.6g} whole turns"
+    line = (
+        f"libration: {option} = {shown(text)}: taken as {value:.6g} rad, {whole} and "
+        f"{math.degrees(rest):.4g} deg; for degrees write {shown(text.strip())}deg"
+    )
+    try:
+        print(line, file=sys.stderr, flush=True)
+    except (OSError, ValueError):
+        # There is nobody to read it.
+        return
 
 
 NUMBERS = Dimension("plain numbers", {"": ONE}, {})
@@ -107,32 +224,43 @@ def plain(option: str, text: str) -> float:
 
 
 def parts(text: str) -> tuple[str | None, str]:
-    """The number at the start of a text, None if there is none, and what follows it."""
+    """The number at the start of a text, with a decimal point, None if there is none, and what follows it."""
     text = text.replace("\N{MINUS SIGN}", "-").strip()
-    found = NUMBER.match(text)
-    return (found[1], text[found.end() :].lstrip()) if found else (None, text)
+    if found := NUMBER.match(text):
+        return found[1], text[found.end() :].lstrip()
+    if found := COMMA.match(text):
+        return f"{found[1]}.{found[2]}", text[found.end() :].lstrip()
+    return None, text
 
 
 def split(option: str, text: str, dimension: Dimension) -> tuple[str, Decimal]:
     """The number of a quantity, as typed, and the factor of its unit, or a Refusal."""
     number, unit = parts(text)
     bare = text.replace("\N{MINUS SIGN}", "-").strip()
-    if comma := COMMA.match(bare):
-        raise refusal(
-            option,
-            text,
-            f"has a decimal comma; write {shown(f'{comma[1]}.{comma[2]}' if comma[1] else f'0.{comma[2]}')}",
-        )
+    if comma := NO_WHOLE.match(bare):
+        raise refusal(option, text, f"has a decimal comma after no digit; write {shown(f'{comma[1]}0.{comma[2]}')}")
+    if THOUSANDS.match(bare) and number is not None:
+        point, none = f"{number}{unit}", f"{number.replace('.', '')}{unit}"
+        raise refusal(option, text, f"may have a decimal comma or one after the thousands; write {point} or {none}")
     if NOT_FINITE.match(bare):
         raise refusal(option, text, "must be a finite number")
-    first, *others = dimension.units
+    first = next(iter(dimension.units))
     if number is None:
         raise refusal(option, text, f"is not a number with a unit; {dimension.plural} look like 1.5 or 1.5{first}")
     factor = dimension.factor(unit) if unit else ONE
     if factor is None:
-        takes = ", ".join([first, *others])
-        raise refusal(option, text, f"unknown unit {quoted(unit)}; {dimension.plural} take {takes}")
+        raise unknown_unit(option, text, unit, dimension)
     return number, factor
+
+
+def unknown_unit(option: str, text: str, unit: str, dimension: Dimension) -> Refusal:
+    """The refusal of a unit, with the one that may be meant."""
+    meant = next((each for each in dimension.units if each and each.lower() == unit.lower()), None)
+    hint = f"; did you mean {meant}?" if meant else ""
+    if dimension is ANGLE:
+        hint = DOUBTFUL.get(unit, hint)
+    takes = ", ".join(dimension.units)
+    return refusal(option, text, f"unknown unit {quoted(unit)}; {dimension.plural} take {takes}{hint}")
 
 
 def has_unit(text: str) -> bool:

@@ -1,7 +1,8 @@
 """Instants: evenly spaced (`--until`, `--samples`) or read from a column of a text file (`--times`, `--column`).
 
 A file is read completely before the first number is used: `#` lines and blank lines are skipped, the first other line
-may be a header, the columns are separated by tab, semicolon or comma, order and repetitions are kept.
+may be a header, the columns are separated by tab, semicolon or comma, order and repetitions are kept. Where tabs or
+semicolons separate, a comma in a number is a decimal comma.
 """
 
 import itertools
@@ -34,6 +35,7 @@ BRACKETS = {"]": "[", ")": "("}
 SIGNS = "+-.\N{MINUS SIGN}"
 # A whole number: a row of them may be numbers with decimal commas, split at the commas.
 WHOLE = re.compile(r"[+-]?[0-9]+([eE][+-]?[0-9]+)?")
+DECIMAL_COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+([eE][+-]?[0-9]+)?")
 TIME_NAMES = ("t", "time", "times")
 
 
@@ -79,15 +81,30 @@ def file_times(path: str, column: str | None) -> "tuple[Floats, str]":
     separator = next((each for each in "\t;," if each in first[1]), ",")
     cells = row(first[1], separator)
     header = cells if is_header(cells) else None
+    if header is not None:
+        lines = below_header(path, first[0], lines)
     index, name, factor = chosen(path, column, cells, header)
     if header is None:
         lines = itertools.chain([first], lines)
     doubtful = header is None and column is None and separator == "," and len(cells) > 1
-    times = read_column(path, lines, separator, len(cells), index, factor, doubtful)
+    times = read_column(path, lines, separator, len(cells), index, factor, doubtful, header is not None)
     if not len(times):
         raise refusal("--times", path, f"holds no instants: no row follows the header in line {first[0]}")
     fits_memory("--times", path, len(times))
     return times, name
+
+
+def below_header(path: str, number: int, lines: Iterator[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    """The lines below a header, or a Refusal if the first of them has the names of several columns."""
+    second = next(lines, None)
+    if second is None:
+        return lines
+    at, line = second
+    separator = next((each for each in "\t;," if each in line), None)
+    if separator is not None and is_header(row(line, separator)):
+        reason = f"lines {number} and {at} are both words: is one a title, or one of units? begin it with #"
+        raise refusal("--times", path, reason)
+    return itertools.chain([second], lines)
 
 
 def text_bytes(path: str) -> bytes:
@@ -193,13 +210,14 @@ def name_and_unit(cell: str) -> tuple[str, str | None]:
         return (cell, None) if opening < 0 else (cell[:opening].rstrip(), cell[opening + 1 : -1].strip())
     at = max(cell.rfind("/"), cell.rfind("_"))
     unit = cell[at + 1 :].lstrip()
-    return (cell[:at].rstrip(), unit) if at >= 0 and unit in TIME.units else (cell, None)
+    return (cell[:at].rstrip(), unit) if at >= 0 and TIME.factor(unit) is not None else (cell, None)
 
 
 def is_header(cells: Sequence[str]) -> bool:
     """Whether the first line names columns: no cell is a number, and the first cell does not begin like one."""
     start = cells[0][:1]
-    return not any(number(cell) is not None for cell in cells) and start not in tuple(SIGNS) and not start.isnumeric()
+    numeric = any(number(cell) is not None or DECIMAL_COMMA.fullmatch(cell) for cell in cells)
+    return not numeric and start not in tuple(SIGNS) and not start.isnumeric()
 
 
 def is_plain(cell: str) -> bool:
@@ -258,20 +276,28 @@ def read_column(
     index: int,
     factor: Decimal,
     doubtful: bool,
+    headed: bool,
 ) -> "Floats":
     """One column as an array of seconds, block by block; `doubtful` if commas between whole numbers may be decimal."""
     import numpy as np
 
-    blocks = []
+    blocks: list[Floats] = []
+    comma = point = False
     while block := list(itertools.islice(lines, BLOCK)):
         rows = [row(line, separator) for _, line in block]
+        if separator != ",":
+            found = commas_as_points(rows, index)
+            comma, point = comma or found[0], point or found[1]
+            if comma and point:
+                reason = "has decimal commas and decimal points in one column; write the one or the other"
+                raise refusal("--times", path, reason)
         try:
             ragged = any(len(cells) != width for cells in rows)
             values = None if ragged else np.array([float(cells[index]) for cells in rows])
         except ValueError:
             values = None
         if values is None or not np.isfinite(values).all() or not all(is_plain(cells[index]) for cells in rows):
-            raise bad_row(path, block, rows, width, index)
+            raise bad_row(path, block, rows, width, index, headed and not blocks)
         doubtful = doubtful and all(WHOLE.fullmatch(cell) for cells in rows for cell in cells)
         if factor != ONE:
             values = np.array([scaled(cells[index], factor) for cells in rows])
@@ -282,10 +308,28 @@ def read_column(
     return np.concatenate(blocks) if blocks else np.empty(0)
 
 
+def commas_as_points(rows: Sequence[list[str]], index: int) -> tuple[bool, bool]:
+    """Write decimal commas of a column as points; whether there were commas, and whether there were points."""
+    comma = point = False
+    for cells in rows:
+        cell = cells[index] if index < len(cells) else ""
+        if DECIMAL_COMMA.fullmatch(cell):
+            comma = True
+            cells[index] = cell.replace(",", ".")
+        elif "." in cell:
+            point = True
+    return comma, point
+
+
 def bad_row(
-    path: str, block: Sequence[tuple[int, str]], rows: Sequence[Sequence[str]], width: int, index: int
+    path: str,
+    block: Sequence[tuple[int, str]],
+    rows: Sequence[Sequence[str]],
+    width: int,
+    index: int,
+    below_header: bool,
 ) -> Refusal:
-    """The Refusal for the first bad row of a block."""
+    """The Refusal for the first bad row of a block, which may be the first below a header."""
     for (line, _), cells in zip(block, rows, strict=True):
         if len(cells) != width:
             reason = f"has {len(cells)} cells, and the first row has {width}"
@@ -293,13 +337,16 @@ def bad_row(
                 reason += "; a decimal comma? write a point"
         elif (value := number(cells[index])) is None:
             reason = f"{quoted(cells[index])} is not a number"
-            if re.fullmatch(r"[+-]?[0-9]*,[0-9]+", cells[index]):
+            if DECIMAL_COMMA.fullmatch(cells[index]):
                 reason += f"; write {cells[index].replace(',', '.')}"
             elif not cells[index]:
                 reason = "has an empty cell"
         elif not math.isfinite(value):
             reason = f"{quoted(cells[index])} is not finite"
         else:
+            below_header = False
             continue
+        if below_header and "write" not in reason:
+            reason += "; if the line above is a title, begin it with #"
         return Refusal(f"--times = {shown(path)}: line {line} {reason}")
     return Refusal(f"--times = {shown(path)}: cannot be read")
