@@ -8,7 +8,9 @@ import pytest
 
 from libration import Pendulum
 from libration.cli import main
+from libration.cli.top import COMMANDS
 
+EVERY = ", ".join(COMMANDS)
 SOLVE = ["solve", "--theta0", "3", "--length", "1m"]
 
 
@@ -40,14 +42,14 @@ def said(capsys, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        ([], "libration: missing command: one of solve, period, compare, duffing, papers; see libration --help"),
+        ([], f"libration: missing command: one of {EVERY}; see libration --help"),
         (
             ["solv"],
-            "libration: unknown command 'solv': commands are solve, period, compare, duffing, papers; did you mean solve?",
+            f"libration: unknown command 'solv': commands are {EVERY}; did you mean solve?",
         ),
         (
             [""],
-            "libration: unknown command '': commands are solve, period, compare, duffing, papers; see libration --help",
+            f"libration: unknown command '': commands are {EVERY}; see libration --help",
         ),
         ([*SOLVE, " "], "libration solve: unknown word ' '; see libration solve --help"),
         (["--theta0", "3"], "libration: unknown option '--theta0'; see libration --help"),

@@ -4,10 +4,12 @@ One function, `main`. Every refusal is one line on the standard error and exit c
 unfinished. NumPy, matplotlib and SciPy are loaded by the commands that need them, so that `--help` is quick.
 """
 
+import os
 import sys
 
 import click
 
+from libration.cli.completion import VARIABLE, offer
 from libration.cli.parser import Finding, Refusal
 from libration.cli.streams import Ended, drop, ending, printable, refused
 from libration.cli.top import COMMANDS, TOP
@@ -67,7 +69,9 @@ def answered(words: list[str]) -> int:
 
 
 def run(words: list[str]) -> None:
-    """Run one command. Not by `main` of click, which prints a blank line at Ctrl-C and exits."""
+    """Run one command, or say to a shell what may follow. Not by `main` of click, which prints a blank line at Ctrl-C and exits."""
+    if asked := os.environ.get(VARIABLE):
+        return offer(TOP, asked)
     try:
         with TOP.make_context("libration", words) as context:
             TOP.invoke(context)

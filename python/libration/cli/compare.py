@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import Column, Json, strict, write_table
 from libration.cli.help import Topic
+from libration.cli.offers import files, solutions
 from libration.cli.parameters import keyed, table_parameters
 from libration.cli.parser import Flag, Refusal, Value, command, refusal
 from libration.cli.quantities import plain
@@ -303,10 +304,19 @@ COMMAND = command(
     short="approximations and numerical solutions beside the exact motion",
     parameters=[
         *state_options("(gives the time in seconds)"),
-        Value("--with", "NAMES", "what to compare, separated by commas (required)", "the comparison", name="names"),
+        Value(
+            "--with",
+            "NAMES",
+            "what to compare, separated by commas (required)",
+            "the comparison",
+            name="names",
+            offered=solutions,
+        ),
         Value("--periods", "N", PERIODS, "the comparison"),
-        Value("--out", "FILE", "write the angles to a .csv, .npz or .json file", "the results"),
-        Value("--plot", "FILE", "draw the angles and their errors to a .png or .svg file", "the results"),
+        Value("--out", "FILE", "write the angles to a .csv, .npz or .json file", "the results", offered=files),
+        Value(
+            "--plot", "FILE", "draw the angles and their errors to a .png or .svg file", "the results", offered=files
+        ),
         Flag("--json", "print the errors as one JSON object", "the results"),
     ],
     usage=["libration compare", "--theta0 ANGLE", "--with NAMES", "[options]"],

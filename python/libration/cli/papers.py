@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from libration.cli.files import staged
 from libration.cli.help import Topic
+from libration.cli.offers import folders, words
 from libration.cli.parser import Finding, Options, Refusal, Value, Word, command, refusal
 from libration.cli.sampling import check_matplotlib, check_package
 
@@ -157,8 +158,20 @@ COMMAND = command(
     PapersOptions,
     short="every figure of three papers about the pendulum, and a check of their numbers",
     parameters=[
-        Word("paper", "PAPER", "salas, lima or horsley (default all three)", "the paper"),
-        Value("--out", "DIR", "directory of the files (default out); made if the one above it exists", "the results"),
+        Word(
+            "paper",
+            "PAPER",
+            "salas, lima or horsley (default all three)",
+            "the paper",
+            offered=words("salas", "lima", "horsley"),
+        ),
+        Value(
+            "--out",
+            "DIR",
+            "directory of the files (default out); made if the one above it exists",
+            "the results",
+            offered=folders,
+        ),
     ],
     usage=["libration papers", "[salas | lima | horsley]", "[--out DIR]"],
     topics=TOPICS,

@@ -23,7 +23,7 @@ NEGATIVE = re.compile(r"-(\.?[0-9]|inf|nan)", re.IGNORECASE)
 # Unknown words are collected, and the first is refused with what may have been meant.
 SETTINGS = {"ignore_unknown_options": True, "allow_extra_args": True, "help_option_names": ["--help"]}
 # The values that a shell offers for the beginning of one.
-Offered: TypeAlias = "Callable[[click.Context, click.Parameter, str], list[CompletionItem[str]]]"
+Offered: TypeAlias = "Callable[[click.Context, click.Parameter, str], list[CompletionItem[str]] | list[str]]"
 
 
 class Refusal(Exception):
@@ -155,6 +155,12 @@ class Command(click.Command):
         if ctx.args and not ctx.resilient_parsing and not isinstance(self, click.Group):
             raise Refusal(unknown(ctx, ctx.args[0]))
         return rest
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem[str]]":
+        """What may follow: of the options those that are not given yet."""
+        given = {option for each in self.params if ctx.params.get(str(each.name)) for option in each.opts}
+        typed = incomplete if isinstance(self, click.Group) else incomplete or "--"
+        return [each for each in super().shell_complete(ctx, typed) if each.value not in given]
 
     def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """How to call it."""

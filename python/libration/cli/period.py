@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import Json, staged
 from libration.cli.help import Topic
+from libration.cli.offers import files
 from libration.cli.parser import Flag, Value, command
 from libration.cli.sampling import PICTURES, check_matplotlib, form
 from libration.cli.state import (
@@ -179,7 +180,13 @@ COMMAND = command(
     short="the period, and how much longer it is than that of small swings",
     parameters=[
         *state_options("(gives the period in seconds)"),
-        Value("--chart", "FILE", "draw the formulas against the turning angle to a .png or .svg file", "the results"),
+        Value(
+            "--chart",
+            "FILE",
+            "draw the formulas against the turning angle to a .png or .svg file",
+            "the results",
+            offered=files,
+        ),
         Flag("--json", "print one JSON object instead of lines", "the results"),
     ],
     usage=["libration period", "--theta0 ANGLE", "[--length LENGTH | --omega0 OMEGA0]", "[options]"],

@@ -11,7 +11,9 @@ import click
 
 from libration.cli.files import staged
 from libration.cli.help import Topic
+from libration.cli.offers import files, units
 from libration.cli.parser import Flag, Options, Refusal, Value, quoted, refusal, shown
+from libration.cli.quantities import TIME
 from libration.cli.times import even_times, file_times
 
 if TYPE_CHECKING:
@@ -66,9 +68,9 @@ def instant_options() -> list[Value]:
     group = "the instants"
     column = "column of --times that holds the instants: its name, or its number if there is no header"
     return [
-        Value("--until", "TIME", "last instant; the first is 0 (default 10s)", group),
+        Value("--until", "TIME", "last instant; the first is 0 (default 10s)", group, offered=units(TIME)),
         Value("--samples", "N", "number of instants, evenly spaced, both ends included (default 501)", group),
-        Value("--times", "FILE", "read the instants from a text file instead", group),
+        Value("--times", "FILE", "read the instants from a text file instead", group, offered=files),
         Value("--column", "NAME", column, group),
     ]
 
@@ -77,8 +79,8 @@ def result_options(columns: str, curve: str) -> list[click.Option]:
     """The options of the files and the summary; `columns` and `curve` say what is written and drawn."""
     group = "the results"
     return [
-        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file", group),
-        Value("--plot", "FILE", f"draw {curve} to a .png or .svg file", group),
+        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file", group, offered=files),
+        Value("--plot", "FILE", f"draw {curve} to a .png or .svg file", group, offered=files),
         Flag("--json", "print the summary as one JSON object", group),
     ]
 

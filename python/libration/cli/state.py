@@ -5,6 +5,7 @@ import re
 from typing import TYPE_CHECKING
 
 from libration.cli.help import Topic
+from libration.cli.offers import units
 from libration.cli.parser import Options, Refusal, Value, refusal
 from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, Dimension, has_unit, quantity
 
@@ -50,16 +51,23 @@ def state_options(frequency: str) -> list[Value]:
     """The options of the state and the frequency; `frequency` says what happens without one."""
     group = "the pendulum"
     return [
-        Value("--theta0", "ANGLE", "initial angle from the lowest point (required)", group),
-        Value("--velocity0", "VELOCITY", "initial angular velocity (default 0)", group),
-        Value("--length", "LENGTH", f"length of the pendulum, positive {frequency}", group),
+        Value("--theta0", "ANGLE", "initial angle from the lowest point (required)", group, offered=units(ANGLE)),
+        Value("--velocity0", "VELOCITY", "initial angular velocity (default 0)", group, offered=units(VELOCITY)),
+        Value("--length", "LENGTH", f"length of the pendulum, positive {frequency}", group, offered=units(LENGTH)),
         Value(
             "--gravity",
             "GRAVITY",
             "acceleration of gravity, positive, with --length (default 9.80665 m/s2)",
             group,
+            offered=units(GRAVITY),
         ),
-        Value("--omega0", "OMEGA0", "angular frequency of small swings, positive, instead of --length", group),
+        Value(
+            "--omega0",
+            "OMEGA0",
+            "angular frequency of small swings, positive, instead of --length",
+            group,
+            offered=units(FREQUENCY),
+        ),
     ]
 
 
