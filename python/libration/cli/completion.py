@@ -94,12 +94,15 @@ class Bash(BashComplete):
 
     source_template: ClassVar[str] = BASH
 
-    def get_completion_args(self) -> tuple[list[str], str]:
+    def words_of_line(self) -> tuple[list[str], str]:
         """The words before the one that is completed, and the beginning of that."""
         line = os.environ["COMP_WORDS"]
         given = split_arg_string(line)
         typed = given.pop() if line[-1:].strip() else ""
         return given[1:], typed
+
+    # The name is click's.
+    get_completion_args = words_of_line
 
 
 class Zsh(ZshComplete):

@@ -6,7 +6,7 @@ Everything that can be refused is refused before the motion is evaluated; files 
 import math
 from typing import TYPE_CHECKING
 
-from libration.cli.files import Column, Parameter, strict, write_table
+from libration.cli.files import STANDARD_OUTPUT, Column, Parameter, strict, write_table
 from libration.cli.help import Topic
 from libration.cli.parameters import keyed
 from libration.cli.parser import Refusal, Value, command
@@ -27,6 +27,8 @@ from libration.cli.sampling import (
     valueless,
     written,
 )
+from libration.cli.style import NumberStyle, number_style
+from libration.cli.summary import digits, print_lines
 
 if TYPE_CHECKING:
     from libration import Duffing
@@ -79,6 +81,7 @@ def run(options: DuffingOptions) -> None:
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
     check_instants(options)
     check_targets(options)
+    style = number_style(options)
     motion = Duffing(**given)
     with targets(options) as (table, plot):
         check_plot(options)
@@ -86,7 +89,7 @@ def run(options: DuffingOptions) -> None:
         u, velocity = motion.motion(times)
         if table and options.out is not None:
             columns: list[Column] = [("t", "s", times), ("u", "", u), ("velocity", "1/s", velocity)]
-            write_table(table, options.out, parameters(given, motion), columns)
+            write_table(table, options.out, parameters(given, motion), columns, style)
         if plot and options.plot is not None:
             from libration.plot import plot_oscillator
 
@@ -97,8 +100,8 @@ def run(options: DuffingOptions) -> None:
         answer |= {"samples": len(times), "samples_nan": nans(u)}
         answer |= {"first_t_s": float(times[0]), "last_t_s": float(times[-1]), "files": files}
         print(strict(answer))
-    else:
-        print_text(motion, times, u, source, files)
+    elif options.out != STANDARD_OUTPUT:
+        print_text(motion, times, u, source, files, style)
 
 
 def parameters(given: dict[str, float], motion: "Duffing") -> list[Parameter]:
@@ -122,20 +125,20 @@ def parameters(given: dict[str, float], motion: "Duffing") -> list[Parameter]:
     ]
 
 
-def print_text(motion: "Duffing", times: "Floats", u: "Floats", source: str | None, files: list[str]) -> None:
+def print_text(
+    motion: "Duffing", times: "Floats", u: "Floats", source: str | None, files: list[str], style: NumberStyle
+) -> None:
     """The summary for people."""
     import numpy as np
 
-    from libration.cli.summary import digits, print_lines
-
     def time(value: float, never: str) -> str:
-        return f"{digits(value)} s" if math.isfinite(value) else never
+        return f"{digits(value, style)} s" if math.isfinite(value) else never
 
     def bound(value: float) -> str:
-        return digits(value) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
+        return digits(value, style) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
 
     def size(value: float) -> str:
-        return digits(value) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
+        return digits(value, style) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
 
     low, high = motion.range
     lines = [
@@ -145,7 +148,7 @@ def print_text(motion: "Duffing", times: "Floats", u: "Floats", source: str | No
         ("energy", f"{size(motion.energy)} per unit mass, 0 at rest at u = 0"),
         ("escapes at", time(motion.escape_time, "never")),
         ("came from infinity at", time(motion.escape_time_backward, "never")),
-        ("sampled", sampled(times, source)),
+        ("sampled", sampled(times, source, style)),
     ]
     beyond = int(np.count_nonzero((times > motion.escape_time) | (times < motion.escape_time_backward)))
     if beyond:

@@ -72,7 +72,15 @@ class Value(click.Option):
     """An option that takes one value, kept as the text typed; a second one is refused."""
 
     def __init__(
-        self, option: str, metavar: str, text: str, group: str, *, name: str = "", offered: "Offered | None" = None
+        self,
+        option: str,
+        metavar: str,
+        text: str,
+        group: str,
+        *,
+        name: str = "",
+        offered: "Offered | None" = None,
+        hidden: bool = False,
     ) -> None:
         names = [option, name] if name else [option]
         # `multiple` keeps every value, so that `once` sees a second one.
@@ -84,6 +92,7 @@ class Value(click.Option):
             type=click.UNPROCESSED,
             callback=self.once,
             shell_complete=offered,
+            hidden=hidden,
         )
         self.group = group
 

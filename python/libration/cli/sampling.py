@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, BinaryIO, Protocol, TypeVar
 
 import click
 
-from libration.cli.files import staged
+from libration.cli.files import STANDARD_OUTPUT, staged, staged_table
 from libration.cli.help import Topic
 from libration.cli.offers import files, units
-from libration.cli.parser import Flag, Options, Refusal, Value, quoted, refusal, shown
+from libration.cli.parser import Flag, Refusal, Value, quoted, refusal, shown
 from libration.cli.quantities import TIME
+from libration.cli.style import PLAIN, NumberStyle, StyleOptions, style_options
 from libration.cli.times import even_times, file_times
 
 if TYPE_CHECKING:
     from libration._arrays import Floats
 
-TABLES = (".csv", ".npz", ".json")
 PICTURES = (".png", ".svg")
 
 FILES = Topic(
@@ -45,10 +45,9 @@ class Plot(Protocol[Motion]):
     def __call__(self, motion: Motion, t: "Floats", path: BinaryIO, /, *, form: str | None) -> None: ...
 
 
-class ResultOptions(Options):
+class ResultOptions(StyleOptions):
     """The options of the files and the summary, as typed."""
 
-    out: str | None
     plot: str | None
     json: bool
     # The file of the instants; None for a command without that option.
@@ -69,7 +68,12 @@ def instant_options() -> list[Value]:
     column = "column of --times that holds the instants: its name, or its number if there is no header"
     return [
         Value("--until", "TIME", "last instant; the first is 0 (default 10s)", group, offered=units(TIME)),
-        Value("--samples", "N", "number of instants, evenly spaced, both ends included (default 501)", group),
+        Value(
+            "--samples",
+            "N",
+            "number of instants, evenly spaced, both ends included; 1: the last alone (default 501)",
+            group,
+        ),
         Value("--times", "FILE", "read the instants from a text file instead", group, offered=files),
         Value("--column", "NAME", column, group),
     ]
@@ -79,9 +83,10 @@ def result_options(columns: str, curve: str) -> list[click.Option]:
     """The options of the files and the summary; `columns` and `curve` say what is written and drawn."""
     group = "the results"
     return [
-        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file", group, offered=files),
+        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file, - to print them", group, offered=files),
         Value("--plot", "FILE", f"draw {curve} to a .png or .svg file", group, offered=files),
         Flag("--json", "print the summary as one JSON object", group),
+        *style_options("15"),
     ]
 
 
@@ -91,7 +96,7 @@ def targets(options: ResultOptions) -> Iterator[tuple[BinaryIO | None, BinaryIO 
     with contextlib.ExitStack() as stack:
         table = plot = None
         if options.out is not None:
-            table = stack.enter_context(staged("--out", options.out, TABLES, keep=read_files(options)))
+            table = stack.enter_context(staged_table(options.out, keep=read_files(options)))
         if options.plot is not None:
             plot = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=read_files(options)))
         yield table, plot
@@ -99,13 +104,13 @@ def targets(options: ResultOptions) -> Iterator[tuple[BinaryIO | None, BinaryIO 
 
 def written(options: ResultOptions) -> list[str]:
     """The files that were asked for."""
-    return [path for path in (options.out, options.plot) if path is not None]
+    return [path for path in (options.out, options.plot) if path not in (None, STANDARD_OUTPUT)]
 
 
-def sampled(times: "Floats", source: str | None) -> str:
+def sampled(times: "Floats", source: str | None, style: NumberStyle = PLAIN) -> str:
     """How many instants, the first and the last, and the file that they are read from."""
-    several = len(times) > 1
-    span = f"{len(times)} instants, {times[0]:.6g} s to {times[-1]:.6g} s" if several else f"t = {times[0]:.6g} s"
+    several, (first, last) = len(times) > 1, (style.signed(f"{each:.6g}") for each in (times[0], times[-1]))
+    span = f"{len(times)} instants, {first} s to {last} s" if several else f"t = {first} s"
     return span + (f", {source}" if source else "")
 
 
@@ -132,7 +137,9 @@ def check_instants(options: InstantOptions) -> None:
 
 
 def check_targets(options: ResultOptions) -> None:
-    """Refuse one file under two names: the second would replace the first."""
+    """Refuse one file under two names: the second would replace the first; and two things on the standard output."""
+    if options.out == STANDARD_OUTPUT and options.json:
+        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
     if options.out is None or options.plot is None or "\0" in options.out + options.plot:
         return
     if os.path.realpath(options.out) == os.path.realpath(options.plot):

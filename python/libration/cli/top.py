@@ -2,13 +2,21 @@
 
 import click
 
-from libration.cli import compare, completion, duffing, papers, period, solve
+from libration.cli import at, compare, completion, duffing, papers, period, solve
 from libration.cli.help import Topic
 from libration.cli.parser import Command, Refusal, nearest, quoted, unknown
 
 COMMANDS: dict[str, click.Command] = {
     str(each.name): each
-    for each in (solve.COMMAND, period.COMMAND, compare.COMMAND, duffing.COMMAND, papers.COMMAND, completion.COMMAND)
+    for each in (
+        solve.COMMAND,
+        at.COMMAND,
+        period.COMMAND,
+        compare.COMMAND,
+        duffing.COMMAND,
+        papers.COMMAND,
+        completion.COMMAND,
+    )
 }
 
 TEXT = """\
