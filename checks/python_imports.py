@@ -33,7 +33,7 @@ class Folder:
         if module not in self.file:
             return set()
         if self.file[module].stem == "__init__" and (module, name) not in seen:
-            for node in self.trees[module].body:
+            for node in ast.walk(self.trees[module]):
                 for alias in node.names if isinstance(node, ast.ImportFrom) else []:
                     if (alias.asname or alias.name) == name:
                         origin = self.absolute(module, node.level, node.module or "")

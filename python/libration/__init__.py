@@ -12,57 +12,58 @@ Examples
 '2.922419'
 """
 
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from . import elliptic as elliptic
-from ._core import __version__
-from ._messages import no_member
-from .elliptic import (
-    JacobiComplexValues,
-    JacobiValues,
-    carlson_rc,
-    carlson_rd,
-    carlson_rf,
-    carlson_rj,
-    complete_e,
-    complete_k,
-    complete_pi,
-    heuman_lambda,
-    incomplete_e,
-    incomplete_f,
-    incomplete_pi,
-    jacobi,
-    jacobi_complex,
-    jacobi_epsilon,
-    jacobi_zeta,
-    nome,
-    theta1,
-    theta2,
-    theta3,
-    theta4,
-)
-from .oscillator import CubicQuintic, Duffing, DuffingForm, OscillatorRegime, duffing_motion
-from .pendulum import (
-    Fourier,
-    Pendulum,
-    Regime,
-    action,
-    advance,
-    frequency,
-    from_action_phase,
-    harmonic_distortion,
-    motion,
-    phase,
-    sensitivities,
-    theta,
-    velocity,
-)
-
 if TYPE_CHECKING:
     from . import approx as approx
+    from . import elliptic as elliptic
+    from . import oscillator as oscillator
     from . import papers as papers
+    from . import pendulum as pendulum
     from . import plot as plot
+    from ._core import __version__
+    from .elliptic import (
+        JacobiComplexValues,
+        JacobiValues,
+        carlson_rc,
+        carlson_rd,
+        carlson_rf,
+        carlson_rj,
+        complete_e,
+        complete_k,
+        complete_pi,
+        heuman_lambda,
+        incomplete_e,
+        incomplete_f,
+        incomplete_pi,
+        jacobi,
+        jacobi_complex,
+        jacobi_epsilon,
+        jacobi_zeta,
+        nome,
+        theta1,
+        theta2,
+        theta3,
+        theta4,
+    )
+    from .oscillator import CubicQuintic, Duffing, DuffingForm, OscillatorRegime, duffing_motion
+    from .pendulum import (
+        Fourier,
+        Pendulum,
+        Regime,
+        action,
+        advance,
+        frequency,
+        from_action_phase,
+        harmonic_distortion,
+        motion,
+        phase,
+        sensitivities,
+        theta,
+        velocity,
+    )
 
 __all__ = [
     "CubicQuintic",
@@ -113,13 +114,26 @@ def __dir__() -> list[str]:
     return [*__all__, "approx", "elliptic", "papers", "plot"]
 
 
+if "LIBRATION_NUM_THREADS" in os.environ:
+    # The core reads it and refuses a bad number; that is due at once.
+    import_module("._core", __name__)
+
 # Hidden from type checkers, so that a name that does not exist is an error there too.
 if not TYPE_CHECKING:
 
     def __getattr__(name: str) -> Any:
-        """The packages that are loaded when they are asked for."""
-        if name in ("approx", "papers", "plot"):
-            return import_module(f".{name}", __name__)
-        if name in elliptic.__all__:
-            raise AttributeError(f"module 'libration' has no attribute {name!r}: did you mean elliptic.{name}?")
-        raise no_member("libration", name)
+        """A public name or a package, loaded when it is asked for: `libration --help` does not wait for NumPy."""
+        if name == "__version__":
+            found = import_module("._core", __name__).__version__
+        elif name in __all__:
+            rooms = (import_module(f".{room}", __name__) for room in ("pendulum", "oscillator", "elliptic"))
+            found = getattr(next(room for room in rooms if name in room.__all__), name)
+        elif name in ("approx", "elliptic", "oscillator", "papers", "pendulum", "plot"):
+            found = import_module(f".{name}", __name__)
+        else:
+            elliptic = import_module(".elliptic", __name__)
+            if name in elliptic.__all__:
+                raise AttributeError(f"module 'libration' has no attribute {name!r}: did you mean elliptic.{name}?")
+            raise import_module("._messages", __name__).no_member("libration", name)
+        globals()[name] = found
+        return found

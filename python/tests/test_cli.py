@@ -9,6 +9,7 @@ import pytest
 
 import libration
 from libration.cli import main
+from libration.cli.top import COMMANDS
 
 HORSLEY = ["--theta0", "3", "--length", "1m", "--gravity", "9.8"]
 
@@ -114,7 +115,7 @@ def test_negative_quantities_are_values_not_options(answer):
     assert answer("period", "--theta0=-.5", "--omega0", "1")["theta0_rad"] == -0.5
 
 
-@pytest.mark.parametrize("words", [["--help"], ["solve", "--help"], ["period", "-h"]])
+@pytest.mark.parametrize("words", [["--help"], ["period", "-h"], *([name, "--help"] for name in COMMANDS)])
 def test_help_has_an_example_and_fits_a_screen(capsys, words):
     assert main(words) == 0
     shown = capsys.readouterr()
@@ -124,7 +125,7 @@ def test_help_has_an_example_and_fits_a_screen(capsys, words):
     assert max(len(line) for line in shown.out.splitlines()) <= 92
 
 
-@pytest.mark.parametrize("words", [["--help"], ["solve", "--help"], ["period", "--help"]])
+@pytest.mark.parametrize("words", [["--help"], *([name, "--help"] for name in COMMANDS)])
 @pytest.mark.parametrize("columns", [40, 60, 80])
 def test_help_wraps_on_a_narrow_screen(capsys, monkeypatch, words, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
@@ -142,11 +143,11 @@ def test_every_example_of_the_help_runs(capsys, tmp_path, monkeypatch, columns):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "instants.csv").write_text("t [s]\n0\n1\n2\n")
     examples = []
-    for words in (["--help"], ["solve", "--help"], ["period", "--help"], ["compare", "--help"]):
+    for words in (["--help"], *([name, "--help"] for name in ("solve", "at", "period", "compare"))):
         main(words)
         text = capsys.readouterr().out.partition("examples:\n")[2].replace("\\\n", "")
         examples += [line.split()[1:] for line in text.splitlines() if line.startswith("  libration ")]
-    assert len(examples) == 12
+    assert len(examples) == 15
     for words in examples:
         assert main(words) == 0, words
 
@@ -156,13 +157,13 @@ def test_version(capsys):
     assert capsys.readouterr().out == f"libration {libration.__version__}\n"
 
 
-@pytest.mark.parametrize("words", [["--help"], ["solve", "--help"], ["period", "--help"], ["compare", "--help"]])
+@pytest.mark.parametrize("words", [["--help"], *([name, "--help"] for name in COMMANDS)])
 def test_help_loads_nothing_that_takes_long(words):
     code = f"""if True:
         import sys
         from libration.cli import main
         main({words})
-        sys.exit(", ".join({{"matplotlib", "scipy", "pandas", "xarray", "dask"}} & set(sys.modules)) or 0)
+        sys.exit(", ".join({{"numpy", "matplotlib", "scipy", "pandas", "xarray", "dask"}} & set(sys.modules)) or 0)
     """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")

@@ -1,19 +1,18 @@
-# argparse: in the standard library, maintained, and fast to start; its errors are re-worded in parser.py.
 """The command `libration`: pendulums, Duffing oscillators and the papers about them, from the shell.
 
 One function, `main`. Every refusal is one line on the standard error and exit code 2; no file is left
-unfinished. matplotlib and SciPy are loaded by the commands that need them, so that `--help` is quick.
+unfinished. NumPy, matplotlib and SciPy are loaded by the commands that need them, so that `--help` is quick.
 """
 
-import contextlib
-import importlib
+import os
 import sys
-from collections.abc import Callable
 
-from libration.cli.parser import Finding, Refusal, top_parser
+import click
+
+from libration.cli.completion import VARIABLE, offer
+from libration.cli.parser import Finding, Refusal
 from libration.cli.streams import Ended, drop, ending, printable, refused
-
-COMMANDS = ("solve", "period", "compare", "duffing", "papers")
+from libration.cli.top import COMMANDS, TOP
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -47,12 +46,8 @@ def answered(words: list[str]) -> int:
     try:
         if sys.stdout is None:
             raise Refusal("standard output: is closed, so there is nowhere to print")
-        # argparse raises SystemExit after --help.
-        with contextlib.suppress(SystemExit), ending():
-            if words and words[0] in COMMANDS:
-                command(words[0])(words[1:])
-            else:
-                top_parser(COMMANDS).refuse_or_print(words)
+        with ending():
+            run(words)
         sys.stdout.flush()
         return 0
     except Refusal as refusal:
@@ -73,7 +68,13 @@ def answered(words: list[str]) -> int:
         return refused(prog, f"standard output: {error.strerror or error}")
 
 
-def command(name: str) -> Callable[[list[str]], None]:
-    """The function that runs one command; its module is imported here."""
-    run: Callable[[list[str]], None] = importlib.import_module(f"libration.cli.{name}").run
-    return run
+def run(words: list[str]) -> None:
+    """Run one command, or say to a shell what may follow. Not by `main` of click, which prints a blank line at Ctrl-C and exits."""
+    if asked := os.environ.get(VARIABLE):
+        return offer(TOP, asked)
+    try:
+        with TOP.make_context("libration", words) as context:
+            TOP.invoke(context)
+    except click.exceptions.Exit:
+        # After --help and --version.
+        return

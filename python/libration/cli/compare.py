@@ -7,12 +7,16 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
-from libration.cli.files import Column, Json, strict, write_table
+from libration.cli.files import STANDARD_OUTPUT, Column, Json, strict, write_table
+from libration.cli.help import Topic
+from libration.cli.offers import files, solutions
 from libration.cli.parameters import keyed, table_parameters
-from libration.cli.parser import Parser, Refusal, refusal
+from libration.cli.parser import Flag, Refusal, Value, command, refusal
 from libration.cli.quantities import plain
 from libration.cli.sampling import ResultOptions, check_plot, check_targets, form, targets, written
-from libration.cli.state import UNITS, StateOptions, has_frequency, pendulum, state, state_options, upright
+from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options, upright
+from libration.cli.style import NumberStyle, number_style, style_options
+from libration.cli.summary import angle_text, period_text, print_lines
 
 if TYPE_CHECKING:
     from libration import Pendulum
@@ -29,83 +33,77 @@ How far approximations and numerical solutions are from the exact motion: the la
 error of each, in rad and in percent of the turning angle (as Lima 2019 counts), over one
 period and over a hundred."""
 
-EPILOG = f"""\
-approximations:
-  linear                theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t)
-  harmonic              a cosine with the exact period (Lima 17)
-  fourier:N             N terms of sn, under the arcsine (Lima 22); undefined where that is
-  fourier-theta:N       N terms of the series of theta itself
-  trigonometric         cosine over root, for a release from rest (Salas 35)
-  small-m               first order in m, any start; its error grows with time (Salas)
-  small-m-bounded       the same without that growth
-  cubic, cubic-quintic  sin(theta) as a polynomial (Salas 2, 3), solved exactly
-  taylor:N              N-th Taylor polynomial in t about t = 0
-numerical solutions, with steps of H seconds, or SciPy's with their defaults:
-  euler:H, euler-cromer:H, rk4:H, solve_ivp, odeint
-
-Without --length or --omega0 it is a pendulum with omega0 = 1 rad/s.
-
-{UNITS}
-
-files:
-  --out writes t, the exact theta and that of each solution at 1,000 instants a period to a
-  .csv, .npz or .json file, nan (in JSON null) where one is undefined. --plot draws the
-  angles above their errors to a .png or .svg file.
-
-examples:
-  libration compare --theta0 157.5deg --with harmonic,fourier:4,fourier-theta:4
-  libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png
-  libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025"""
+APPROXIMATIONS = Topic(
+    "approximations",
+    (
+        ("linear", "theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t)"),
+        ("harmonic", "a cosine with the exact period (Lima 17)"),
+        ("fourier:N", "N terms of sn, under the arcsine (Lima 22); undefined where that is"),
+        ("fourier-theta:N", "N terms of the series of theta itself"),
+        ("trigonometric", "cosine over root, for a release from rest (Salas 35)"),
+        ("small-m", "first order in m, any start; its error grows with time (Salas)"),
+        ("small-m-bounded", "the same without that growth"),
+        ("cubic, cubic-quintic", "sin(theta) as a polynomial (Salas 2, 3), solved exactly"),
+        ("taylor:N", "N-th Taylor polynomial in t about t = 0"),
+    ),
+)
+NUMERICAL = Topic(
+    "numerical solutions",
+    (
+        ("euler:H", "explicit Euler, with steps of H seconds"),
+        ("euler-cromer:H", "semi-implicit Euler, symplectic"),
+        ("rk4:H", "the classical Runge-Kutta method of order 4"),
+        ("solve_ivp, odeint", "SciPy's, with their defaults"),
+    ),
+)
+TOPICS = (
+    APPROXIMATIONS,
+    NUMERICAL,
+    Topic("omega0", text="Without --length or --omega0 it is a pendulum with omega0 = 1 rad/s."),
+    UNITS,
+    Topic(
+        "files",
+        text="""\
+--out writes t, the exact theta and that of each solution at 1,000 instants a period to a .csv, .npz or .json file, nan
+(in JSON null) where one is undefined. --plot draws the angles above their errors to a .png or .svg file.""",
+    ),
+)
+EXAMPLES = (
+    "libration compare --theta0 157.5deg --with harmonic,fourier:4,fourier-theta:4",
+    "libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png",
+    "libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025",
+)
+PERIODS = "periods of the table, the plot and one of the errors; the other is over 100 (default 1)"
 
 LONG = 100.0
 
 
 class CompareOptions(StateOptions, ResultOptions):
-    """The options of `libration compare`; `with`, a keyword of Python, is read by `getattr`."""
+    """The options of `libration compare`; `names` are those of --with."""
 
+    names: str | None
     periods: str | None
 
 
-def parser() -> Parser:
-    """The options of `libration compare`."""
-    made = Parser("libration compare", DESCRIPTION, EPILOG)
-    made.usage = "libration compare --theta0 ANGLE --with NAMES [options]"
-    state_options(made, "(gives the time in seconds)")
-    group = made.add_argument_group("the comparison")
-    made.value(group, "--with", "NAMES", "what to compare, separated by commas (required)")
-    made.value(
-        group,
-        "--periods",
-        "N",
-        "periods of the table, the plot and one of the errors; the other is over 100 (default 1)",
-    )
-    group = made.add_argument_group("the results")
-    made.value(group, "--out", "FILE", "write the angles to a .csv, .npz or .json file")
-    made.value(group, "--plot", "FILE", "draw the angles and their errors to a .png or .svg file")
-    group.add_argument("--json", action="store_true", help="print the errors as one JSON object")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: CompareOptions) -> None:
     """Compare the solutions that the words name, write the files, print the errors."""
-    options = parser().options(words, CompareOptions())
     given = state(options)
-    assumed = not has_frequency(given)
-    if assumed:
-        given["omega0"] = 1.0
-    text: str | None = getattr(options, "with")
-    wanted = names(text)
+    assumed = not given.has_frequency
+    given = given.with_frequency(1.0)
+    wanted = names(options.names)
     periods = span(options.periods)
     check_targets(options)
+    style = number_style(options)
     motion = moving(options, pendulum(given))
-    solutions = different([solution(name, motion) for name in wanted], text)
+    hint = "; leave out --from-top" if given.from_top else ""
+    solutions = different([solution(name, motion, hint) for name in wanted], options.names)
     with targets(options) as (table, plot):
         check_plot(options)
         spans = sorted({periods, LONG})
         rows = [(name, [measured(name, made, each) for each in spans]) for name, made in solutions]
         if table and options.out is not None:
             columns = sampled_angles(motion, solutions, periods)
-            write_table(table, options.out, table_parameters(given, motion), columns)
+            write_table(table, options.out, table_parameters(given, motion), columns, style)
         if plot and options.plot is not None:
             from libration.plot import plot_comparison
 
@@ -113,8 +111,8 @@ def run(words: list[str]) -> None:
     files = written(options)
     if options.json:
         print_json(given, motion, spans, rows, files)
-    else:
-        print_text(motion, assumed, spans, rows, files)
+    elif options.out != STANDARD_OUTPUT:
+        print_text(motion, assumed, spans, rows, files, style)
 
 
 def names(text: str | None) -> list[str]:
@@ -162,7 +160,7 @@ def moving(options: CompareOptions, motion: "Pendulum") -> "Pendulum":
     return motion
 
 
-def solution(name: str, motion: "Pendulum") -> Solution:
+def solution(name: str, motion: "Pendulum", hint: str) -> Solution:
     """One solution by its name, or a Refusal with the nearest names first."""
     from libration import approx
     from libration.approx._numerical import nearest
@@ -176,7 +174,7 @@ def solution(name: str, motion: "Pendulum") -> Solution:
     try:
         return makes(name).of(motion)
     except (ValueError, ImportError) as error:
-        raise refusal("--with", name, reason(error, name)) from error
+        raise refusal("--with", name, reason(error, name) + hint * ("omega2" in str(error))) from error
 
 
 def reason(error: Exception, name: str) -> str:
@@ -211,7 +209,7 @@ def key_of(name: str) -> str:
 
 
 def print_json(
-    given: dict[str, float],
+    given: State,
     motion: "Pendulum",
     spans: Sequence[float],
     rows: Sequence[tuple[str, list[Measured]]],
@@ -243,15 +241,14 @@ def print_text(
     spans: Sequence[float],
     rows: Sequence[tuple[str, list[Measured]]],
     files: list[str],
+    style: NumberStyle,
 ) -> None:
     """A table for people."""
-    from libration.cli.summary import angle_text, period_text, print_lines
-
     regime = str(motion.regime)
     print_lines(
         [
-            ("exact motion", f"{regime}, period {period_text(regime, motion.period)}"),
-            ("turning angle", angle_text(regime, motion.theta_max)),
+            ("exact motion", f"{regime}, period {period_text(regime, motion.period, style)}"),
+            ("turning angle", angle_text(regime, motion.theta_max, style)),
             *([("omega0", "1 rad/s (default)")] if assumed else []),
         ]
     )
@@ -266,9 +263,9 @@ def print_text(
         cells = [
             f"  {cell:>{len(head)}}"
             for error, _ in errors
-            for head, cell in zip(heads, texts(error, motion, percent), strict=True)
+            for head, cell in zip(heads, texts(error, motion, percent, style), strict=True)
         ]
-        print(f"{name:{width}}{''.join(cells)}{remarks(motion, errors)}".rstrip())
+        print(f"{name:{width}}{''.join(cells)}{remarks(motion, errors, style)}".rstrip())
     if percent:
         print("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
@@ -281,21 +278,57 @@ def over(periods: float) -> str:
     return f"over {periods:g} {'period' if periods == 1 else 'periods'}"
 
 
-def texts(error: "AngleError", motion: "Pendulum", percent: bool) -> list[str]:
+def texts(error: "AngleError", motion: "Pendulum", percent: bool, style: NumberStyle) -> list[str]:
     """The cells of one error."""
     if math.isnan(error.difference):
         return ["undefined", *(["-"] if percent else []), "-"]
-    shown = [f"{error.difference:.4g}", *([f"{100 * error.relative:.4g}"] if percent else [])]
-    return [*shown, f"{error.t / motion.period:.5g}"]
+    shown = [style.shown(error.difference, 4), *([style.shown(100 * error.relative, 4)] if percent else [])]
+    return [*shown, style.shown(error.t / motion.period, 5)]
 
 
-def remarks(motion: "Pendulum", errors: Sequence[Measured]) -> str:
+def remarks(motion: "Pendulum", errors: Sequence[Measured], style: NumberStyle) -> str:
     """Where a solution is undefined, and when it goes over the top; the last error is that of the longest span."""
     said = []
     gaps = [error.undefined_from for error, _ in errors if not math.isnan(error.undefined_from)]
     if gaps:
-        said.append(f"undefined from t/T = {gaps[0] / motion.period:.5g}")
+        said.append(f"undefined from t/T = {style.shown(gaps[0] / motion.period, 5)}")
     top = errors[-1][1]
     if not math.isnan(top):
-        said.append(f"goes over the top at t = {top:.4g} s")
+        said.append(f"goes over the top at t = {style.shown(top, 4)} s")
     return "  " + "; ".join(said) if said else ""
+
+
+COMMAND = command(
+    "compare",
+    DESCRIPTION,
+    run,
+    CompareOptions,
+    short="approximations and numerical solutions beside the exact motion",
+    parameters=[
+        *state_options("(gives the time in seconds)"),
+        Value(
+            "--with",
+            "NAMES",
+            "what to compare, separated by commas (required)",
+            "the comparison",
+            name="names",
+            offered=solutions,
+        ),
+        Value("--periods", "N", PERIODS, "the comparison"),
+        Value(
+            "--out",
+            "FILE",
+            "write the angles to a .csv, .npz or .json file, - to print them",
+            "the results",
+            offered=files,
+        ),
+        Value(
+            "--plot", "FILE", "draw the angles and their errors to a .png or .svg file", "the results", offered=files
+        ),
+        Flag("--json", "print the errors as one JSON object", "the results"),
+        *style_options("4, of times 5"),
+    ],
+    usage=["libration compare", "--theta0 ANGLE", "--with NAMES", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

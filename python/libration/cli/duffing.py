@@ -6,9 +6,10 @@ Everything that can be refused is refused before the motion is evaluated; files 
 import math
 from typing import TYPE_CHECKING
 
-from libration.cli.files import Column, Parameter, strict, write_table
+from libration.cli.files import STANDARD_OUTPUT, Column, Parameter, strict, write_table
+from libration.cli.help import Topic
 from libration.cli.parameters import keyed
-from libration.cli.parser import Parser, Refusal
+from libration.cli.parser import Refusal, Value, command
 from libration.cli.quantities import plain
 from libration.cli.sampling import (
     FILES,
@@ -26,6 +27,8 @@ from libration.cli.sampling import (
     valueless,
     written,
 )
+from libration.cli.style import NumberStyle, number_style
+from libration.cli.summary import digits, print_lines
 
 if TYPE_CHECKING:
     from libration import Duffing
@@ -35,21 +38,26 @@ DESCRIPTION = """\
 The exact motion of the Duffing oscillator u'' + p u + q u^3 = 0 from any start: hardening or
 softening, with one well or two, on a separatrix, or escaping to infinity in finite time."""
 
-EPILOG = f"""\
-u0, velocity0, p and q are numbers without a unit, of any sign; u is in any unit, time in s
-(--until takes ms, min, h too). Beyond an escape u does not exist: nan in a table, null in
-JSON.
-
-{FILES}
-
-With --json: one object on the standard output. null stands for a value that is infinite or
-does not exist: a motion that does not repeat has no period, one that does not escape no
-escape time.
-
-examples:
-  libration duffing --p 1 --q 0.5 --u0 2
-  libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png
-  libration duffing --p 1 --q -1 --u0 1.1 --out escape.csv"""
+TOPICS = (
+    Topic(
+        "numbers",
+        text="""\
+u0, velocity0, p and q are numbers without a unit, of any sign; u is in any unit, time in s (--until takes ms, min, h
+too). Beyond an escape u does not exist: nan in a table, null in JSON.""",
+    ),
+    FILES,
+    Topic(
+        "json",
+        text="""\
+With --json: one object on the standard output. null stands for a value that is infinite or does not exist: a motion
+that does not repeat has no period, one that does not escape no escape time.""",
+    ),
+)
+EXAMPLES = (
+    "libration duffing --p 1 --q 0.5 --u0 2",
+    "libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png",
+    "libration duffing --p 1 --q -1 --u0 1.1 --out escape.csv",
+)
 
 
 class DuffingOptions(InstantOptions):
@@ -61,25 +69,10 @@ class DuffingOptions(InstantOptions):
     velocity0: str | None
 
 
-def parser() -> Parser:
-    """The options of `libration duffing`."""
-    made = Parser("libration duffing", DESCRIPTION, EPILOG)
-    made.usage = "libration duffing --p P --q Q --u0 U0 [options]"
-    group = made.add_argument_group("the oscillator")
-    made.value(group, "--p", "P", "coefficient of the linear force (required)")
-    made.value(group, "--q", "Q", "coefficient of the cubic force (required)")
-    made.value(group, "--u0", "U0", "initial displacement (required)")
-    made.value(group, "--velocity0", "VELOCITY0", "initial velocity (default 0)")
-    instant_options(made)
-    result_options(made, "t, u and velocity", "u(t)")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: DuffingOptions) -> None:
     """Solve what the words ask for, write the files, print the summary."""
     from libration import Duffing
 
-    options = parser().options(words, DuffingOptions())
     required = {"p": options.p, "q": options.q, "u0": options.u0}
     missing = [f"--{name}" for name, text in required.items() if text is None]
     if missing:
@@ -88,6 +81,7 @@ def run(words: list[str]) -> None:
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
     check_instants(options)
     check_targets(options)
+    style = number_style(options)
     motion = Duffing(**given)
     with targets(options) as (table, plot):
         check_plot(options)
@@ -95,7 +89,7 @@ def run(words: list[str]) -> None:
         u, velocity = motion.motion(times)
         if table and options.out is not None:
             columns: list[Column] = [("t", "s", times), ("u", "", u), ("velocity", "1/s", velocity)]
-            write_table(table, options.out, parameters(given, motion), columns)
+            write_table(table, options.out, parameters(given, motion), columns, style)
         if plot and options.plot is not None:
             from libration.plot import plot_oscillator
 
@@ -106,8 +100,8 @@ def run(words: list[str]) -> None:
         answer |= {"samples": len(times), "samples_nan": nans(u)}
         answer |= {"first_t_s": float(times[0]), "last_t_s": float(times[-1]), "files": files}
         print(strict(answer))
-    else:
-        print_text(motion, times, u, source, files)
+    elif options.out != STANDARD_OUTPUT:
+        print_text(motion, times, u, source, files, style)
 
 
 def parameters(given: dict[str, float], motion: "Duffing") -> list[Parameter]:
@@ -131,20 +125,20 @@ def parameters(given: dict[str, float], motion: "Duffing") -> list[Parameter]:
     ]
 
 
-def print_text(motion: "Duffing", times: "Floats", u: "Floats", source: str | None, files: list[str]) -> None:
+def print_text(
+    motion: "Duffing", times: "Floats", u: "Floats", source: str | None, files: list[str], style: NumberStyle
+) -> None:
     """The summary for people."""
     import numpy as np
 
-    from libration.cli.summary import digits, print_lines
-
     def time(value: float, never: str) -> str:
-        return f"{digits(value)} s" if math.isfinite(value) else never
+        return f"{digits(value, style)} s" if math.isfinite(value) else never
 
     def bound(value: float) -> str:
-        return digits(value) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
+        return digits(value, style) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
 
     def size(value: float) -> str:
-        return digits(value) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
+        return digits(value, style) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
 
     low, high = motion.range
     lines = [
@@ -154,10 +148,30 @@ def print_text(motion: "Duffing", times: "Floats", u: "Floats", source: str | No
         ("energy", f"{size(motion.energy)} per unit mass, 0 at rest at u = 0"),
         ("escapes at", time(motion.escape_time, "never")),
         ("came from infinity at", time(motion.escape_time_backward, "never")),
-        ("sampled", sampled(times, source)),
+        ("sampled", sampled(times, source, style)),
     ]
     beyond = int(np.count_nonzero((times > motion.escape_time) | (times < motion.escape_time_backward)))
     if beyond:
         lines.append(("of them beyond an escape", f"{beyond}, nan in a table"))
     lines += valueless(nans(u) - beyond)
     print_lines(lines + [("written", path) for path in files])
+
+
+COMMAND = command(
+    "duffing",
+    DESCRIPTION,
+    run,
+    DuffingOptions,
+    short="the nonlinear spring u'' + p u + q u^3 = 0, as solve",
+    parameters=[
+        Value("--p", "P", "coefficient of the linear force (required)", "the oscillator"),
+        Value("--q", "Q", "coefficient of the cubic force (required)", "the oscillator"),
+        Value("--u0", "U0", "initial displacement (required)", "the oscillator"),
+        Value("--velocity0", "VELOCITY0", "initial velocity (default 0)", "the oscillator"),
+        *instant_options(),
+        *result_options("t, u and velocity", "u(t) and the phase portrait"),
+    ],
+    usage=["libration duffing", "--p P", "--q Q", "--u0 U0", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

@@ -6,14 +6,17 @@ any later error it is removed, and so is a directory made for it.
 
 import contextlib
 import errno
+import io
 import json
 import math
 import os
 import secrets
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from libration.cli.parser import refusal
+from libration.cli.style import PLAIN, NumberStyle
 
 if TYPE_CHECKING:
     from libration._arrays import Floats, NDArray
@@ -28,7 +31,9 @@ ROWS = 50_000
 
 
 @contextlib.contextmanager
-def staged(option: str, path: str, suffixes: Sequence[str], *, keep: Sequence[str] = ()) -> Iterator[BinaryIO]:
+def staged(
+    option: str, path: str, suffixes: Sequence[str], *, keep: Sequence[str] = (), also: str = ""
+) -> Iterator[BinaryIO]:
     """Open a file beside `path`; rename it to `path` when the block ends, or remove it after an error.
 
     Parameters
@@ -39,6 +44,8 @@ def staged(option: str, path: str, suffixes: Sequence[str], *, keep: Sequence[st
         The endings that the option allows.
     keep : sequence of str
         Files that are read, which must not be the target.
+    also : str
+        What else the option takes, for the refusal of an ending.
 
     Yields
     ------
@@ -46,7 +53,7 @@ def staged(option: str, path: str, suffixes: Sequence[str], *, keep: Sequence[st
     """
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in suffixes or "\0" in path:
-        raise refusal(option, path, f"must end in {' or '.join([', '.join(suffixes[:-1]), suffixes[-1]])}")
+        raise refusal(option, path, f"must end in {' or '.join([', '.join(suffixes[:-1]), suffixes[-1]])}{also}")
     target = os.path.realpath(path)
     for read in keep:
         if target == os.path.realpath(read):
@@ -105,8 +112,12 @@ def writable(option: str, path: str, target: str) -> None:
         raise refusal(option, path, "cannot be written: it is read-only")
 
 
-def write_csv(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
+def write_csv(
+    file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence[Column], style: NumberStyle = PLAIN
+) -> None:
     """Comma-separated doubles by repr, which read back bit for bit, after `#` lines with the parameters.
+
+    With a decimal comma, semicolons separate, and the first `#` line says so.
 
     Parameters
     ----------
@@ -115,23 +126,29 @@ def write_csv(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence
         Name, value and unit.
     columns : list of (str, str, ndarray)
         Name, unit and values.
+    style : NumberStyle
+        The decimal sign and the digits.
     """
-    lines = [
-        f"# {name} = {value!r} {unit}".rstrip() if unit else f"# {name} = {value}" for name, value, unit in parameters
+    lines = ["# decimal comma, columns separated by semicolons"] if style.comma else []
+    lines += [
+        f"# {name} = {style.written(value) if isinstance(value, float) else value} {unit}".rstrip()
+        for name, value, unit in parameters
     ]
-    lines.append(",".join(f"{name} [{unit}]" for name, unit, _ in columns))
+    lines.append(style.separator.join(f"{name} [{unit}]" if unit else name for name, unit, _ in columns))
+    text = repr if style == PLAIN else style.written
     file.write(("\n".join(lines) + "\n").encode())
     count = len(columns[0][2])
     for start in range(0, count, ROWS):
-        texts = [map(repr, values[start : start + ROWS].tolist()) for _, _, values in columns]
-        file.write(("\n".join(map(",".join, zip(*texts, strict=True))) + "\n").encode())
+        texts = [map(text, values[start : start + ROWS].tolist()) for _, _, values in columns]
+        file.write(("\n".join(map(style.separator.join, zip(*texts, strict=True))) + "\n").encode())
 
 
 def write_npz(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
     """A NumPy archive: the columns as arrays, the parameters as scalars, all by name, in SI units."""
     import numpy as np
 
-    arrays: dict[str, NDArray[Any]] = {name: values for name, _, values in columns}
+    # Of two columns with one name the first is in the SI unit.
+    arrays: dict[str, NDArray[Any]] = {name: values for name, _, values in reversed(columns)}
     arrays.update({name: np.array(value) for name, value, _ in parameters})
     # NumPy declares allow_pickle beside `**arrays`, and type checkers take the arrays for it.
     savez: Callable[..., None] = np.savez
@@ -153,7 +170,7 @@ def write_json(file: BinaryIO, parameters: Sequence[Parameter], columns: Sequenc
 
 def key(name: str, unit: str) -> str:
     """`period` in `s` as `period_s`, `velocity` in `rad/s` as `velocity_rad_per_s`."""
-    return f"{name}_{unit.replace('/', '_per_').replace('^', '')}" if unit else name
+    return f"{name}_{unit.replace('/', '_per_').replace('^', '')}" if unit and unit != "T/T0" else name
 
 
 def strict(value: Json) -> str:
@@ -172,16 +189,34 @@ def finite(value: Json) -> Json:
     return value
 
 
-WRITERS: dict[str, Callable[[BinaryIO, Sequence[Parameter], Sequence[Column]], None]] = {
-    ".csv": write_csv,
-    ".npz": write_npz,
-    ".json": write_json,
-}
+TABLES = (".csv", ".npz", ".json")
+# As the name of a file: the standard output.
+STANDARD_OUTPUT = "-"
 
 
-def write_table(file: BinaryIO, path: str, parameters: Sequence[Parameter], columns: Sequence[Column]) -> None:
+@contextlib.contextmanager
+def staged_table(path: str, *, keep: Sequence[str] = ()) -> Iterator[BinaryIO]:
+    """Open what --out names: a staged file, or for `-` what is printed when the block ends."""
+    if path != STANDARD_OUTPUT:
+        with staged("--out", path, TABLES, keep=keep, also="; - is the standard output, as .csv") as file:
+            yield file
+        return
+    printed = io.BytesIO()
+    yield printed
+    sys.stdout.write(printed.getvalue().decode())
+
+
+def write_table(
+    file: BinaryIO, path: str, parameters: Sequence[Parameter], columns: Sequence[Column], style: NumberStyle = PLAIN
+) -> None:
     """Write parameters and columns in the format of the suffix of `path`."""
-    WRITERS[os.path.splitext(path)[1].lower()](file, parameters, columns)
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix == ".npz":
+        write_npz(file, parameters, columns)
+    elif suffix == ".json":
+        write_json(file, parameters, columns)
+    else:
+        write_csv(file, parameters, columns, style)
 
 
 def readable(option: str, path: str) -> tuple[int, bool]:

@@ -3,7 +3,6 @@
 All files are opened before anything is drawn, and renamed at the end.
 """
 
-import argparse
 import contextlib
 import csv
 import io
@@ -14,7 +13,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, BinaryIO
 
 from libration.cli.files import staged
-from libration.cli.parser import Finding, Parser, Refusal, refusal
+from libration.cli.help import Topic
+from libration.cli.offers import folders, words
+from libration.cli.parser import Finding, Options, Refusal, Value, Word, command, refusal
 from libration.cli.sampling import check_matplotlib, check_package
 
 if TYPE_CHECKING:
@@ -24,45 +25,37 @@ DESCRIPTION = """\
 Three papers about the pendulum, checked: Salas 2019, Lima 2019 and Horsley 2025. Draws each
 of their figures again, and prints each number that they claim beside the one measured here."""
 
-EPILOG = """\
-files in DIR:
-  salas-1 to salas-7, lima-1 to lima-4, horsley-1 to horsley-3, horsley-phase-space and
-  horsley-ellipse, each as .svg and .png with source and choices in the caption; claims.csv
-  with the rows of the table. Files that exist are replaced; all are written, or none.
-
-A claim is `reproduced`, `corrected` (the measured value is right), or `not reproducible` for
-the reason given. The exit code is 0 if what is measured supports every verdict, else 1. The wrong
-lines of the papers are listed in docs/errata.md.
-
-examples:
-  libration papers
-  libration papers lima --out figures"""
+TOPICS = (
+    Topic(
+        "files in DIR",
+        text="""\
+salas-1 to salas-7, lima-1 to lima-4, horsley-1 to horsley-3, horsley-phase-space and horsley-ellipse, each as .svg and
+.png with source and choices in the caption; claims.csv with the rows of the table. Files that exist are replaced; all
+are written, or none.""",
+    ),
+    Topic(
+        "verdicts",
+        text="""\
+A claim is `reproduced`, `corrected` (the measured value is right), or `not reproducible` for the reason given. The exit
+code is 0 if what is measured supports every verdict, else 1. The wrong lines of the papers are listed in
+docs/errata.md.""",
+    ),
+)
+EXAMPLES = ("libration papers", "libration papers lima --out figures")
 
 FORMS = ("svg", "png")
 COLUMNS = ("work", "place", "claim", "printed", "ours", "value", "verdict", "reason")
 
 
-class PapersOptions(argparse.Namespace):
+class PapersOptions(Options):
     """The options of `libration papers`."""
 
     paper: str | None
     out: str | None
 
 
-def parser() -> Parser:
-    """The options of `libration papers`."""
-    made = Parser("libration papers", DESCRIPTION, EPILOG)
-    made.usage = "libration papers [salas | lima | horsley] [--out DIR]"
-    group = made.add_argument_group("the paper")
-    group.add_argument("paper", nargs="?", help="salas, lima or horsley (default all three)")
-    group = made.add_argument_group("the results")
-    made.value(group, "--out", "DIR", "directory of the files (default out); made if the one above it exists")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: PapersOptions) -> None:
     """Draw the figures, write and print the claims; a Finding if a verdict is not supported."""
-    options = parser().options(words, PapersOptions())
     folder = "out" if options.out is None else options.out
     works = chosen_works(options.paper)
     check_folder(folder)
@@ -156,3 +149,31 @@ def summary(rows: "Sequence[Claim]") -> str:
     verdicts = [str(row.verdict) for row in rows]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in dict.fromkeys(verdicts))
     return f"{len(rows)} claims: {counts}"
+
+
+COMMAND = command(
+    "papers",
+    DESCRIPTION,
+    run,
+    PapersOptions,
+    short="every figure of three papers about the pendulum, and a check of their numbers",
+    parameters=[
+        Word(
+            "paper",
+            "PAPER",
+            "salas, lima or horsley (default all three)",
+            "the paper",
+            offered=words("salas", "lima", "horsley"),
+        ),
+        Value(
+            "--out",
+            "DIR",
+            "directory of the files (default out); made if the one above it exists",
+            "the results",
+            offered=folders,
+        ),
+    ],
+    usage=["libration papers", "[salas | lima | horsley]", "[--out DIR]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

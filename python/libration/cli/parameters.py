@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from libration.cli.files import Json, Parameter, key
+from libration.cli.state import State
 
 if TYPE_CHECKING:
     from libration import Pendulum
@@ -14,16 +15,18 @@ UNIT = {
     "length": "m",
     "gravity": "m/s^2",
     "omega0": "rad/s",
+    "omega2": "1/s^2",
     "period": "s",
     "theta_max": "rad",
     "energy": "rad^2/s^2",
 }
 
 
-def given_parameters(given: dict[str, float], motion: "Pendulum") -> list[Parameter]:
+def given_parameters(given: State, motion: "Pendulum") -> list[Parameter]:
     """What was given, and the frequency that follows from it."""
-    values: list[Parameter] = [(name, given[name], unit) for name, unit in UNIT.items() if name in given]
-    if "omega0" not in given:
+    values: list[Parameter] = [("angles", "from the top", "")] if given.from_top else []
+    values += [(name, given.values[name], unit) for name, unit in UNIT.items() if name in given.values]
+    if "omega0" not in given.values:
         values.append(("omega0", float(motion.omega0), UNIT["omega0"]))
     return values
 
@@ -36,7 +39,7 @@ def found_parameters(motion: "Pendulum") -> list[Parameter]:
     ]
 
 
-def table_parameters(given: dict[str, float], motion: "Pendulum") -> list[Parameter]:
+def table_parameters(given: State, motion: "Pendulum") -> list[Parameter]:
     """The parameters written in a table."""
     from libration import __version__
 

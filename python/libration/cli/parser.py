@@ -1,26 +1,29 @@
-"""argparse with one-line errors: what is wrong, with which option, and the nearest known option.
+"""click with one-line errors: what is wrong, with which option, and the nearest known option.
 
 Options are not abbreviated and may be given once; a negative quantity (`--theta0 -170deg`) is a value, not an
 option. Required options are checked by the commands, after unknown ones, so that `--theta 3` is answered with
 "did you mean --theta0", not with "missing --theta0".
 """
 
-import argparse
 import difflib
 import re
-import sys
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NoReturn, TypeVar
+from collections.abc import Callable, Iterable, Sequence
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
-from libration.cli.wrapping import Formatter
+import click
+
+from libration.cli.help import Context, Example, Formatter, Topic
 
 if TYPE_CHECKING:
-    from _typeshed import SupportsWrite
+    from click.shell_completion import CompletionItem
 
-# The options of one command, as its parser sets them.
-Options = TypeVar("Options", bound=argparse.Namespace)
-
+# What begins with a minus sign and is no option.
 NEGATIVE = re.compile(r"-(\.?[0-9]|inf|nan)", re.IGNORECASE)
+# Unknown words are collected, and the first is refused with what may have been meant.
+SETTINGS = {"ignore_unknown_options": True, "allow_extra_args": True, "help_option_names": ["--help"]}
+# The values that a shell offers for the beginning of one.
+Offered: TypeAlias = "Callable[[click.Context, click.Parameter, str], list[CompletionItem[str]] | list[str]]"
 
 
 class Refusal(Exception):
@@ -52,133 +55,171 @@ def quoted(value: object) -> str:
     return f"'{text}'" if str(value).strip() else text
 
 
-class Once(argparse.Action):
-    """Store a value; a second one for the same option is refused."""
+def nearest(word: str, known: Iterable[str], otherwise: str) -> str:
+    """The nearest known word as a question, or what to do if none is near."""
+    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f"did you mean {near[0]}?" if near else otherwise
 
-    def __call__(
+
+class Options(SimpleNamespace):
+    """The options of a command, as typed; a subclass says which."""
+
+
+Made = TypeVar("Made", bound=Options)
+
+
+class Value(click.Option):
+    """An option that takes one value, kept as the text typed; a second one is refused."""
+
+    def __init__(
         self,
-        parser: argparse.ArgumentParser,
-        namespace: argparse.Namespace,
-        values: str | Sequence[object] | None,
-        option_string: str | None = None,
+        option: str,
+        metavar: str,
+        text: str,
+        group: str,
+        *,
+        name: str = "",
+        offered: "Offered | None" = None,
+        hidden: bool = False,
     ) -> None:
-        first = getattr(namespace, self.dest)
-        if first is not None:
-            raise Refusal(f"{option_string} = {shown(first)} and {option_string} = {shown(values)}: give it once")
-        setattr(namespace, self.dest, values)
-
-
-class Parser(argparse.ArgumentParser):
-    """An ArgumentParser whose errors are Refusals."""
-
-    def __init__(self, prog: str, description: str, epilog: str) -> None:
+        names = [option, name] if name else [option]
+        # `multiple` keeps every value, so that `once` sees a second one.
         super().__init__(
-            prog=prog,
-            description=description,
-            epilog=epilog,
-            allow_abbrev=False,
-            formatter_class=Formatter,
+            names,
+            metavar=metavar,
+            help=text,
+            multiple=True,
+            type=click.UNPROCESSED,
+            callback=self.once,
+            shell_complete=offered,
+            hidden=hidden,
         )
+        self.group = group
 
-    def value(self, group: "argparse._ArgumentGroup", option: str, metavar: str, text: str) -> None:
-        """Add an option that takes one value, stored as the text typed."""
-        group.add_argument(option, action=Once, metavar=metavar, help=text)
-
-    def error(self, message: str) -> NoReturn:
-        """The message of argparse as a Refusal."""
-        found = re.match(r"argument (\S+): (.*)", message, re.DOTALL)
-        if found and "expected one argument" in found[2]:
-            raise Refusal(f"{found[1]}: needs a value, {self.metavar(found[1])}; see {self.prog} --help")
-        if found and "ignored explicit argument" in found[2]:
-            raise Refusal(f"{found[1]}: takes no value")
-        raise Refusal(message)
-
-    def metavar(self, option: str) -> str:
-        """What an option takes, for an error."""
-        names = [a.metavar for a in self._actions if option in a.option_strings]
-        return f"{option} {names[0]}" if names else option
-
-    def print_help(self, file: "SupportsWrite[str] | None" = None) -> None:
-        """Print the help; unlike that of argparse, raise the errors of writing."""
-        (file or sys.stdout).write(self.format_help())
-
-    def options(self, words: Sequence[str], options: Options) -> Options:
-        """Set the options that the words of one command give, or refuse the first unknown word."""
-        options, unknown = self.parse_known_args(joined(words), options)
-        if unknown:
-            raise Refusal(self.unknown(unknown[0]))
-        return options
-
-    def unknown(self, word: str) -> str:
-        """The refusal of an unknown word, with the nearest option."""
-        name = word.split("=", 1)[0]
-        known = [option for action in self._actions for option in action.option_strings]
-        near = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
-        hint = f"; did you mean {near[0]}?" if near else f"; see {self.prog} --help"
-        kind = "option" if word.startswith("-") else "word"
-        return f"unknown {kind} {quoted(name)}{hint}"
+    def once(self, ctx: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> str | None:
+        """The value, None without one, or a Refusal of two; the name of an option is no value."""
+        option = self.opts[0]
+        if any(value.startswith("--") for value in values):
+            raise Refusal(needs_value(ctx.command_path, self))
+        if len(values) > 1:
+            raise Refusal(f"{option} = {shown(values[0])} and {option} = {shown(values[1])}: give it once")
+        return values[0] if values else None
 
 
-def joined(words: Sequence[str]) -> list[str]:
-    """`--theta0 -170deg` as `--theta0=-170deg`: argparse reads a minus as the start of an option."""
-    out: list[str] = []
-    for word in words:
-        if out and out[-1].startswith("--") and len(out[-1]) > 2 and "=" not in out[-1] and NEGATIVE.match(word):
-            out[-1] += f"={word}"
-        else:
-            out.append(word)
-    return out
+class Flag(click.Option):
+    """An option without a value."""
+
+    def __init__(self, option: str, text: str, group: str) -> None:
+        super().__init__([option], is_flag=True, help=text)
+        self.group = group
 
 
-TOP_DESCRIPTION = """\
-The exact motion of a pendulum, theta'' + omega0^2 sin(theta) = 0, from any start and in
-every regime: swinging, turning over the top, at rest, or on the separatrix between them."""
+class Word(click.Argument):
+    """A word that is no option, kept as typed; negative quantities are such words."""
 
-TOP_EPILOG = """\
-commands:
-  solve       angle and velocity at many instants, as a table and as a plot
-  period      the period, and how much longer it is than that of small swings
-  compare     approximations and numerical solutions beside the exact motion
-  duffing     the nonlinear spring u'' + p u + q u^3 = 0, as solve
-  papers      every figure of three papers about the pendulum, and a check of their numbers
+    def __init__(self, name: str, metavar: str, text: str, group: str, *, offered: "Offered | None" = None) -> None:
+        super().__init__(
+            [name], metavar=metavar, required=False, type=click.UNPROCESSED, callback=self.known, shell_complete=offered
+        )
+        self.row, self.group = (metavar, text), group
 
-examples:
-  libration period --theta0 150deg
-  libration solve --theta0 170deg --length 1m --out motion.csv --plot motion.png
-
-`libration COMMAND --help` lists its options."""
+    def known(self, ctx: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
+        """The word, or a Refusal of what begins like an option."""
+        if value is not None and value.startswith("-") and not NEGATIVE.match(value):
+            raise Refusal(unknown(ctx, value))
+        return value
 
 
-class TopOptions(argparse.Namespace):
-    """The options of `libration` itself."""
+class Command(click.Command):
+    """A command whose errors are Refusals, with the help of `libration.cli.help`."""
 
-    version: bool
+    context_class = Context
+
+    def __init__(
+        self,
+        name: str,
+        text: str,
+        *,
+        usage: Sequence[str],
+        short: str = "",
+        parameters: Sequence[click.Parameter] = (),
+        topics: Sequence[Topic] = (),
+        examples: Sequence[Example] = (),
+        callback: Callable[..., Any] | None = None,
+    ) -> None:
+        super().__init__(name, params=list(parameters), help=text, callback=callback, context_settings=dict(SETTINGS))
+        self.usage, self.topics, self.examples = usage, topics, examples
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Set the options that the words give, or refuse the first bad word."""
+        # As an option `-h` would be found in `-3h`, three hours before.
+        words = ["--help" if word == "-h" else word for word in args]
+        try:
+            rest = super().parse_args(ctx, words)
+        except click.BadOptionUsage as error:
+            option = next(each for each in self.get_params(ctx) if error.option_name in each.opts)
+            if isinstance(option, Value):
+                raise Refusal(needs_value(ctx.command_path, option)) from error
+            raise Refusal(f"{error.option_name}: takes no value") from error
+        if ctx.args and not ctx.resilient_parsing and not isinstance(self, click.Group):
+            raise Refusal(unknown(ctx, ctx.args[0]))
+        return rest
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem[str]]":
+        """What may follow: of the options those that are not given yet."""
+        given = {option for each in self.params if ctx.params.get(str(each.name)) for option in each.opts}
+        typed = incomplete if isinstance(self, click.Group) else incomplete or "--"
+        return [each for each in super().shell_complete(ctx, typed) if each.value not in given]
+
+    def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """How to call it."""
+        formatter.write_usage("", " ".join(self.usage), "usage: ")
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """What it does."""
+        formatter.write_paragraph()
+        formatter.write_text(self.help or "")
+
+    def format_arguments(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Words stand in the groups of the options."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """The words and options by groups, in the order given."""
+        records = [
+            (getattr(each, "group", "options"), each.row if isinstance(each, Word) else each.get_help_record(ctx))
+            for each in self.params
+        ]
+        rows = [(group, record) for group, record in records if record]
+        rows.append((rows[-1][0], ("-h, --help", "show this help and exit")))
+        widest = max(len(term) for _, (term, _) in rows)
+        for group in dict.fromkeys(group for group, _ in rows):
+            with formatter.section(group):
+                formatter.write_dl([(f"{term:{widest}}", meaning) for each, (term, meaning) in rows if each == group])
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Topics and examples."""
+        assert isinstance(formatter, Formatter)
+        formatter.write_topics(self.topics)
+        formatter.write_examples(self.examples)
 
 
-class TopParser(Parser):
-    """`libration` without a command: help, version, or a refusal."""
+def command(name: str, text: str, run: Callable[[Made], None], options: type[Made], **parts: Any) -> Command:
+    """The command that gives its options to `run`; the parts are those of `Command`."""
 
-    def __init__(self, commands: Sequence[str]) -> None:
-        super().__init__("libration", TOP_DESCRIPTION, TOP_EPILOG)
-        self.usage = "libration COMMAND [options]"
-        self.commands = commands
-        self.add_argument("--version", action="store_true", help="show the version and exit")
+    def callback(**values: object) -> None:
+        run(options(**values))
 
-    def refuse_or_print(self, words: Sequence[str]) -> None:
-        """Print what was asked for, or refuse."""
-        from libration import __version__
-
-        every = ", ".join(self.commands)
-        if not words:
-            raise Refusal(f"missing command: one of {every}; see libration --help")
-        if not words[0].startswith("-"):
-            near = difflib.get_close_matches(words[0], self.commands, n=1)
-            hint = f"; did you mean {near[0]}?" if near else "; see libration --help"
-            raise Refusal(f"unknown command {quoted(words[0])}: commands are {every}{hint}")
-        if self.options(words, TopOptions()).version:
-            print(f"libration {__version__}")
+    return Command(name, text, callback=callback, **parts)
 
 
-def top_parser(commands: Sequence[str]) -> TopParser:
-    """The parser of `libration` itself."""
-    return TopParser(commands)
+def needs_value(path: str, option: Value) -> str:
+    """The refusal of an option whose value is missing."""
+    return f"{option.opts[0]}: needs a value, {option.opts[0]} {option.metavar}; see {path} --help"
+
+
+def unknown(ctx: click.Context, word: str) -> str:
+    """The refusal of an unknown word, with the nearest option."""
+    name = word.split("=", 1)[0]
+    known = [option for each in ctx.command.get_params(ctx) for option in each.opts if option.startswith("--")]
+    kind = "option" if word.startswith("-") else "word"
+    return f"unknown {kind} {quoted(name)}; {nearest(name, known, f'see {ctx.command_path} --help')}"

@@ -1,6 +1,5 @@
 """What the commands that sample a motion share: instants, files and the plot."""
 
-import argparse
 import contextlib
 import importlib
 import os
@@ -8,26 +7,33 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, BinaryIO, Protocol, TypeVar
 
-from libration.cli.files import staged
-from libration.cli.parser import Parser, Refusal, quoted, refusal, shown
+import click
+
+from libration.cli.files import STANDARD_OUTPUT, staged, staged_table
+from libration.cli.help import Topic
+from libration.cli.offers import files, units
+from libration.cli.parser import Flag, Refusal, Value, quoted, refusal, shown
+from libration.cli.quantities import TIME
+from libration.cli.style import PLAIN, NumberStyle, StyleOptions, style_options
 from libration.cli.times import even_times, file_times
 
 if TYPE_CHECKING:
     from libration._arrays import Floats
 
-TABLES = (".csv", ".npz", ".json")
 PICTURES = (".png", ".svg")
 
-FILES = """\
-files:
-  .csv keeps the parameters in `#` lines and names its columns with units; every number
-  reads back to the same double. .npz (numpy.load) and .json hold the same.
-  A file is written under another name and then renamed: it is complete, or it does not
-  appear. One that exists is replaced. A missing directory is made if its parent exists.
-  --times reads text up to 256 MiB: `#` lines are skipped, columns are separated by comma,
-  semicolon or tab, a header is optional. The default of --column is the column t or time,
-  else the first. Whole numbers between commas, which may be decimal commas, need a header
-  or --column. The unit is that of the header, as in `t [ms]`; default s. The order is kept."""
+FILES = Topic(
+    "files",
+    text="""\
+.csv keeps the parameters in `#` lines and names its columns with units; every number reads back to the same double.
+.npz (numpy.load) and .json hold the same. A file is written under another name and then renamed: it is complete, or it
+does not appear. One that exists is replaced. A missing directory is made if its parent exists.
+
+--times reads text up to 256 MiB: `#` lines are skipped, columns are separated by comma, semicolon or tab, a header is
+optional. The default of --column is the column t or time, else the first. Whole numbers between commas, which may be
+decimal commas, need a header or --column. The unit is that of the header, as in `t [ms]`; default s. The order is kept.
+""",
+)
 
 
 Motion = TypeVar("Motion", contravariant=True)
@@ -39,10 +45,9 @@ class Plot(Protocol[Motion]):
     def __call__(self, motion: Motion, t: "Floats", path: BinaryIO, /, *, form: str | None) -> None: ...
 
 
-class ResultOptions(argparse.Namespace):
+class ResultOptions(StyleOptions):
     """The options of the files and the summary, as typed."""
 
-    out: str | None
     plot: str | None
     json: bool
     # The file of the instants; None for a command without that option.
@@ -57,26 +62,32 @@ class InstantOptions(ResultOptions):
     column: str | None
 
 
-def instant_options(parser: Parser) -> None:
-    """Add the options of the instants."""
-    group = parser.add_argument_group("the instants")
-    parser.value(group, "--until", "TIME", "last instant; the first is 0 (default 10s)")
-    parser.value(group, "--samples", "N", "number of instants, evenly spaced, both ends included (default 501)")
-    parser.value(group, "--times", "FILE", "read the instants from a text file instead")
-    parser.value(
-        group,
-        "--column",
-        "NAME",
-        "column of --times that holds the instants: its name, or its number if there is no header",
-    )
+def instant_options() -> list[Value]:
+    """The options of the instants."""
+    group = "the instants"
+    column = "column of --times that holds the instants: its name, or its number if there is no header"
+    return [
+        Value("--until", "TIME", "last instant; the first is 0 (default 10s)", group, offered=units(TIME)),
+        Value(
+            "--samples",
+            "N",
+            "number of instants, evenly spaced, both ends included; 1: the last alone (default 501)",
+            group,
+        ),
+        Value("--times", "FILE", "read the instants from a text file instead", group, offered=files),
+        Value("--column", "NAME", column, group),
+    ]
 
 
-def result_options(parser: Parser, columns: str, curve: str) -> None:
-    """Add the options of the files and the summary; `columns` and `curve` say what is written and drawn."""
-    group = parser.add_argument_group("the results")
-    parser.value(group, "--out", "FILE", f"write {columns} to a .csv, .npz or .json file")
-    parser.value(group, "--plot", "FILE", f"draw {curve} and the phase portrait to a .png or .svg file")
-    group.add_argument("--json", action="store_true", help="print the summary as one JSON object")
+def result_options(columns: str, curve: str) -> list[click.Option]:
+    """The options of the files and the summary; `columns` and `curve` say what is written and drawn."""
+    group = "the results"
+    return [
+        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file, - to print them", group, offered=files),
+        Value("--plot", "FILE", f"draw {curve} to a .png or .svg file", group, offered=files),
+        Flag("--json", "print the summary as one JSON object", group),
+        *style_options("15"),
+    ]
 
 
 @contextlib.contextmanager
@@ -85,7 +96,7 @@ def targets(options: ResultOptions) -> Iterator[tuple[BinaryIO | None, BinaryIO 
     with contextlib.ExitStack() as stack:
         table = plot = None
         if options.out is not None:
-            table = stack.enter_context(staged("--out", options.out, TABLES, keep=read_files(options)))
+            table = stack.enter_context(staged_table(options.out, keep=read_files(options)))
         if options.plot is not None:
             plot = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=read_files(options)))
         yield table, plot
@@ -93,13 +104,13 @@ def targets(options: ResultOptions) -> Iterator[tuple[BinaryIO | None, BinaryIO 
 
 def written(options: ResultOptions) -> list[str]:
     """The files that were asked for."""
-    return [path for path in (options.out, options.plot) if path is not None]
+    return [path for path in (options.out, options.plot) if path not in (None, STANDARD_OUTPUT)]
 
 
-def sampled(times: "Floats", source: str | None) -> str:
+def sampled(times: "Floats", source: str | None, style: NumberStyle = PLAIN) -> str:
     """How many instants, the first and the last, and the file that they are read from."""
-    several = len(times) > 1
-    span = f"{len(times)} instants, {times[0]:.6g} s to {times[-1]:.6g} s" if several else f"t = {times[0]:.6g} s"
+    several, (first, last) = len(times) > 1, (style.signed(f"{each:.6g}") for each in (times[0], times[-1]))
+    span = f"{len(times)} instants, {first} s to {last} s" if several else f"t = {first} s"
     return span + (f", {source}" if source else "")
 
 
@@ -126,7 +137,9 @@ def check_instants(options: InstantOptions) -> None:
 
 
 def check_targets(options: ResultOptions) -> None:
-    """Refuse one file under two names: the second would replace the first."""
+    """Refuse one file under two names: the second would replace the first; and two things on the standard output."""
+    if options.out == STANDARD_OUTPUT and options.json:
+        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
     if options.out is None or options.plot is None or "\0" in options.out + options.plot:
         return
     if os.path.realpath(options.out) == os.path.realpath(options.plot):

@@ -5,9 +5,10 @@ Everything that can be refused is refused before the motion is evaluated; files 
 
 from typing import TYPE_CHECKING
 
-from libration.cli.files import Column, strict, write_table
+from libration.cli.files import STANDARD_OUTPUT, Column, strict, write_table
+from libration.cli.help import Topic
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
-from libration.cli.parser import Parser, Refusal
+from libration.cli.parser import Refusal, command
 from libration.cli.sampling import (
     FILES,
     InstantOptions,
@@ -24,7 +25,9 @@ from libration.cli.sampling import (
     valueless,
     written,
 )
-from libration.cli.state import UNITS, StateOptions, has_frequency, pendulum, state, state_options
+from libration.cli.state import UNITS, StateOptions, pendulum, state, state_options
+from libration.cli.style import NumberStyle, number_style
+from libration.cli.summary import angle_text, digits, period_text, print_lines
 
 if TYPE_CHECKING:
     from libration import Pendulum
@@ -35,50 +38,43 @@ The exact motion of a pendulum: angle and angular velocity at many instants, and
 the linear solution, theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t), is from it.
 The angle of a rotation grows beyond a turn."""
 
-EPILOG = f"""\
-{UNITS}
-
-{FILES}
-
-With --json: one object on the standard output; the keys end in the unit. null stands for a
-value that is infinite or does not exist; "regime" tells which: on the separatrix the period
-is infinite, in rotation there is no turning angle.
-
-examples:
-  libration solve --theta0 170deg --length 1m
-  libration solve --theta0 3 --length 1m --gravity 9.8 --out motion.csv --plot motion.png
-  libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz"""
+TOPICS = (
+    UNITS,
+    FILES,
+    Topic(
+        "json",
+        text="""\
+With --json: one object on the standard output; the keys end in the unit. null stands for a value that is infinite or
+does not exist; "regime" tells which: on the separatrix the period is infinite, in rotation there is no turning angle.
+""",
+    ),
+)
+EXAMPLES = (
+    "libration solve --theta0 170deg --length 1m",
+    "libration solve --theta0 3 --length 1m --gravity 9.8 --out motion.csv --plot motion.png",
+    "libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz",
+)
 
 
 class SolveOptions(StateOptions, InstantOptions):
     """The options of `libration solve`."""
 
 
-def parser() -> Parser:
-    """The options of `libration solve`."""
-    made = Parser("libration solve", DESCRIPTION, EPILOG)
-    made.usage = "libration solve --theta0 ANGLE (--length LENGTH | --omega0 OMEGA0) [options]"
-    state_options(made, "(this or --omega0 is required)")
-    instant_options(made)
-    result_options(made, "t, theta, velocity and theta_linear", "theta(t)")
-    return made
-
-
-def run(words: list[str]) -> None:
+def run(options: SolveOptions) -> None:
     """Solve what the words ask for, write the files, print the summary."""
-    options = parser().options(words, SolveOptions())
     given = state(options)
-    if not has_frequency(given):
+    if not given.has_frequency:
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
     check_instants(options)
     check_targets(options)
+    style = number_style(options)
     motion = pendulum(given)
     with targets(options) as (table, plot):
         check_plot(options)
         times, source = instants(options)
         columns, largest, at = motion_columns(motion, times)
         if table and options.out is not None:
-            write_table(table, options.out, table_parameters(given, motion), columns)
+            write_table(table, options.out, table_parameters(given, motion), columns, style)
         if plot and options.plot is not None:
             from libration.plot import plot_motion
 
@@ -90,21 +86,29 @@ def run(words: list[str]) -> None:
         answer |= {"first_t_s": float(times[0]), "last_t_s": float(times[-1])}
         answer |= {"linear_difference_rad": largest, "linear_difference_t_s": at, "files": files}
         print(strict(answer))
-    else:
-        print_text(motion, times, columns[1][2], source, largest, at, files)
+    elif options.out != STANDARD_OUTPUT:
+        lines = [*summary(motion, style), ("sampled", sampled(times, source, style)), *valueless(nans(columns[1][2]))]
+        if motion.omega2 > 0:
+            lines.append(("largest difference from linear", difference(largest, at, style)))
+        print_lines(lines + [("written", path) for path in files])
 
 
 def motion_columns(motion: "Pendulum", times: "Floats") -> tuple[list[Column], float | None, float | None]:
-    """The columns of the table; the largest difference from the linear solution and the instant where it occurs."""
+    """The columns of the table; the largest difference from the linear solution and the instant where it occurs.
+
+    Without a force towards theta = 0 there is no linear solution, and no column of it.
+    """
     import numpy as np
 
     from libration.plot import linear_theta
 
     theta, velocity = motion.motion(times)
+    columns: list[Column] = [("t", "s", times), ("theta", "rad", theta), ("velocity", "rad/s", velocity)]
+    if motion.omega2 <= 0:
+        return columns, None, None
     linear = linear_theta(motion, times)
     with np.errstate(over="ignore", invalid="ignore"):
         difference = np.abs(theta - linear)
-    columns: list[Column] = [("t", "s", times), ("theta", "rad", theta), ("velocity", "rad/s", velocity)]
     columns.append(("theta_linear", "rad", linear))
     if np.isnan(difference).all():
         return columns, None, None
@@ -112,31 +116,38 @@ def motion_columns(motion: "Pendulum", times: "Floats") -> tuple[list[Column], f
     return columns, float(difference[where]), float(times[where])
 
 
-def print_text(
-    motion: "Pendulum",
-    times: "Floats",
-    theta: "Floats",
-    source: str | None,
-    largest: float | None,
-    at: float | None,
-    files: list[str],
-) -> None:
-    """The summary for people."""
-    from libration.cli.summary import angle_text, digits, period_text, print_lines
-
+def summary(motion: "Pendulum", style: NumberStyle) -> list[tuple[str, str]]:
+    """What the motion is, for people."""
     regime = str(motion.regime)
-    lines = [
+    return [
         ("regime", regime),
-        ("period", period_text(regime, motion.period)),
-        ("turning angle", angle_text(regime, motion.theta_max)),
-        ("energy", f"{digits(motion.energy)} rad^2/s^2 per unit inertia, 0 at the bottom"),
-        ("energy ratio", digits(motion.energy_ratio)),
-        ("1 - energy ratio", digits(motion.energy_ratio_c)),
-        ("sampled", sampled(times, source)),
-        *valueless(nans(theta)),
-        (
-            "largest difference from linear",
-            "not known" if largest is None else f"{largest:.6g} rad, at t = {at:.6g} s",
-        ),
+        ("period", period_text(regime, motion.period, style)),
+        ("turning angle", angle_text(regime, motion.theta_max, style)),
+        ("energy", f"{digits(motion.energy, style)} rad^2/s^2 per unit inertia, 0 at the bottom"),
+        ("energy ratio", digits(motion.energy_ratio, style)),
+        ("1 - energy ratio", digits(motion.energy_ratio_c, style)),
     ]
-    print_lines(lines + [("written", path) for path in files])
+
+
+def difference(largest: float | None, at: float | None, style: NumberStyle) -> str:
+    """The largest difference from the linear solution, and when it occurs."""
+    if largest is None or at is None:
+        return "not known"
+    return f"{style.shown(largest, 6)} rad, at t = {style.shown(at, 6)} s"
+
+
+COMMAND = command(
+    "solve",
+    DESCRIPTION,
+    run,
+    SolveOptions,
+    short="angle and velocity at many instants, as a table and as a plot",
+    parameters=[
+        *state_options("(this or --omega0 is required)"),
+        *instant_options(),
+        *result_options("t, theta, velocity and theta_linear", "theta(t) and the phase portrait"),
+    ],
+    usage=["libration solve", "--theta0 ANGLE", "(--length LENGTH | --omega0 OMEGA0)", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)

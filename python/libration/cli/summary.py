@@ -1,33 +1,57 @@
-"""Results for people, in aligned lines of fifteen digits."""
+"""Results for people, in aligned lines of fifteen digits if none were chosen."""
 
 import math
+import shutil
 from collections.abc import Sequence
+
+from libration.cli.style import PLAIN, NumberStyle
 
 
 def print_lines(pairs: Sequence[tuple[str, str]]) -> None:
     """Print labels and texts in two columns."""
-    width = max(len(label) for label, _ in pairs)
+    width = max((len(label) for label, _ in pairs), default=0)
     for label, text in pairs:
         print(f"{label:{width}}  {text}")
 
 
-def digits(value: float) -> str:
-    """Fifteen significant digits: every decimal number of fifteen digits has its own double."""
-    return f"{value:.15g}"
+def print_table(heads: Sequence[str], rows: Sequence[Sequence[str]], left: Sequence[int] = ()) -> None:
+    """Print columns below their heads, right-aligned but for those at `left`.
+
+    What does not fit on the screen stands in blocks below, each with the first column.
+    """
+    table = [list(heads), *map(list, rows)]
+    widths = [max(len(row[column]) for row in table) for column in range(len(heads))]
+    width = shutil.get_terminal_size((100, 24)).columns
+    block = [0]
+    blocks = [block]
+    for column in range(1, len(heads)):
+        if len(block) > 1 and sum(widths[each] + 2 for each in [*block, column]) - 2 > width and not left:
+            block = [0]
+            blocks.append(block)
+        block.append(column)
+    for number, block in enumerate(blocks):
+        print("\n" * (number > 0), end="")
+        for row in table:
+            cells = (row[each].ljust(widths[each]) if each in left else row[each].rjust(widths[each]) for each in block)
+            print("  ".join(cells).rstrip())
 
 
-def period_text(regime: str, period: float) -> str:
+def digits(value: float, style: NumberStyle = PLAIN) -> str:
+    """Fifteen significant digits, if none were chosen: every decimal number of fifteen digits has its own double."""
+    return style.shown(value, 15)
+
+
+def period_text(regime: str, period: float, style: NumberStyle = PLAIN) -> str:
     """The period in words."""
     if math.isinf(period):
         return "infinite"
     meaning = {"rest": " (of small swings)", "rotation": " (one turn)"}.get(regime, "")
-    return f"{digits(period)} s{meaning}"
+    return f"{digits(period, style)} s{meaning}"
 
 
-def angle_text(regime: str, theta_max: float) -> str:
+def angle_text(regime: str, theta_max: float, style: NumberStyle = PLAIN) -> str:
     """The turning angle in radians and degrees."""
     if math.isnan(theta_max):
         return "none, it turns over the top"
-    degrees = math.degrees(theta_max)
     reached = " (approached, never reached)" if regime == "separatrix" else ""
-    return f"{digits(theta_max)} rad = {degrees:.8g} deg{reached}"
+    return f"{digits(theta_max, style)} rad = {style.shown(math.degrees(theta_max), 8)} deg{reached}"

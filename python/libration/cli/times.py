@@ -40,12 +40,12 @@ TIME_NAMES = ("t", "time", "times")
 
 
 def even_times(until: str | None, samples: str | None) -> "Floats":
-    """Evenly spaced instants from 0 to `until`, both ends included; the defaults are 10 s and 501."""
+    """Evenly spaced instants from 0 to `until`, both ends included, of one the last; the defaults are 10 s and 501."""
     last = 10.0 if until is None else quantity("--until", until, TIME, above=0)
     count = 501 if samples is None else sample_count(samples)
     import numpy as np
 
-    return np.linspace(0.0, last, count)
+    return np.linspace(0.0, last, count) if count > 1 else np.array([last])
 
 
 def sample_count(text: str) -> int:
@@ -56,10 +56,10 @@ def sample_count(text: str) -> int:
     except (ArithmeticError, ValueError):
         typed = None
     if typed is None or typed != typed.to_integral_value():
-        raise refusal("--samples", text, "must be a whole number, 2 or greater")
+        raise refusal("--samples", text, "must be a whole number, 1 or greater")
     count = int(typed)
-    if count < 2:
-        raise refusal("--samples", text, "must be 2 or greater: both ends are sampled; for one instant use --times")
+    if count < 1:
+        raise refusal("--samples", text, "must be 1 or greater")
     fits_memory("--samples", text, count)
     return count
 

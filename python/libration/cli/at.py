@@ -1,0 +1,162 @@
+"""`libration at`: the angle and the velocity at one instant, or at a few."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from libration.cli.files import STANDARD_OUTPUT, Column, staged_table, strict, write_table
+from libration.cli.help import Topic
+from libration.cli.offers import files, units
+from libration.cli.parameters import given_parameters, keyed, table_parameters
+from libration.cli.parser import Flag, Refusal, Value, Word, command
+from libration.cli.quantities import TIME, quantities
+from libration.cli.sampling import nans
+from libration.cli.state import UNITS, StateOptions, pendulum, state, state_options
+from libration.cli.style import NumberStyle, StyleOptions, number_style, style_options
+from libration.cli.summary import print_lines, print_table
+
+if TYPE_CHECKING:
+    from libration import Pendulum
+    from libration._arrays import Floats
+
+DESCRIPTION = """\
+The exact angle and angular velocity of a pendulum at one instant after the start, or at several, in radians and in
+degrees. Where it turns over the top, the whole turns follow with the rest of the angle."""
+TOPICS = (
+    UNITS,
+    Topic(
+        "results",
+        text="""\
+Several instants are a table, as is --out. The angle grows beyond a turn; "turns" and "angle" are the whole turns and
+the rest, between -180 and 180 deg. With --json: one object, with an object for each instant in "instants"; null stands
+for a value that is not known, more than 2^53 half periods away.""",
+    ),
+)
+EXAMPLES = (
+    "libration at 7.3s --theta0 150deg --length 1m",
+    "libration at 1s,2s,1min --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --digits 5",
+)
+DIGITS = 10
+TOO_FAR = "it is more than 2^53 half periods away"
+
+
+class AtOptions(StateOptions, StyleOptions):
+    """The options of `libration at`."""
+
+    times: str | None
+    json: bool
+
+
+def run(options: AtOptions) -> None:
+    """Print the angle and the velocity at the instants that the words give."""
+    if options.times is None:
+        raise Refusal("missing TIME, the instant, such as libration at 7.3s --theta0 150deg --length 1m")
+    given = state(options)
+    if not given.has_frequency:
+        raise Refusal("missing --length or --omega0, such as --length 1m")
+    if options.out == STANDARD_OUTPUT and options.json:
+        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
+    instants = quantities("TIME", options.times, TIME)
+    style, motion = number_style(options), pendulum(given)
+    if options.out is not None:
+        with staged_table(options.out) as file:
+            columns = motion_columns(motion, instants)
+            write_table(file, options.out, table_parameters(given, motion), columns, style)
+    else:
+        columns = motion_columns(motion, instants)
+    written = [path for path in (options.out,) if path not in (None, STANDARD_OUTPUT)]
+    if options.json:
+        answer = keyed(given_parameters(given, motion))
+        answer["regime"] = str(motion.regime)
+        answer["instants"] = [keyed(row) for row in instants_of(columns)]
+        answer["files"] = [path for path in written if path is not None]
+        print(strict(answer))
+    elif options.out != STANDARD_OUTPUT:
+        print_one(columns, style) if len(instants) == 1 else print_several(columns, style)
+        print_lines([("written", str(path)) for path in written])
+
+
+def motion_columns(motion: "Pendulum", instants: Sequence[float]) -> list[Column]:
+    """The time, the angle and the velocity, each in radians and degrees; in rotation also the turns and the rest."""
+    import numpy as np
+
+    t = np.array(instants)
+    theta, velocity = motion.motion(t)
+    found: list[Column] = [
+        ("t", "s", t),
+        ("theta", "rad", theta),
+        ("theta", "deg", degrees(theta)),
+        ("velocity", "rad/s", velocity),
+        ("velocity", "deg/s", degrees(velocity)),
+    ]
+    if motion.regime == "rotation":
+        turns, angle = motion.turns(t)
+        whole = np.where(np.isnan(theta), np.nan, turns)
+        found += [("turns", "", whole), ("angle", "rad", angle), ("angle", "deg", degrees(angle))]
+    return found
+
+
+def degrees(radians: "Floats") -> "Floats":
+    """The same in degrees."""
+    import numpy as np
+
+    turned: Floats = np.degrees(radians)
+    return turned
+
+
+def instants_of(columns: Sequence[Column]) -> list[list[tuple[str, float, str]]]:
+    """The rows of the columns, with names and units."""
+    count = len(columns[0][2])
+    return [[(name, float(values[row]), unit) for name, unit, values in columns] for row in range(count)]
+
+
+def print_one(columns: Sequence[Column], style: NumberStyle) -> None:
+    """One instant in aligned lines."""
+    if nans(columns[1][2]):
+        print_lines([("t", f"{style.shown(float(columns[0][2][0]), DIGITS)} s"), ("theta", f"not known, {TOO_FAR}")])
+        return
+    shown: dict[str, list[str]] = {}
+    for name, unit, values in columns:
+        shown.setdefault(name, []).append(f"{style.shown(float(values[0]), DIGITS)} {unit}".rstrip())
+    if "turns" in shown:
+        shown["turns"] = [f"{shown['turns'][0]} whole turns and {' = '.join(shown.pop('angle'))}"]
+    print_lines([(name, " = ".join(texts)) for name, texts in shown.items()])
+
+
+def print_several(columns: Sequence[Column], style: NumberStyle) -> None:
+    """A row for each instant."""
+    heads = [f"{name} [{unit}]" if unit else name for name, unit, _ in columns]
+    plain = ("t", "turns")
+    rows = [
+        [style.shown(value, DIGITS) if name in plain else style.aligned(value, DIGITS) for name, value, _ in row]
+        for row in instants_of(columns)
+    ]
+    print_table(heads, rows)
+    if nans(columns[1][2]):
+        print(f"\n-: not known, {TOO_FAR}")
+
+
+COMMAND = command(
+    "at",
+    DESCRIPTION,
+    run,
+    AtOptions,
+    short="angle and velocity at one instant, or at a few",
+    parameters=[
+        Word(
+            "times",
+            "TIME",
+            "the instant, or several, separated by commas (required)",
+            "the instants",
+            offered=units(TIME),
+        ),
+        *state_options("(this, --omega0 or --omega2 is required)"),
+        Value(
+            "--out", "FILE", "write a table to a .csv, .npz or .json file, - to print it", "the results", offered=files
+        ),
+        Flag("--json", "print one JSON object", "the results"),
+        *style_options(str(DIGITS)),
+    ],
+    usage=["libration at TIME[,TIME...]", "--theta0 ANGLE", "(--length LENGTH | --omega0 OMEGA0)", "[options]"],
+    topics=TOPICS,
+    examples=EXAMPLES,
+)
