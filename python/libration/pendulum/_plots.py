@@ -110,3 +110,9 @@ class Plots(Crossings):
         from ..plot._portrait import phase_axes
 
         return phase_axes(self, t, ax, others=others, lang=lang, style=style)
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: a drawing, regime and period, and the closed form with its numbers."""
+        from ..plot._card import card
+
+        return card(self)

@@ -6,6 +6,8 @@ import functools
 from dataclasses import dataclass
 from typing import Any
 
+from .._number_text import number_text
+
 # English: Portuguese, Spanish. Names of formulas and symbols are the same in all.
 CATALOGUE = {
     "exact": ("exata", "exacta"),
@@ -126,7 +128,7 @@ class Language:
 
     def number(self, value: float, digits: int = 6) -> str:
         """A number with a real minus sign and the decimal sign of the language."""
-        return self.decimal(f"{value:.{digits}g}".replace("-", "−"))
+        return self.decimal(number_text(value, digits))
 
     def decimal(self, text: str) -> str:
         """A number as text with the decimal sign of the language."""
