@@ -79,7 +79,7 @@ def draw_curves(
         if linear and pendulum.omega2 > 0:
             theta = _core.AngleFormula("linear").of(pendulum._orbit).theta(fine)
             label = once(axes, say.word("linear"))
-            axes.plot(fine, theta, color=LINEAR, lw=1.3, ls=(0, (5, 3)), label=label, zorder=1.9)
+            axes.plot(fine, theta, color=LINEAR, lw=1.3, ls=(0, (5, 3)), label=label, zorder=2.1)
         axes.margins(x=0)
     if 0 < t.size <= FEW:
         label = once(axes, say.word("instants"))

@@ -21,8 +21,12 @@ from ._style import (
     SKY,
     head,
     legend,
+    logarithmic,
+    look,
     quiet,
     save_figure,
+    sizes,
+    spans_decades,
 )
 
 if TYPE_CHECKING:
@@ -40,10 +44,6 @@ STYLES = (
 INSTANTS = 2000
 # More periods than this would be a solid band: the first are drawn.
 SHOWN_PERIODS = 12
-# The largest errors of the curves span this factor: the axis of the errors is logarithmic.
-WIDE = 50.0
-# So many decades below the smallest of the largest errors, where the errors cross zero.
-DECADES = 2.0
 
 
 def plot_comparison(
@@ -172,7 +172,7 @@ def draw_angles(axes: Any, pendulum: Any, solutions: Any, periods: float, say: L
     axes.plot(part, exact, color=BLACK, lw=1.8, label=once(axes, say.word("exact")))
     gaps = 0
     for number_of, (name, solution) in enumerate(solutions):
-        color, dash = style(number_of)
+        color, dash = look(STYLES, number_of)
         theta = solution.theta(t)
         axes.plot(part, theta, color=color, ls=dash, lw=1.6, label=name)
         if np.isnan(theta).any():
@@ -196,18 +196,14 @@ def draw_errors(axes: Any, pendulum: Any, solutions: Any, periods: float, say: L
         unit * (solution.difference(t) if hasattr(solution, "difference") else solution.theta(t) - exact)
         for _, solution in solutions
     ]
-    largest = [float(np.nanmax(np.abs(error), initial=0.0)) for error in errors]
-    seen = [each for each in largest if each > 0]
     room = 0.5 * unit * np.ptp(exact)
-    decades = bool(seen) and max(min(each, room) for each in seen) > WIDE * min(seen)
+    decades = spans_decades(errors, 2 * room)
     for number_of, ((name, _), error) in enumerate(zip(solutions, errors, strict=True)):
-        color, dash = style(number_of)
-        shown = np.where(error == 0, np.nan, np.abs(error)) if decades else error
-        axes.plot(part, shown, color=color, ls=dash, lw=1.6, label=name)
+        color, dash = look(STYLES, number_of)
+        axes.plot(part, sizes(error) if decades else error, color=color, ls=dash, lw=1.6, label=name)
     percent = "error [% of θmax]" if swings else "error [rad]"
     if decades:
-        axes.set_yscale("log")
-        axes.set_ylim(min(seen) / 10**DECADES, 2 * max(min(each, 2 * room) for each in seen))
+        logarithmic(axes, errors, 2 * room)
         percent = "|error| [% of θmax]" if swings else "|error| [rad]"
     else:
         within(axes, -room, room)
@@ -232,13 +228,6 @@ def within(axes: Any, low: float, high: float) -> None:
     """Keeps the limits that the curves ask for within others."""
     bottom, top = axes.get_ylim()
     axes.set_ylim(max(bottom, low), min(top, high))
-
-
-def style(number_of: int) -> tuple[str, Any]:
-    """Colour and dash of a curve: the first six are told apart in grey too, and no two of thirty-six are alike."""
-    color, _ = STYLES[number_of % len(STYLES)]
-    _, dash = STYLES[(number_of + number_of // len(STYLES)) % len(STYLES)]
-    return color, dash
 
 
 def hatch(axes: Any, part: np.ndarray, gap: np.ndarray, color: str, row: int) -> None:

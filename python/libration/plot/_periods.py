@@ -24,6 +24,7 @@ from ._style import (
     SEPARATRIX,
     SKY,
     head,
+    look,
     quiet,
     save_figure,
 )
@@ -223,7 +224,7 @@ def draw_ratios(axes: Any, formulas: list[PeriodFormula], say: Language, faint: 
     exact = say.word("exact")
     axes.plot(degrees, period("exact").ratio(theta_max), color=BLACK, lw=2.2, label=exact, zorder=3)
     for number_of, formula in enumerate(formulas):
-        color, dash = look(number_of)
+        color, dash = look(STYLES, number_of)
         axes.plot(degrees, formula.ratio(theta_max), color=color, ls=dash, lw=1.5, label=formula.name)
     axes.set(xlim=(0, 180), ylim=(0.8, HIGHEST), ylabel=RATIO)
 
@@ -234,7 +235,7 @@ def draw_errors(axes: Any, formulas: list[PeriodFormula], say: Language, faint: 
     for formula in faint:
         axes.plot(degrees, size(formula, theta_max), color=FAINT, lw=0.9, zorder=1.5)
     for number_of, formula in enumerate(formulas):
-        color, dash = look(number_of)
+        color, dash = look(STYLES, number_of)
         error = size(formula, theta_max)
         axes.plot(degrees, error, color=color, ls=dash, lw=1.6, label=SAME.get(formula.name, formula.name))
         if formula.stated_range:
@@ -248,13 +249,6 @@ def size(formula: PeriodFormula, theta_max: np.ndarray) -> np.ndarray:
     """The size of the error, without the zeros that a logarithm has not."""
     error = np.abs(formula.error(theta_max))
     return np.where(error > 0, error, np.nan)
-
-
-def look(number_of: int) -> tuple[str, Any]:
-    """Colour and dash of a curve: no two of thirty-six are alike, and the first six are told apart in grey too."""
-    color, _ = STYLES[number_of % len(STYLES)]
-    _, dash = STYLES[(number_of + number_of // len(STYLES)) % len(STYLES)]
-    return color, dash
 
 
 def mark(axes: Any, theta_max: float | None) -> None:

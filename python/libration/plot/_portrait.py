@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._angle import state_text, time_scale
-from ._axes import given_or_new, named
+from ._axes import given_or_new, named, once
 from ._language import ENGLISH, Language
 from ._style import EXACT, FAINT, SEPARATRIX, angle_ticks, finite, quiet
 
@@ -67,7 +67,7 @@ def draw_orbits(axes: Any, pendulum: Any, t: np.ndarray, *, others: bool, say: L
     color = axes.plot(where, velocity, **style)[0].get_color()
     if ratio > 0 and np.isfinite(ratio) and np.isfinite(pendulum.period):
         draw_level(axes, ratio, bottom, sign=np.sign(velocity0) if ratio > 1 else 0, color=color, lw=0.9)
-    label = f"t = {say.number(t.min(), 7)} s"
+    label = once(axes, f"t = {say.number(t.min(), 7)} s")
     axes.plot(where[:1], velocity[:1], "o", ms=6, color=color, label=label, clip_on=False)
     fastest = np.nanmax(np.abs(velocity), initial=abs(velocity0) if free else 2 * np.sqrt(ratio))
     height = max(height, 1.12 * max(0.1 if free else 2.2, fastest))

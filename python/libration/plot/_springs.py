@@ -199,6 +199,7 @@ def draw_portrait(axes: Any, oscillator: Oscillator, say: Language = ENGLISH) ->
     axes.plot([oscillator.u0], [oscillator.velocity0], "o", ms=6, color=EXACT, label="t = 0 s")
     if saddles:
         axes.plot([], [], color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label=say.word("separatrix"))
+    axes.plot([], [], color=FAINT, lw=0.9, label=say.word("other energies"))
     axes.set(xlim=(-width, width), ylim=(scale[1][0], scale[1][-1]))
     axes.set_xlabel("u")
     axes.set_ylabel(r"$\dot u$")

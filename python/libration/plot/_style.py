@@ -19,10 +19,13 @@ BLACK = "#1a1a1a"
 DOTTED, DASHED = (0, (1, 1.4)), (0, (4.5, 3.2))
 EXACT, SEPARATRIX = "#0072b2", "#c44601"
 GREEN, PURPLE, OCHRE, SKY = "#00805e", "#a8447c", "#946c00", "#3a8fc4"
-LINEAR = "#767676"
+LINEAR = "#8a8a8a"
 FAINT = "#d9d9d9"
 # The text of an SVG is text; where the first font is missing, one of nearly its widths is taken.
 FONTS = ("DejaVu Sans", "Verdana", "Segoe UI", "Roboto", "Helvetica Neue", "Arial", "Liberation Sans", "sans-serif")
+# The largest errors of a panel differ by more than this factor: its axis is logarithmic, and ends so many decades below
+# the smallest of them.
+WIDE, DECADES = 50.0, 2.0
 LEAST_DPI, MOST_DPI = 20, 1200
 MISSING = "a picture needs matplotlib: pip install 'libration[plot]'"
 # Of more than MANY swings or turns, only the first SHOWN are drawn over t.
@@ -92,6 +95,8 @@ def save_figure(
     with rc_context(settings | house):
         figure = Figure(figsize=size, dpi=dpi, layout="constrained")
         FigureCanvasAgg(figure)
+        engine: Any = figure.get_layout_engine()
+        engine.set(w_pad=0.08, h_pad=0.05)
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             draw(figure)
             for form, file in files.items():
@@ -136,6 +141,34 @@ def part_of(unit: str, first: float, last: float, start: float, stop: float, say
         return unit
     text = "{axis}, the first {shown} of {all} s" if first == start else "{axis}, {shown} of {all} s"
     return say.word(text, axis=unit, shown=say.number(last - first, 3), all=say.number(stop - start))
+
+
+def look(styles: tuple[tuple[str, Any], ...], number_of: int) -> tuple[str, Any]:
+    """Colour and dash of a curve: the first six are told apart in grey too, and no two of thirty-six are alike."""
+    color, _ = styles[number_of % len(styles)]
+    _, dash = styles[(number_of + number_of // len(styles)) % len(styles)]
+    return color, dash
+
+
+def spans_decades(errors: list[np.ndarray], room: float = np.inf) -> bool:
+    """Whether the largest errors, cut at `room`, are too different for one linear axis."""
+    largest = [min(float(np.nanmax(np.abs(error), initial=0.0)), room) for error in errors]
+    seen = [each for each in largest if each > 0]
+    return bool(seen) and max(seen) > WIDE * min(seen)
+
+
+def logarithmic(axes: Any, errors: list[np.ndarray], room: float = np.inf) -> None:
+    """A logarithmic axis for the sizes of errors, with room below for where they cross zero."""
+    largest = [min(float(np.nanmax(np.abs(error), initial=0.0)), room) for error in errors]
+    seen = [each for each in largest if each > 0]
+    axes.set_yscale("log")
+    axes.set_ylim(min(seen) / 10**DECADES, 2 * max(seen))
+
+
+def sizes(error: np.ndarray) -> np.ndarray:
+    """Sizes of errors; the zeros, which have no logarithm, are left out."""
+    found: np.ndarray = np.where(error == 0, np.nan, np.abs(error))
+    return found
 
 
 def quiet(axes: Any) -> None:
