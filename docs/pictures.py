@@ -10,7 +10,8 @@ import numpy as np
 from libration import Duffing
 from libration.plot import plot_periods
 from libration.plot._language import ENGLISH
-from libration.plot._springs import along, barriers, equilibria, polynomial, potential
+from libration.plot._potential import barriers, equilibria, polynomial, potential
+from libration.plot._springs import along
 from libration.plot._style import DASHED, EXACT, FAINT, SEPARATRIX, quiet, save_figure
 
 # Title, p and q, half width and height, and orbits: a label, where it stands over the orbit, and a start each.

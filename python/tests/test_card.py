@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from libration import Pendulum, elliptic
+from libration import CubicQuintic, Duffing, Pendulum, elliptic
 from libration.pendulum._closed_form import closed_form
 
 # Six digits: half a unit in the last of them, of the argument and of the frequency times the time.
@@ -175,3 +175,54 @@ def test_a_card_needs_no_matplotlib(tmp_path):
         assert Pendulum(3.0)._repr_html_().startswith("<div")
     """
     subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True)
+
+
+SPRINGS = [
+    Duffing(1.4, p=1.0, q=1.0),
+    Duffing(1.4, p=-1.0, q=1.0),
+    Duffing(1.8, p=1.0, q=-0.5),
+    Duffing(0.0, 1.4, p=1.0, q=-0.5),
+    Duffing(0.0, p=1.0, q=1.0),
+    Duffing(0.0, 1.0, p=0.0, q=0.0),
+    Duffing(0.0, 1.0, p=-1.0, q=0.0),
+    Duffing(1e-200, p=1.0, q=1.0),
+    Duffing(1e100, p=1.0, q=1.0),
+    CubicQuintic(1.0, alpha=1.0, beta=-3.0, gamma=1.0),
+    CubicQuintic(0.5, 0.1, alpha=-1.0, beta=3.0, gamma=-1.0),
+]
+
+
+@pytest.mark.parametrize("spring", SPRINGS, ids=repr)
+def test_the_potential_of_a_spring_is_drawn(spring):
+    shown = spring._repr_html_()
+    tree = ElementTree.fromstring(re.search(r"<svg.*?</svg>", shown, re.DOTALL)[0])
+    curve, energy, ball = list(tree)
+    numbers = [float(each) for each in re.findall(r"-?[\d.]+", curve.get("d"))]
+    left, top, width, height = map(float, tree.get("viewBox").split())
+    assert all(left <= x <= left + width for x in numbers[::2])
+    assert all(top <= y <= top + height for y in numbers[1::2])
+    # The start is on the potential, and the energy is not below it.
+    x, y = float(ball.get("cx")), float(ball.get("cy")) + 6
+    assert abs(np.interp(x, numbers[::2], numbers[1::2]) - y) < 3
+    level = float(re.match(r"M[\d.-]+ ([\d.]+)", energy.get("d"))[1])
+    assert level <= y + 0.11
+    if spring.velocity0 == 0:
+        assert level == pytest.approx(y, abs=0.11)
+    assert str(spring.regime) in shown
+    assert "nan" not in shown
+    assert "inf" not in shown.replace("infinity", "")
+
+
+def test_what_is_said_of_a_spring():
+    lines = re.sub(r"<[^>]*>+", "\n", Duffing(1.8, p=1.0, q=-0.5)._repr_html_()).split("\n")
+    assert [line for line in lines if line] == [
+        "Duffing oscillator: escape",
+        "u″ + p u + q u³ = 0",
+        "p = 1, q = −0.5",
+        "u(0) = 1.8, u′(0) = 0",
+        "escapes to infinity at t = 1.86387 s",
+        "came from infinity at t = −1.86387 s",
+    ]
+    well = CubicQuintic(1.0, alpha=1.0, beta=-3.0, gamma=1.0)._repr_html_()
+    assert "α = 1, β = −3, γ = 1" in well
+    assert "period 2.7368 s, u from 1 to 1.90721" in well

@@ -28,10 +28,16 @@ FORM = "font-family:'DejaVu Serif',Cambria,Georgia,serif;overflow-wrap:anywhere;
 
 def card(pendulum: Constants) -> str:
     """The HTML of a pendulum."""
-    lines = "".join(f"<div>{line}</div>" for line in (f"<b>{heading(pendulum)}</b>", *facts(pendulum)))
     form = closed_form(pendulum)
-    last = f'<div style="{FORM}">{kept_together(form)}</div>' if form else ""
-    return f'<div style="{PAGE}">{drawing(pendulum)}<div style="flex:1 1 16em;min-width:0">{lines}{last}</div></div>'
+    return page(drawing(pendulum), [heading(pendulum), *facts(pendulum)], kept_together(form) if form else "")
+
+
+def page(picture: str, lines: list[str], form: str = "") -> str:
+    """A drawing beside lines of text, the first of them bold, and a formula."""
+    first, *others = lines
+    text = "".join(f"<div>{line}</div>" for line in (f"<b>{first}</b>", *others))
+    last = f'<div style="{FORM}">{form}</div>' if form else ""
+    return f'<div style="{PAGE}">{picture}<div style="flex:1 1 16em;min-width:0">{text}{last}</div></div>'
 
 
 def heading(pendulum: Constants) -> str:
@@ -90,10 +96,15 @@ def drawing(pendulum: Constants) -> str:
     ]
     # The upper half is left out where the bob does not get there.
     top = 0.0 if widest(pendulum, angle) > LOW else middle - 16
-    box = f'viewBox="0 {top:g} {SIDE:g} {SIDE - top:g}" width="{SIDE:g}" height="{SIDE - top:g}"'
-    line = 'fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round"'
-    said = f'role="img" aria-label="{heading(pendulum)}, drawn at its start"'
-    return f'<svg xmlns="http://www.w3.org/2000/svg" {box} {said} {line} style="flex:none">{"".join(parts)}</svg>'
+    return svg(top, SIDE, f"{heading(pendulum)}, drawn at its start", parts)
+
+
+def svg(top: float, bottom: float, said: str, parts: list[str]) -> str:
+    """A drawing of the width of `SIDE` in the colour of the text; `said` is read out in its place."""
+    box = f'viewBox="0 {top:g} {SIDE:g} {bottom - top:g}" width="{SIDE:g}" height="{bottom - top:g}"'
+    line = 'fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round" stroke-linejoin="round"'
+    name = f'role="img" aria-label="{said}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {box} {name} {line} style="flex:none">{"".join(parts)}</svg>'
 
 
 def place(angle: float, radius: float = ROD) -> tuple[float, float]:
