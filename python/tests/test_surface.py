@@ -311,6 +311,7 @@ MADE = [
     libration.approx.sine("best:3", phi_max=1.0),
     libration.approx.numerical("rk4:0.1"),
     libration.approx.numerical("rk4:0.1").of(Pendulum(1.0)),
+    libration.approx.compare(Pendulum(1.0), ["fourier:3"]),
 ]
 
 

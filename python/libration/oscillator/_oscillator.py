@@ -281,3 +281,9 @@ class Oscillator(Immutable):
 
     def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         return (), dict(zip(("u0", "velocity0", *self._names), self._given, strict=True))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the potential with the energy, equation, regime and period or escape."""
+        from ..plot._oscillator_card import oscillator_card
+
+        return oscillator_card(self)

@@ -1,8 +1,8 @@
 """The class ``Pendulum``: one orbit of theta'' + omega0**2 sin(theta) = 0, set up once, exact in every regime.
 
-Here stands what depends on time; in _crossings.py when an angle is reached, in _constants.py what does not depend on time,
-in _orbit.py how an orbit is made. Single instants are answered without NumPy's machinery, arrays through the one-orbit
-ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
+Here stands what depends on time; in _plots.py its pictures, in _crossings.py when an angle is reached, in _constants.py
+what does not depend on time, in _orbit.py how an orbit is made. Single instants are answered without NumPy's machinery,
+arrays through the one-orbit ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import apply, tensor, unindexed
 from .._immutable import Elsewhere
 from .._messages import explained, refuse
-from ._crossings import Crossings
+from ._plots import Plots
 from ._results import MOTION, PHASE, SECOND_SENSITIVITIES, SENSITIVITIES, THETA, TURNS, VELOCITY
 from ._sensitivities import FIRST, SECOND, SYMMETRIC
 
 
-class Pendulum(Crossings):
+class Pendulum(Plots):
     """One orbit of the pendulum theta'' + omega0**2 sin(theta) = 0, exact in every regime.
 
     The angle is zero at the bottom and counts on continuously through whole turns. With the energy ratio
