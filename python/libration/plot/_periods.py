@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,6 +28,7 @@ from ._style import (
     look,
     quiet,
     save_figure,
+    sizes,
 )
 
 if TYPE_CHECKING:
@@ -218,25 +220,25 @@ def angles() -> tuple[np.ndarray, np.ndarray]:
 
 def draw_ratios(axes: Any, formulas: list[PeriodFormula], say: Language, faint: Any = ()) -> None:
     """T/T0, exact and by formulas; those that are faint are the background."""
-    degrees, theta_max = angles()
+    degrees, _ = angles()
     for formula in faint:
-        axes.plot(degrees, formula.ratio(theta_max), color=FAINT, lw=0.9, zorder=1.5)
+        axes.plot(degrees, curve(formula.name, error=False), color=FAINT, lw=0.9, zorder=1.5)
     exact = say.word("exact")
-    axes.plot(degrees, period("exact").ratio(theta_max), color=BLACK, lw=2.2, label=exact, zorder=3)
+    axes.plot(degrees, curve("exact", error=False), color=BLACK, lw=2.2, label=exact, zorder=3)
     for number_of, formula in enumerate(formulas):
         color, dash = look(STYLES, number_of)
-        axes.plot(degrees, formula.ratio(theta_max), color=color, ls=dash, lw=1.5, label=formula.name)
+        axes.plot(degrees, curve(formula.name, error=False), color=color, ls=dash, lw=1.5, label=formula.name)
     axes.set(xlim=(0, 180), ylim=(0.8, HIGHEST), ylabel=RATIO)
 
 
 def draw_errors(axes: Any, formulas: list[PeriodFormula], say: Language, faint: Any = ()) -> None:
     """The size of the relative errors on a logarithmic axis."""
-    degrees, theta_max = angles()
+    degrees, _ = angles()
     for formula in faint:
-        axes.plot(degrees, size(formula, theta_max), color=FAINT, lw=0.9, zorder=1.5)
+        axes.plot(degrees, curve(formula.name, error=True), color=FAINT, lw=0.9, zorder=1.5)
     for number_of, formula in enumerate(formulas):
         color, dash = look(STYLES, number_of)
-        error = size(formula, theta_max)
+        error = curve(formula.name, error=True)
         axes.plot(degrees, error, color=color, ls=dash, lw=1.6, label=SAME.get(formula.name, formula.name))
         if formula.stated_range:
             low, high = np.degrees(formula.stated_range)
@@ -245,10 +247,12 @@ def draw_errors(axes: Any, formulas: list[PeriodFormula], say: Language, faint: 
     axes.set(yscale="log", ylim=(LEAST, 10.0), xlim=(0, 180), ylabel=say.word("|relative error|"))
 
 
-def size(formula: PeriodFormula, theta_max: np.ndarray) -> np.ndarray:
-    """The size of the error, without the zeros that a logarithm has not."""
-    error = np.abs(formula.error(theta_max))
-    return np.where(error > 0, error, np.nan)
+@lru_cache(maxsize=64)
+def curve(name: str, *, error: bool) -> np.ndarray:
+    """The ratio of a formula, or the size of its error, over the angles: every panel shows every formula."""
+    formula = period(name)
+    found: np.ndarray = sizes(formula.error(angles()[1])) if error else formula.ratio(angles()[1])
+    return found
 
 
 def mark(axes: Any, theta_max: float | None) -> None:
