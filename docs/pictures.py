@@ -5,27 +5,25 @@ Run: python docs/pictures.py
 
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 
 from libration import Duffing
 from libration.plot import plot_periods
-from libration.plot._springs import along, barriers, equilibria, polynomial, potential
-from libration.plot._style import EXACT, FAINT, SEPARATRIX, quiet
+from libration.plot._language import ENGLISH
+from libration.plot._potential import barriers, equilibria, polynomial, potential
+from libration.plot._springs import along
+from libration.plot._style import DASHED, EXACT, FAINT, SEPARATRIX, quiet, save_figure
 
-matplotlib.use("Agg")
-from matplotlib import pyplot
-
-# Title, p and q, half width and height, and orbits: a label and a start each.
+# Title, p and q, half width and height, and orbits: a label, where it stands over the orbit, and a start each.
 PANELS = [
-    ("hardening, p = 1, q = 1", 1.0, 1.0, 1.9, 2.6, [("libration", 1.4, 0.0), ("", 0.8, 0.0)]),
+    ("hardening, p = 1, q = 1", 1.0, 1.0, 1.9, 2.6, [("libration", 0.0, 1.4, 0.0), ("", 0.0, 0.8, 0.0)]),
     (
         "double well, p = −1, q = 1/2",
         -1.0,
         0.5,
         2.7,
         1.9,
-        [("libration", 2.3, 0.0), ("homoclinic", 2.0, 0.0), ("well", 1.8, 0.0), ("well", -1.8, 0.0)],
+        [("libration", 0.0, 2.3, 0.0), ("homoclinic", 1.41, 2.0, 0.0), ("well", 1.3, 1.8, 0.0), ("", 0.0, -1.8, 0.0)],
     ),
     (
         "softening, p = 1, q = −1/2",
@@ -34,11 +32,11 @@ PANELS = [
         2.7,
         2.1,
         [
-            ("libration", 0.5, 0.0),
-            ("heteroclinic", 0.0, 1.0),
-            ("escape", 1.8, 0.0),
-            ("escape", -1.8, 0.0),
-            ("escape", 0.0, 1.4),
+            ("libration", 0.0, 0.5, 0.0),
+            ("heteroclinic", 0.0, 0.0, 1.0),
+            ("escape", 0.0, 0.0, 1.4),
+            ("", 0.0, 1.8, 0.0),
+            ("", 0.0, -1.8, 0.0),
         ],
     ),
     (
@@ -47,53 +45,62 @@ PANELS = [
         -1.0,
         1.9,
         2.6,
-        [("escape", 0.5, 0.0), ("escape", 0.0, 0.6), ("escape", -0.5, 0.0)],
+        [("escape", 0.0, 0.0, 0.6), ("", 0.0, 0.5, 0.0), ("", 0.0, -0.5, 0.0)],
     ),
-    ("no linear force, p = 0, q = 1", 0.0, 1.0, 1.9, 2.6, [("libration", 1.3, 0.0), ("libration", 0.8, 0.0)]),
-    ("linear, p = 1, q = 0", 1.0, 0.0, 1.9, 2.6, [("linear", 1.3, 0.0), ("linear", 0.8, 0.0)]),
+    ("no linear force, p = 0, q = 1", 0.0, 1.0, 1.9, 2.6, [("libration", 0.0, 1.3, 0.0), ("", 0.0, 0.8, 0.0)]),
+    ("linear, p = 1, q = 0", 1.0, 0.0, 1.9, 2.6, [("linear", 0.0, 1.3, 0.0), ("", 0.0, 0.8, 0.0)]),
 ]
 
 
 def draw(axes, title, p, q, width, height, orbits):
     """One portrait."""
     grid, speed = np.linspace(-width, width, 601), np.linspace(-height, height, 601)
-    springs = [(label, Duffing(u0, velocity0, p=p, q=q)) for label, u0, velocity0 in orbits]
-    spring = springs[0][1]
+    springs = [(label, at, Duffing(u0, velocity0, p=p, q=q)) for label, at, u0, velocity0 in orbits]
+    spring = springs[0][2]
     stiffness, resting = polynomial(spring), [0.0, *equilibria(spring)]
     energy = potential(stiffness, grid)[None, :] + speed[:, None] ** 2 / 2
     axes.contour(grid, speed, energy, levels=10, colors=FAINT, linewidths=0.8, linestyles="solid")
     if tops := barriers(stiffness, resting):
-        axes.contour(grid, speed, energy, levels=tops, colors=SEPARATRIX, linewidths=1.0, linestyles="dashed")
-    named = set()
-    for label, each in springs:
+        axes.contour(grid, speed, energy, levels=tops, colors=SEPARATRIX, linewidths=1.2, linestyles=[DASHED])
+    for label, at, each in springs:
         assert not label or each.regime == label, (title, label, each.regime)
         u, velocity = along(each, width)
         axes.plot(u, velocity, color=EXACT, lw=1.8)
-        if label and label not in named:
-            named.add(label)
-            shown = np.flatnonzero(np.isfinite(u) & (np.abs(velocity) < 0.75 * height))
-            at = shown[np.argmax(velocity[shown])]
-            axes.annotate(
-                label,
-                (u[at], velocity[at]),
-                xytext=(0, 4),
-                textcoords="offset points",
-                ha="center",
-                fontsize=9,
-                color=EXACT,
-            )
-    axes.plot(resting, [0.0] * len(resting), "o", ms=4, color=SEPARATRIX)
+        if label:
+            above = np.flatnonzero(np.isfinite(u) & (velocity > 0))
+            place = above[np.argmin(np.abs(u[above] - at))]
+            patch = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.9}
+            middle = {"ha": "center", "va": "center", "fontsize": 9.5, "color": EXACT, "bbox": patch, "zorder": 4}
+            axes.annotate(label, (u[place], velocity[place]), **middle)
+    for rest in resting:
+        stable = sum((2 * k + 1) * c * rest ** (2 * k) for k, c in enumerate(stiffness)) >= 0
+        axes.plot(
+            [rest], [0.0], "o", ms=5.5, color=SEPARATRIX if stable else "white", mec=SEPARATRIX, mew=1.3, zorder=5
+        )
     axes.set(xlim=(-width, width), ylim=(-height, height), xlabel="u", ylabel=r"$\dot u$")
     axes.set_title(title, fontsize=11, loc="left")
     quiet(axes)
 
 
-def main():
-    """Write the pictures beside this file."""
-    figure, panels = pyplot.subplots(2, 3, figsize=(12, 7), dpi=100, layout="constrained")
+def draw_springs(figure):
+    """Six portraits and what their lines mean."""
+    panels = figure.subplots(2, 3)
     for axes, panel in zip(panels.flat, PANELS, strict=True):
         draw(axes, *panel)
-    figure.savefig(Path(__file__).with_name("duffing.png"))
+    first = panels.flat[0]
+    marks = [
+        first.plot([], [], color=EXACT, lw=1.8, label="orbits, with their regimes")[0],
+        first.plot([], [], color=SEPARATRIX, lw=1.2, ls=DASHED, label="separatrix")[0],
+        first.plot([], [], color=FAINT, lw=1.2, label=ENGLISH.word("other energies"))[0],
+        first.plot([], [], "o", ms=5.5, color=SEPARATRIX, label="stable equilibrium")[0],
+        first.plot([], [], "o", ms=5.5, color="white", mec=SEPARATRIX, mew=1.3, label="unstable equilibrium")[0],
+    ]
+    figure.legend(handles=marks, loc="outside lower center", ncols=5, frameon=False, fontsize=10)
+
+
+def main():
+    """Write the pictures beside this file."""
+    save_figure({"png": Path(__file__).with_name("duffing.png")}, (12, 7.6), draw_springs)
     plot_periods(Path(__file__).with_name("periods.png"))
 
 

@@ -1,6 +1,7 @@
 """The pictures of docs/benchmarks.md: error against time for every method, and how cost and error grow.
 
-Made with matplotlib's Figure alone. Names are written at the points, without a legend; libration has the one strong colour.
+Made with matplotlib's Figure alone. Names are written at the points, without a legend; libration has the one strong colour,
+and every family a marker and a dash of its own, so that they are told apart in grey too.
 """
 
 import itertools
@@ -12,18 +13,21 @@ import matplotlib
 from matplotlib.figure import Figure
 from rivals.ours import FRESH, MOTION
 
+from libration.plot._style import FONTS, save_as
+
 OURS = "#b5341f"
-COLOURS = {
-    "libration": OURS,
-    "θ₀ cos": "#8a8a8a",
-    "SciPy": "#20639b",
-    "GSL": "#3c8d5a",
-    "Boost": "#7b5ea7",
-    "elliptic-functions": "#c08a2d",
-    "mpmath": "#5b5b5b",
-    "heyoka": "#2a9d9d",
-    "DOP853": "#9c5a3c",
-    "odeint": "#c2698b",
+# Colour, marker, dash.
+FAMILIES = {
+    "libration": (OURS, "o", "-"),
+    "θ₀ cos": ("#767676", "s", ":"),
+    "SciPy": ("#0072b2", "^", "--"),
+    "GSL": ("#00805e", "D", "-."),
+    "Boost": ("#a8447c", "v", ":"),
+    "elliptic-functions": ("#946c00", "P", "--"),
+    "mpmath": ("#4d4d4d", "X", "-"),
+    "heyoka": ("#2b83b5", "s", "-"),
+    "DOP853": ("#7a4a21", "^", "-"),
+    "odeint": ("#c2527f", "D", "-"),
 }
 STYLE = {
     "font.size": 9,
@@ -35,13 +39,16 @@ STYLE = {
     "ytick.color": "#555555",
     "svg.hashsalt": "libration",
     "svg.fonttype": "none",
+    "font.sans-serif": list(FONTS[:-1]),
 }
 LEAST = 3e-17
+# The part of a panel's width that names take beyond the last points.
+ROOM = 0.42
 
 
 def family(method: str) -> str:
     """The rival to which a method belongs."""
-    return next(name for name in COLOURS if method.startswith(name))
+    return next(name for name in FAMILIES if method.startswith(name))
 
 
 def points(records: list[dict]) -> dict[str, list[tuple[float, float]]]:
@@ -67,7 +74,7 @@ def quiet(axes, horizontal: str, vertical: str) -> None:
 
 PLACES = {
     "libration": (8, 6, "left"),
-    "θ₀ cos": (8, -3, "left"),
+    "θ₀ cos": (0, 9, "center"),
     "SciPy": (0, 9, "center"),
     "GSL": (-8, -3, "right"),
     "Boost": (0, -14, "center"),
@@ -91,22 +98,21 @@ def error_against_time(records: list[dict]) -> Figure:
         xycoords=("axes fraction", "data"),
         ha="center",
         va="center",
-        color="#9a8877",
+        color="#7a6654",
         fontsize=8,
     )
     for name, found in points(records).items():
+        color, marker, _ = FAMILIES[name]
         line = "-" if name in ("heyoka", "DOP853", "odeint", "mpmath") else ""
         ours = name == "libration"
-        size = 9 if ours else 4
-        axes.plot(*zip(*found, strict=True), line, color=COLOURS[name], marker="o", markersize=size, linewidth=1)
+        size = 10 if ours else 5
+        axes.plot(*zip(*found, strict=True), line, color=color, marker=marker, markersize=size, linewidth=1, mew=0)
         across, up, side = PLACES[name]
         last = max(found) if name in ("DOP853", "odeint") else found[len(found) // 2 if name == "heyoka" else 0]
         text = {"θ₀ cos": "θ₀ cos ω₀t in NumPy", "SciPy": "SciPy recipe"}.get(name, name)
         weight = "bold" if ours else "normal"
-        axes.annotate(
-            text, last, (across, up), textcoords="offset points", ha=side, color=COLOURS[name], fontweight=weight
-        )
-    axes.set_ylim(LEAST, 300)
+        axes.annotate(text, last, (across, up), textcoords="offset points", ha=side, color=color, fontweight=weight)
+    axes.set_ylim(LEAST, 1e3)
     return figure
 
 
@@ -125,7 +131,7 @@ def lines(records: list[dict], over: str, value) -> dict[str, list[tuple[float, 
 
 def growth(sizes: list[dict], horizons: list[dict]) -> Figure:
     """Time against samples, time against the horizon, error against the horizon."""
-    figure = Figure(figsize=(10.4, 3.9), layout="constrained")
+    figure = Figure(figsize=(12.6, 4.6), layout="constrained")
     left, middle, right = figure.subplots(1, 3)
     quiet(left, "samples, over ten periods", "seconds per call")
     quiet(middle, "periods", "nanoseconds per sample, 10⁴ samples")
@@ -148,38 +154,46 @@ def growth(sizes: list[dict], horizons: list[dict]) -> Figure:
         (right, horizons, "periods", worst),
     ):
         drawn = lines(records, over, value)
+        axes.margins(y=0.08)
         for name, line in drawn.items():
-            width = 2.2 if name == "libration" else 1
-            axes.plot(*zip(*line, strict=True), color=COLOURS[name], marker="o", markersize=2.5, linewidth=width)
+            color, marker, dash = FAMILIES[name]
+            look = {"linewidth": 2.4, "zorder": 3} if name == "libration" else {"linewidth": 1.1}
+            axes.plot(*zip(*line, strict=True), dash, color=color, marker=marker, markersize=4, mew=0, **look)
         named_at_ends(axes, {name: line[-1] for name, line in drawn.items()})
     return figure
 
 
 def named_at_ends(axes, ends: dict[str, tuple[float, float]]) -> None:
-    """Names to the right of the last points; names that would overlap are moved apart."""
+    """Names at the last points: beyond the end of the axis apart from each other, within it above their points."""
+    left, right = (math.log(limit) for limit in axes.get_xlim())
+    ticks = [tick for tick in axes.get_xticks() if left <= math.log(tick) <= right]
+    # The room of the longest name beyond the last point of all.
+    axes.set_xlim(math.exp(left), math.exp(right + ROOM * (right - left)))
+    axes.set_xticks(ticks)
     low, high = (math.log(limit) for limit in axes.get_ylim())
-    apart = (high - low) / 22
-    places = {name: math.log(y) for name, (_, y) in ends.items()}
-    touching = [(a, b) for a, b in itertools.combinations(ends, 2) if abs(math.log(ends[a][0] / ends[b][0])) < 4]
+    apart = (high - low) / 21
+    furthest = max(x for x, _ in ends.values())
+    outer = {name: math.log(y) for name, (x, y) in ends.items() if x == furthest}
     for _ in range(500):
-        for pair in touching:
-            below, above = sorted(pair, key=places.get)
-            push = max(0.0, apart - (places[above] - places[below]))
-            places[below] -= push / 2
-            places[above] += push / 2
-    for name, place in places.items():
-        text = {"elliptic-functions": "elliptic-f.", "θ₀ cos": "θ₀ cos ω₀t"}.get(name, name)
-        axes.annotate(
-            text,
-            (ends[name][0], math.exp(place)),
-            (5, 0),
-            textcoords="offset points",
-            va="center",
-            color=COLOURS[name],
-            fontsize=7.5,
-            fontweight="bold" if name == "libration" else "normal",
-            annotation_clip=False,
-        )
+        for pair in itertools.combinations(outer, 2):
+            below, above = sorted(pair, key=outer.get)
+            push = max(0.0, apart - (outer[above] - outer[below]))
+            outer[below] -= push / 2
+            outer[above] += push / 2
+    gap = math.exp(0.05 * (right - left))
+    for name, (x, y) in ends.items():
+        color = FAMILIES[name][0]
+        style = {"color": color, "fontsize": 8, "fontweight": "bold" if name == "libration" else "normal"}
+        text = {"θ₀ cos": "θ₀ cos ω₀t"}.get(name, name)
+        if name in outer:
+            if abs(outer[name] - math.log(y)) > apart / 3:
+                axes.plot([x * gap**0.3, x * gap * 0.97], [y, math.exp(outer[name])], color=color, linewidth=0.6)
+            axes.annotate(text, (x * gap, math.exp(outer[name])), va="center", **style)
+            continue
+        # Where another point is just above, the name stands beside its own.
+        crowded = any(x == other_x and 0 < math.log(other_y / y) < 2 * apart for other_x, other_y in ends.values())
+        place, sides = ((7, 0), ("left", "center")) if crowded else ((0, 5), ("center", "bottom"))
+        axes.annotate(text, (x, y), place, textcoords="offset points", ha=sides[0], va=sides[1], **style)
 
 
 def draw(held: dict[str, dict], folder: Path) -> None:
@@ -190,5 +204,5 @@ def draw(held: dict[str, dict], folder: Path) -> None:
             "benchmarks-growth": growth(held["sizes"]["records"], held["horizons"]["records"]),
         }
         for name, figure in figures.items():
-            figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
+            save_as(figure, folder / f"{name}.svg", "svg", {})
             figure.savefig(folder / f"{name}.png", dpi=160)

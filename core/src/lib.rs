@@ -49,3 +49,8 @@ pub use pendulum::{
 
 /// Version of the core, and of everything built on it.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+// The example of the README runs with those of the documentation. Only there: a packaged crate has no README above it.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod readme {}

@@ -131,6 +131,9 @@ if not TYPE_CHECKING:
         elif name in ("approx", "elliptic", "oscillator", "papers", "pendulum", "plot"):
             found = import_module(f".{name}", __name__)
         else:
-            raise AttributeError(f"module 'libration' has no attribute {name!r}")
+            elliptic = import_module(".elliptic", __name__)
+            if name in elliptic.__all__:
+                raise AttributeError(f"module 'libration' has no attribute {name!r}: did you mean elliptic.{name}?")
+            raise import_module("._messages", __name__).no_member("libration", name)
         globals()[name] = found
         return found

@@ -1,6 +1,26 @@
 """Objects that do not change: set once, equal when made of the same numbers, and rebuilt from them bit for bit."""
 
-from typing import Any, NoReturn
+from inspect import getattr_static
+from typing import Any, NoReturn, Self
+
+
+class Elsewhere:
+    """An attribute of other books: its error names the one of this package.
+
+    Unlike ``__getattr__``, which makes every attribute of a class slower, it costs nothing until it is asked for.
+    """
+
+    def __init__(self, meant: str) -> None:
+        self.meant = meant
+        self.__doc__ = f"Not here; see `{meant}`."
+
+    def __set_name__(self, kind: type[Any], name: str) -> None:
+        self.name = name
+
+    def __get__(self, thing: object, kind: type[Any]) -> Self:
+        if thing is None:
+            return self
+        raise AttributeError(f"a {kind.__name__} has no attribute {self.name!r}: did you mean {self.meant}?")
 
 
 class Immutable:
@@ -50,7 +70,8 @@ class Immutable:
 
 def public_names(thing: object) -> list[str]:
     """The attributes of an object that are meant for users."""
-    return [name for name in object.__dir__(thing) if not name.startswith("_")]
+    names = [name for name in object.__dir__(thing) if not name.startswith("_")]
+    return [name for name in names if not isinstance(getattr_static(type(thing), name, None), Elsewhere)]
 
 
 def _maker(kind: type[Any]) -> type[Any]:

@@ -5,6 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from ._advice import advice
+
+# The functions that take arrays of what a constructor takes one of.
+OF_ARRAYS = {"theta0": "libration.motion", "velocity0": "libration.motion", "u0": "libration.duffing_motion"}
+
 
 def real(name: str, value: Any) -> float:
     """``value`` as a float if it is one real number, else a ``ValueError`` that names the argument."""
@@ -17,7 +22,21 @@ def real(name: str, value: Any) -> float:
             return float(value)
         except OverflowError:
             raise ValueError(f"{name} = an integer beyond the doubles: must be finite") from None
-    raise ValueError(f"{name} = {shown(value)}: must be one real number, a Python or NumPy scalar")
+        except TypeError:
+            # A number with a unit of astropy.
+            pass
+    several = OF_ARRAYS.get(name) if getattr(value, "ndim", 0) or isinstance(value, list | tuple) else None
+    hint = f"; {several} takes arrays" if several else advice(name, value)
+    raise ValueError(f"{name} = {shown(value)}: must be one real number, a Python or NumPy scalar{hint}")
+
+
+def radians(degrees: float) -> float:
+    """The double nearest to an angle in degrees as radians."""
+    from decimal import Context, Decimal
+
+    # Of pi/180; a product of 60 digits leaves one rounding to a double.
+    factor = Decimal("0.0174532925199432957692369076848861271344287188854172545609719144017100911460")
+    return float(Context(prec=60).multiply(Decimal(degrees), factor))
 
 
 def count(name: str, value: Any) -> int:

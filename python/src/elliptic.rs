@@ -7,7 +7,7 @@ use libration::{
 use libration::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
 use pyo3::prelude::*;
 
-use crate::ufunc::{BLOCK, add, each, nothing, whole};
+use crate::ufunc::{add, each, nothing, whole};
 
 /// A constructor of parameters, one per keyword.
 type From = fn(f64) -> Parameter;
@@ -30,8 +30,8 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "carlson_rj", nothing, each(|(): &(), [x, y, z, p]| [carlson_rj(x, y, z, p)]))
 }
 
-fn values(jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 4]) {
-    jacobi.values_into(u, columns.each_mut().map(|column| &mut column[..rows]));
+fn values(jacobi: &Jacobi, [u]: [&[f64]; 1], _: usize, columns: [&mut [f64]; 4]) {
+    jacobi.values_into(u, columns);
 }
 
 /// Jacobi's functions: four together, each of the twelve and its inverse, and three of a complex argument.
@@ -40,10 +40,9 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from:
     add(module, &named("jacobi"), set_up, whole::<[f64; 4], _>(values))?;
     for which in Glaisher::ALL {
         let name = which.name();
-        let function =
-            move |jacobi: &Jacobi, [u]: [&[f64]; 1], rows: usize, [out]: &mut [[f64; BLOCK]; 1]| {
-                jacobi.glaisher_into(which, u, &mut out[..rows]);
-            };
+        let function = move |jacobi: &Jacobi, [u]: [&[f64]; 1], _: usize, [out]: [&mut [f64]; 1]| {
+            jacobi.glaisher_into(which, u, out);
+        };
         add(module, &named(name), set_up, whole::<[f64; 1], _>(function))?;
         let inverse = move |p: &Parameter, [x]: [f64; 1]| [libration::inverse_jacobi(which, x, *p)];
         add(module, &named(&format!("arc{name}")), move |[given]| Some(from(given)), each(inverse))?;

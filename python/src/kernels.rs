@@ -9,7 +9,7 @@ use libration::pendulum::fourier::harmonic_distortion;
 use libration::{Frequency, Orbit, Sensitivity, Turns};
 use pyo3::prelude::*;
 
-use crate::ufunc::{BLOCK, add, each, nothing, whole};
+use crate::ufunc::{add, each, nothing, whole};
 
 /// Adds the ufuncs of the pendulum.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -52,38 +52,32 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))
 }
 
-/// The one column of results of a block of rows.
-type Column = [[f64; BLOCK]; 1];
-
-/// Likewise, with two columns.
-type Columns = [[f64; BLOCK]; 2];
-
-fn theta(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta]: &mut Column) {
-    orbit.theta_into(t, &mut theta[..rows]);
+fn theta(orbit: &Orbit, [t]: [&[f64]; 1], _: usize, [theta]: [&mut [f64]; 1]) {
+    orbit.theta_into(t, theta);
 }
 
-fn velocity(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut Column) {
-    orbit.velocity_into(t, &mut velocity[..rows]);
+fn velocity(orbit: &Orbit, [t]: [&[f64]; 1], _: usize, [velocity]: [&mut [f64]; 1]) {
+    orbit.velocity_into(t, velocity);
 }
 
-fn motion(orbit: &Orbit, [t]: [&[f64]; 1], rows: usize, [theta, velocity]: &mut Columns) {
-    orbit.motion_into(t, &mut theta[..rows], &mut velocity[..rows]);
+fn motion(orbit: &Orbit, [t]: [&[f64]; 1], _: usize, [theta, velocity]: [&mut [f64]; 2]) {
+    orbit.motion_into(t, theta, velocity);
 }
 
-fn state_theta((): &(), operands: [&[f64]; 4], rows: usize, [theta]: &mut Column) {
-    pendulum::motion_into(operands, [&mut theta[..rows], &mut [0.0; BLOCK][..rows]]);
+fn state_theta((): &(), operands: [&[f64]; 4], rows: usize, [theta]: [&mut [f64]; 1]) {
+    pendulum::motion_into(operands, [theta, &mut vec![0.0; rows]]);
 }
 
-fn state_velocity((): &(), operands: [&[f64]; 4], rows: usize, [velocity]: &mut Column) {
-    pendulum::motion_into(operands, [&mut [0.0; BLOCK][..rows], &mut velocity[..rows]]);
+fn state_velocity((): &(), operands: [&[f64]; 4], rows: usize, [velocity]: [&mut [f64]; 1]) {
+    pendulum::motion_into(operands, [&mut vec![0.0; rows], velocity]);
 }
 
-fn state_motion((): &(), operands: [&[f64]; 4], rows: usize, columns: &mut Columns) {
-    pendulum::motion_into(operands, columns.each_mut().map(|column| &mut column[..rows]));
+fn state_motion((): &(), operands: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
+    pendulum::motion_into(operands, columns);
 }
 
-fn advance((): &(), states: [&[f64]; 4], rows: usize, columns: &mut Columns) {
-    libration::advance_into(states, columns.each_mut().map(|column| &mut column[..rows]));
+fn advance((): &(), states: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
+    libration::advance_into(states, columns);
 }
 
 /// One orbit, its frequency by the exact factors.
@@ -103,8 +97,8 @@ fn turns(orbit: &Orbit, [t]: [f64; 1]) -> (i64, f64) {
 }
 
 /// Row by row of the matrix.
-fn slopes(of: &Sensitivity, [t]: [&[f64]; 1], rows: usize, columns: &mut [[f64; BLOCK]; 6]) {
-    of.at_into(t, columns.each_mut().map(|column| &mut column[..rows]));
+fn slopes(of: &Sensitivity, [t]: [&[f64]; 1], _: usize, columns: [&mut [f64]; 6]) {
+    of.at_into(t, columns);
 }
 
 /// The upper halves of the symmetric matrices, row by row.

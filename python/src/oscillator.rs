@@ -221,31 +221,31 @@ impl DuffingForm {
 /// Adds the ufuncs of one oscillator under its name.
 macro_rules! kernels {
     ($module:expr, $name:literal, $core:ident, $set_up:expr) => {{
-        type One = [[f64; BLOCK]; 1];
-        type Two = [[f64; BLOCK]; 2];
         add(
             $module,
             concat!($name, "_u"),
             $set_up,
-            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [u]: &mut One| {
-                made.u_into(t, &mut u[..rows]);
+            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], _: usize, [u]: [&mut [f64]; 1]| {
+                made.u_into(t, u);
             }),
         )?;
         add(
             $module,
             concat!($name, "_velocity"),
             $set_up,
-            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [velocity]: &mut One| {
-                made.velocity_into(t, &mut velocity[..rows]);
+            whole::<[f64; 1], _>(|made: &$core, [t]: [&[f64]; 1], _: usize, [velocity]: [&mut [f64]; 1]| {
+                made.velocity_into(t, velocity);
             }),
         )?;
         add(
             $module,
             concat!($name, "_motion"),
             $set_up,
-            whole::<[f64; 2], _>(|made: &$core, [t]: [&[f64]; 1], rows: usize, [u, velocity]: &mut Two| {
-                made.motion_into(t, &mut u[..rows], &mut velocity[..rows]);
-            }),
+            whole::<[f64; 2], _>(
+                |made: &$core, [t]: [&[f64]; 1], _: usize, [u, velocity]: [&mut [f64]; 2]| {
+                    made.motion_into(t, u, velocity);
+                },
+            ),
         )
     }};
 }

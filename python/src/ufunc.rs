@@ -10,6 +10,7 @@
 pub mod interpreter;
 
 use std::array;
+use std::cell::Cell;
 use std::ffi::{CString, c_char, c_int, c_long, c_void};
 use std::marker::PhantomData;
 use std::ptr;
@@ -23,8 +24,8 @@ use pyo3::types::PyCapsule;
 use crate::pool;
 use crate::signals::{self, Stop};
 
-/// Rows computed at a time: their columns stay in the nearest cache.
-pub const BLOCK: usize = 512;
+/// Rows computed at a time: a call of a kernel costs some 100 nanoseconds, and its columns should stay in a near cache.
+pub const BLOCK: usize = 2048;
 
 /// NumPy's code of float64.
 const FLOAT64: c_char = NPY_TYPES::NPY_DOUBLE as c_char;
@@ -36,61 +37,37 @@ const INT64: c_char =
 /// Place of `PyUFunc_clearfperr` in the table of NumPy's ufunc API.
 const CLEAR_SLOT: usize = 27;
 
-/// The results of one row, and the columns of a block of rows.
+/// The results of one row, and the columns of a block of rows. Every result has 64 bits.
 pub trait Row: Copy + Send {
     /// NumPy's codes of the results.
     const CODES: &'static [c_char];
     /// The results where the set-up is refused.
     const UNDEFINED: Self;
-    /// Columns of [`BLOCK`] rows.
-    type Columns;
-    /// Columns to be filled.
-    fn columns() -> Self::Columns;
-    /// One row of the columns.
-    fn put(self, columns: &mut Self::Columns, row: usize);
-    /// Writes the first `rows` of the columns, each to its own addresses.
+    /// A column for each result, all of the same length.
+    type Columns<'a>;
+    /// The columns of some rows where they are to be written.
     ///
     /// # Safety
-    /// `at` holds the address of the first row of each column, `steps` the bytes to the next; all are aligned and
-    /// writable.
-    unsafe fn store(columns: &Self::Columns, rows: usize, at: &[*mut c_char], steps: &[npy_intp]);
-}
-
-/// Writes the first rows of one column.
-///
-/// # Safety
-/// As for [`Row::store`].
-unsafe fn store_column<T: Copy>(column: &[T], at: *mut c_char, step: npy_intp) {
-    if step == size_of::<T>() as npy_intp {
-        // SAFETY: the caller's promise; the column is ours, so the two are apart.
-        unsafe { ptr::copy_nonoverlapping(column.as_ptr(), at.cast::<T>(), column.len()) };
-        return;
-    }
-    for (row, value) in column.iter().enumerate() {
-        // SAFETY: the caller's promise.
-        unsafe { at.offset(row as npy_intp * step).cast::<T>().write(*value) };
-    }
+    /// `at` holds the address of the first row of each column; its rows lie side by side, are aligned, and nothing else
+    /// reads or writes them while the columns are in use.
+    unsafe fn columns<'a>(at: &[*mut c_char], rows: usize) -> Self::Columns<'a>;
+    /// Writes one row of the columns.
+    fn put(self, columns: &mut Self::Columns<'_>, row: usize);
 }
 
 impl<const N: usize> Row for [f64; N] {
     const CODES: &'static [c_char] = &[FLOAT64; N];
     const UNDEFINED: Self = [f64::NAN; N];
-    type Columns = [[f64; BLOCK]; N];
+    type Columns<'a> = [&'a mut [f64]; N];
 
-    fn columns() -> Self::Columns {
-        [[f64::NAN; BLOCK]; N]
+    unsafe fn columns<'a>(at: &[*mut c_char], rows: usize) -> Self::Columns<'a> {
+        // SAFETY: the caller's promise.
+        array::from_fn(|i| unsafe { slice::from_raw_parts_mut(at[i].cast(), rows) })
     }
 
-    fn put(self, columns: &mut Self::Columns, row: usize) {
+    fn put(self, columns: &mut Self::Columns<'_>, row: usize) {
         for (column, value) in columns.iter_mut().zip(self) {
             column[row] = value;
-        }
-    }
-
-    unsafe fn store(columns: &Self::Columns, rows: usize, at: &[*mut c_char], steps: &[npy_intp]) {
-        for ((column, place), step) in columns.iter().zip(at).zip(steps) {
-            // SAFETY: the caller's promise.
-            unsafe { store_column(&column[..rows], *place, *step) };
         }
     }
 }
@@ -98,23 +75,18 @@ impl<const N: usize> Row for [f64; N] {
 impl Row for (i64, f64) {
     const CODES: &'static [c_char] = &[INT64, FLOAT64];
     const UNDEFINED: Self = (0, f64::NAN);
-    type Columns = ([i64; BLOCK], [f64; BLOCK]);
+    type Columns<'a> = (&'a mut [i64], &'a mut [f64]);
 
-    fn columns() -> Self::Columns {
-        ([0; BLOCK], [f64::NAN; BLOCK])
-    }
-
-    fn put(self, columns: &mut Self::Columns, row: usize) {
-        columns.0[row] = self.0;
-        columns.1[row] = self.1;
-    }
-
-    unsafe fn store(columns: &Self::Columns, rows: usize, at: &[*mut c_char], steps: &[npy_intp]) {
+    unsafe fn columns<'a>(at: &[*mut c_char], rows: usize) -> Self::Columns<'a> {
         // SAFETY: the caller's promise.
         unsafe {
-            store_column(&columns.0[..rows], at[0], steps[0]);
-            store_column(&columns.1[..rows], at[1], steps[1]);
+            (slice::from_raw_parts_mut(at[0].cast(), rows), slice::from_raw_parts_mut(at[1].cast(), rows))
         }
+    }
+
+    fn put(self, columns: &mut Self::Columns<'_>, row: usize) {
+        columns.0[row] = self.0;
+        columns.1[row] = self.1;
     }
 }
 
@@ -130,13 +102,12 @@ pub fn whole<R: Row, V>(value: V) -> Block<R, V> {
 }
 
 /// A kernel made of a function of one row.
-#[allow(clippy::type_complexity)] // the type of a closure has no shorter name
 pub fn each<S, R: Row, const X: usize>(
     value: impl Fn(&S, [f64; X]) -> R,
-) -> Block<R, impl Fn(&S, [&[f64]; X], usize, &mut R::Columns)> {
-    whole(move |set_up: &S, samples: [&[f64]; X], rows: usize, columns: &mut R::Columns| {
+) -> Block<R, impl Fn(&S, [&[f64]; X], usize, R::Columns<'_>)> {
+    whole(move |set_up: &S, samples: [&[f64]; X], rows: usize, mut columns: R::Columns<'_>| {
         for row in 0..rows {
-            value(set_up, samples.map(|column| column[row])).put(columns, row);
+            value(set_up, samples.map(|column| column[row])).put(&mut columns, row);
         }
     })
 }
@@ -170,7 +141,7 @@ pub fn add<M, V, S, R, const X: usize, const P: usize>(
 ) -> PyResult<()>
 where
     M: Fn([f64; P]) -> Option<S> + Send + Sync + 'static,
-    V: Fn(&S, [&[f64]; X], usize, &mut R::Columns) + Send + Sync + 'static,
+    V: Fn(&S, [&[f64]; X], usize, R::Columns<'_>) + Send + Sync + 'static,
     S: Clone + Send + Sync + 'static,
     R: Row + 'static,
 {
@@ -250,11 +221,16 @@ impl<const O: usize> Operands<O> {
         (start.min(end), start.max(end) + 7)
     }
 
+    /// Whether two operands have a byte in common, or the space between their bytes.
+    fn meet(&self, i: usize, j: usize, rows: usize) -> bool {
+        let ((first, last), (other_first, other_last)) = (self.extent(i, rows), self.extent(j, rows));
+        last >= other_first && other_last >= first
+    }
+
     /// Whether a row may be written before another is read: then rows go one by one. NumPy copies overlapping
     /// operands beforehand, but its reductions and accumulations feed results back.
     fn fed_back(&self, inputs: usize, outputs: usize, rows: usize) -> bool {
         let feeds = |o: usize, i: usize| {
-            let ((first, last), (other_first, other_last)) = (self.extent(o, rows), self.extent(i, rows));
             let (step, other_step) = (self.steps[o], self.steps[i]);
             let apart = self.at[o] as isize - self.at[i] as isize;
             let same_rows = apart == 0 && step == other_step;
@@ -263,10 +239,20 @@ impl<const O: usize> Operands<O> {
                 let within = apart.rem_euclid(step.abs());
                 within >= 8 && within <= step.abs() - 8
             };
-            last >= other_first && other_last >= first && !same_rows && !interleaved
+            self.meet(o, i, rows) && !same_rows && !interleaved
         };
         rows > 1 && (inputs..inputs + outputs).any(|o| self.steps[o] == 0 || (0..inputs).any(|i| feeds(o, i)))
     }
+
+    /// Whether a kernel may write output `o` in place: side by side, and apart from every other of `count` operands.
+    fn in_place(&self, o: usize, count: usize, rows: usize) -> bool {
+        self.steps[o] == size_of::<f64>() as npy_intp && (0..count).all(|i| i == o || !self.meet(o, i, rows))
+    }
+}
+
+thread_local! {
+    /// Columns of [`BLOCK`] rows for operands that are not side by side; kept from call to call, never cleared.
+    static COLUMNS: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
 }
 
 /// Operands of the widest ufunc: five inputs of the set-up, one sample, twelve results.
@@ -283,7 +269,7 @@ unsafe extern "C" fn sweep<M, V, S, R, const X: usize, const P: usize>(
     data: *mut c_void,
 ) where
     M: Fn([f64; P]) -> Option<S> + Sync,
-    V: Fn(&S, [&[f64]; X], usize, &mut R::Columns) + Sync,
+    V: Fn(&S, [&[f64]; X], usize, R::Columns<'_>) + Sync,
     S: Clone + Send + Sync,
     R: Row,
 {
@@ -334,13 +320,19 @@ fn section<M, V, S, R, const X: usize, const P: usize>(
 ) -> Last<S, P>
 where
     M: Fn([f64; P]) -> Option<S>,
-    V: Fn(&S, [&[f64]; X], usize, &mut R::Columns),
+    V: Fn(&S, [&[f64]; X], usize, R::Columns<'_>),
     R: Row,
 {
-    let mut samples = [[0.0; BLOCK]; X];
-    let mut columns = R::columns();
+    let outputs = R::CODES.len();
+    // Taken, not borrowed: a signal handler may call a ufunc on this thread.
+    let mut kept_columns = COLUMNS.take();
+    if kept_columns.len() < (X + outputs) * BLOCK {
+        kept_columns.resize((X + outputs) * BLOCK, f64::NAN);
+    }
+    let (samples, results) = kept_columns.split_at_mut(X * BLOCK);
+    let in_place: [bool; WIDEST] =
+        array::from_fn(|o| block > 1 && o < outputs && operands.in_place(X + P + o, X + P + outputs, rows));
     let mut renewed = false;
-    let outputs = X + P..X + P + R::CODES.len();
     // One orbit for the whole loop: nothing to compare row by row.
     let one = operands.steps[X..X + P].iter().all(|step| *step == 0);
     let key_of = |row: usize| array::from_fn::<u64, P, _>(|i| operands.read(X + i, row).to_bits());
@@ -355,31 +347,58 @@ where
         }
         let most = block.min(rows - row);
         let run = if one { most } else { 1 + (1..most).take_while(|next| key_of(row + next) == key).count() };
-        // The whole run is computed before any of it is written: an output may be the very array of an input.
+        // The whole run is computed before any of it is written where an input may stand.
         let inputs: [Option<&[f64]>; X] = array::from_fn(|i| operands.side_by_side(i, row, run));
-        for (i, column) in samples.iter_mut().enumerate() {
+        for (i, column) in samples.chunks_exact_mut(BLOCK).enumerate() {
             if inputs[i].is_none() {
                 for (next, sample) in column[..run].iter_mut().enumerate() {
                     *sample = operands.read(i, row + next);
                 }
             }
         }
+        let to = operands.starting(row);
+        let (own, theirs) = (results.as_mut_ptr(), &to.at[X + P..]);
+        let at: [*mut c_char; WIDEST] = array::from_fn(|o| match o {
+            o if o >= outputs => ptr::null_mut(),
+            o if in_place[o] => theirs[o],
+            o => own.wrapping_add(o * BLOCK).cast(),
+        });
+        // SAFETY: the columns are ours or the rows of an output that is apart from every other operand.
+        let mut columns = unsafe { R::columns(&at, run) };
         match last.as_ref().and_then(|(_, made)| made.as_ref()) {
             Some(made) => {
-                let inputs = array::from_fn(|i| inputs[i].unwrap_or(&samples[i][..run]));
-                (kernel.block)(made, inputs, run, &mut columns)
+                let inputs = array::from_fn(|i| inputs[i].unwrap_or(&samples[i * BLOCK..][..run]));
+                (kernel.block)(made, inputs, run, columns);
             }
             None => (0..run).for_each(|next| R::UNDEFINED.put(&mut columns, next)),
         }
-        let to = operands.starting(row);
-        // SAFETY: the outputs follow the inputs, one aligned and writable address per code and row.
-        unsafe { R::store(&columns, run, &to.at[outputs.clone()], &to.steps[outputs.clone()]) };
+        for o in (0..outputs).filter(|o| !in_place[*o]) {
+            // SAFETY: the outputs follow the inputs, one aligned and writable address of 64 bits per row.
+            unsafe { store(at[o].cast(), run, theirs[o], to.steps[X + P + o]) };
+        }
         row += run;
         if stop(work + run) {
             break;
         }
     }
+    COLUMNS.set(kept_columns);
     if renewed { last } else { None }
+}
+
+/// Writes a column of 64-bit values to rows that are `step` bytes apart.
+///
+/// # Safety
+/// The column has so many values, and `at` is the address of the first of as many aligned and writable rows outside it.
+unsafe fn store(column: *const u64, rows: usize, at: *mut c_char, step: npy_intp) {
+    let at = at.cast::<u64>();
+    if step == size_of::<u64>() as npy_intp {
+        // SAFETY: the caller's promise.
+        return unsafe { ptr::copy_nonoverlapping(column, at, rows) };
+    }
+    for row in 0..rows {
+        // SAFETY: the caller's promise.
+        unsafe { at.byte_offset(row as npy_intp * step).write(*column.add(row)) };
+    }
 }
 
 /// `PyUFunc_clearfperr`, which the loop calls without holding the interpreter.

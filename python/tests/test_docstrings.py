@@ -42,7 +42,7 @@ def findings(name, member):
             if len(line) != len(lines[number - 1]) or (number > 1 and lines[number - 2].strip()):
                 found.append(f"section {lines[number - 1]}")
     told = [
-        each.strip()
+        each.strip().lstrip("*")
         for line in parts.get("Parameters", "").splitlines()
         if line and not line.startswith(" ") and " : " in line
         for each in line.partition(" : ")[0].split(",")

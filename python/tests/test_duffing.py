@@ -189,7 +189,7 @@ def test_an_energy_beyond_the_doubles_is_said_in_words(capsys):
 @pytest.mark.parametrize(
     ("spring", "t", "label"),
     [
-        (Duffing(1.0, p=1.0, q=1.0), (0.0, 1e6), "t [s], the first 95.4 of 1e+06 s"),
+        (Duffing(1.0, p=1.0, q=1.0), (0.0, 1e6), "t [s], the first 95.4 of 10⁶ s"),
         (Duffing(1.0, p=-1.0, q=0.0), (0.0, 1000.0), "t [s], the first 3 of 1000 s"),
         (Duffing(1.1, p=1.0, q=-1.0), (-1000.0, 1000.0), "t [s], 8.5 of 2000 s"),
         (Duffing(1e-200, p=1.0, q=1.0), (0.0, 10.0), "t [s]"),

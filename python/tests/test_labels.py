@@ -90,7 +90,15 @@ for name in elliptic.__all__:
 # Public functions and methods that take no array of any length, or make a matrix of every element.
 NO_ARRAYS = {"sensitivities", "claims", "errata", "limits", "pictures"}
 OTHERS = {
-    "Pendulum": {"times", "turning_times", "fourier", "from_action_phase", "sensitivities", "second_sensitivities"},
+    "Pendulum": {
+        "degrees",
+        "times",
+        "turning_times",
+        "fourier",
+        "from_action_phase",
+        "sensitivities",
+        "second_sensitivities",
+    },
     "Duffing": {"times", "of_pendulum"},
     "CubicQuintic": {"times"},
     "DuffingForm": {"table"},

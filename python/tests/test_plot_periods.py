@@ -9,26 +9,55 @@ from matplotlib.figure import Figure
 from libration import approx
 from libration.approx._period import listed
 from libration.plot import plot_periods
-from libration.plot._periods import draw_periods
+from libration.plot._periods import draw_periods, families
+
+
+def curves(axes):
+    """The curves that have a name."""
+    return {line.get_label().partition(" = ")[0]: line for line in axes.lines if line.get_label()[0] != "_"}
 
 
 @pytest.mark.parametrize("theta_max", [None, 2.6])
 def test_every_formula_is_drawn_once(theta_max):
     figure = Figure()
     draw_periods(figure, theta_max)
-    upper, lower = figure.axes
-    drawn = {line.get_label().partition(" = ")[0]: line for line in upper.lines if line.get_label()[0] != "_"}
-    # agm:2 is the same curve as belendez and shares its entry.
-    assert set(drawn) == {formula.name for formula in listed()} - {"agm:2"} | {"exact"}
-    degrees, ratio = drawn["lima-arun"].get_data()
-    assert np.array_equal(ratio, approx.period("lima-arun").ratio(np.radians(degrees)))
-    looks = {
-        (line.get_color(), str(line.get_linestyle()), line.get_linewidth(), str(line._dash_pattern))
-        for line in lower.lines
-    }
-    assert len({str(look) for look in looks}) == len(drawn) - 1 + (theta_max is not None)
-    marks = [line.get_xdata()[0] for line in lower.lines if len(line.get_xdata()) == 2]
-    assert marks == ([] if theta_max is None else [math.degrees(theta_max)])
+    ratios, *errors = figure.axes
+    assert set(curves(ratios)) == {"exact"}
+    drawn = [name for axes in errors for name in curves(axes)]
+    # belendez is the same curve as agm:2 and shares its entry.
+    assert sorted(drawn) == sorted({formula.name for formula in listed()} - {"belendez"})
+    degrees, error = curves(errors[2])["lima-arun"].get_data()
+    assert np.array_equal(error, np.abs(approx.period("lima-arun").error(np.radians(degrees))))
+    marks = [[line.get_xdata()[0] for line in axes.lines if len(line.get_xdata()) == 2] for axes in figure.axes]
+    assert marks == [[] if theta_max is None else [math.degrees(theta_max)]] * len(figure.axes)
+
+
+def test_no_two_curves_of_a_panel_look_alike():
+    figure = Figure()
+    draw_periods(figure, None)
+    for axes in figure.axes[1:]:
+        looks = {(line.get_color(), str(line._dash_pattern)) for line in curves(axes).values()}
+        dashes = {str(line._dash_pattern) for line in curves(axes).values()}
+        assert len(looks) == len(dashes) == len(curves(axes)) >= 3
+
+
+def test_names_stand_within_their_panel_and_apart():
+    figure = Figure(figsize=(12, 7.4), layout="constrained")
+    draw_periods(figure, None)
+    figure.draw_without_rendering()
+    for axes in figure.axes[1:]:
+        boxes = [text.get_window_extent() for text in axes.texts]
+        frame = axes.get_window_extent()
+        assert len(boxes) == len(curves(axes))
+        for number, box in enumerate(boxes):
+            assert frame.x0 <= box.x0 < box.x1 <= frame.x1
+            assert frame.y0 <= box.y0 < box.y1 <= frame.y1
+            assert not any(box.overlaps(other) for other in boxes[number + 1 :])
+
+
+def test_a_formula_without_a_family_has_a_panel(monkeypatch):
+    monkeypatch.delitem(families.__globals__["FAMILIES"], "logarithms")
+    assert {formula.name for formula in families()["other formulas"]} == {"lima-arun", "cromer", "chachiyo"}
 
 
 def test_it_is_saved(tmp_path):

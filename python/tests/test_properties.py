@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import libration
 from libration import Pendulum
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = pytest.mark.filterwarnings("error", "ignore:theta0 = .* is in radians:UserWarning")
 
 settings.register_profile("doors", deadline=None, max_examples=500, derandomize=True, database=None)
 settings.load_profile("doors")

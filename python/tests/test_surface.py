@@ -164,6 +164,7 @@ def test_turns_counts_whole_turns():
     assert np.allclose(2 * math.pi * n + angle, Pendulum(0.0, 3.0).theta(np.linspace(-1e6, 1e6, 2001)), rtol=1e-15)
 
 
+@pytest.mark.filterwarnings("ignore:theta0 = .* is in radians:UserWarning")
 def test_turns_beyond_the_integers_have_no_answer():
     """The largest count is 2**63 - 1; the truth is by mpmath at 1,400 bits."""
     n, angle = Pendulum(5.7e19).turns(0.0)
@@ -310,6 +311,7 @@ MADE = [
     libration.approx.sine("best:3", phi_max=1.0),
     libration.approx.numerical("rk4:0.1"),
     libration.approx.numerical("rk4:0.1").of(Pendulum(1.0)),
+    libration.approx.compare(Pendulum(1.0), ["fourier:3"]),
 ]
 
 

@@ -36,6 +36,9 @@ def one_orbit() -> None:
     assert_type(PENDULUM.theta([0.0, 1.0]), Floats)
     assert_type(PENDULUM.theta(NAMED), xarray.DataArray)
     assert_type(PENDULUM.theta(T, out=T), Floats)
+    assert_type(Pendulum.degrees(30, length=1.0), Pendulum)
+    assert_type(PENDULUM.length, float | None)
+    assert_type(PENDULUM.gravity, float | None)
     assert_type(PENDULUM.velocity(np.float32(1.0)), np.float64)
     assert_type(PENDULUM.motion(1.0), tuple[np.float64, np.float64])
     assert_type(PENDULUM.motion(T), tuple[Floats, Floats])
@@ -117,6 +120,8 @@ def mistakes() -> None:
     libration.elliptic.complet_k(m=0.5)  # type: ignore[attr-defined]
     approx.angel("cubic")  # type: ignore[attr-defined]
     print(PENDULUM.perod)  # type: ignore[attr-defined]
+    print(PENDULUM.amplitude)  # type: ignore[attr-defined]
+    Pendulum(1.0, length=1.0, g=9.8)  # type: ignore[call-arg]
     PENDULUM.theta("now")  # type: ignore[arg-type]
     PENDULUM.period = 2.0  # type: ignore[misc]
     libration.theta(1.0)  # type: ignore[call-overload]

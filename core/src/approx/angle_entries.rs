@@ -4,15 +4,7 @@
 use super::entry::{Entry, Orders, Row, entries, row};
 use super::salas::{DEGREES_70, DEGREES_120};
 
-const PLAIN: Entry = Entry {
-    name: "",
-    orders: None,
-    formula: "",
-    source: "",
-    stated: "",
-    stated_range: None,
-    undefined: "rotation, separatrix",
-};
+const PLAIN: Entry = Entry::new("", "", "").but_for("rotation, separatrix");
 
 /// What an entry is evaluated by (angle.rs).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,12 +4,11 @@
 //! Source: Salas 2019 (2), (3), (29), (30), (34), (35).
 
 use super::angle_phase::{counted, framed, turning_angle};
-use super::salas::{CUBIC, QUINTIC};
 use crate::domain::Domain;
 use crate::elliptic::phase::Phase;
 use crate::float::exponent::{carried, exp2, ldexp};
 use crate::float::{Dd, PI, Scaled, Td};
-use crate::oscillator::{CubicQuintic, Duffing};
+use crate::oscillator::CubicQuintic;
 use crate::pendulum::Orbit;
 use crate::pendulum::theta_quotients::Elliptic;
 
@@ -108,49 +107,14 @@ impl Trigonometric {
     }
 }
 
-/// The motion of a polynomial in place of the sine.
-#[derive(Clone, Debug)]
-pub(super) enum SineModel {
-    Cubic(Duffing),
-    CubicQuintic(CubicQuintic),
-}
-
 /// omega0^2 times a number, rounded once.
 fn coefficient(orbit: &Orbit, [above, below]: [f64; 2]) -> f64 {
     let (a, b, c) = orbit.force.factors();
     (Scaled::from(a) * b * above / (Scaled::from(c) * below)).value()
 }
 
-impl SineModel {
-    pub fn cubic(orbit: &Orbit) -> Result<SineModel, Domain> {
-        let (p, q) = (coefficient(orbit, [1.0; 2]), coefficient(orbit, CUBIC));
-        Ok(SineModel::Cubic(Duffing::new(orbit.theta0, orbit.velocity0, p, q)?))
-    }
-
-    pub fn cubic_quintic(orbit: &Orbit) -> Result<SineModel, Domain> {
-        let [alpha, beta, gamma] = [[1.0; 2], CUBIC, QUINTIC].map(|quotient| coefficient(orbit, quotient));
-        Ok(SineModel::CubicQuintic(CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)?))
-    }
-
-    pub fn theta(&self, t: f64) -> f64 {
-        match self {
-            SineModel::Cubic(model) => model.u(t),
-            SineModel::CubicQuintic(model) => model.u(t),
-        }
-    }
-
-    /// When the motion ahead ends at infinity.
-    pub fn escape_time(&self) -> f64 {
-        match self {
-            SineModel::Cubic(model) => model.escape_time(),
-            SineModel::CubicQuintic(model) => model.escape_time(),
-        }
-    }
-
-    pub fn period(&self) -> f64 {
-        match self {
-            SineModel::Cubic(model) => model.period(),
-            SineModel::CubicQuintic(model) => model.period(),
-        }
-    }
+/// The motion of a polynomial in place of the sine, with these coefficients of theta^3 and theta^5.
+pub(super) fn sine_model(orbit: &Orbit, [cubic, quintic]: [[f64; 2]; 2]) -> Result<CubicQuintic, Domain> {
+    let [alpha, beta, gamma] = [[1.0; 2], cubic, quintic].map(|quotient| coefficient(orbit, quotient));
+    CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)
 }

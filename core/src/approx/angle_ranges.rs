@@ -3,7 +3,7 @@
 
 use super::angle::AngleFormula;
 use super::measure::{Ended, LargestError, check_periods};
-use super::search::crossing;
+use super::search::intervals;
 use crate::domain::Domain;
 use crate::float::PI;
 use crate::pendulum::{Frequency, Orbit};
@@ -45,28 +45,7 @@ impl AngleFormula {
         let mut angles: Vec<f64> =
             (1..180).map(f64::from).chain(ENDS).map(|angle| angle * (PI.hi / 180.0)).collect();
         angles.sort_by(f64::total_cmp);
-        let holds = |angle: f64| self.within(angle, bound, periods, ended);
-        let mut found: Vec<[f64; 2]> = Vec::new();
-        let mut open: Option<f64> = None;
-        let mut before = 0.0;
-        for angle in &angles {
-            if ended() {
-                break;
-            }
-            let (angle, good) = (*angle, holds(*angle));
-            match (open, good) {
-                (None, true) => {
-                    open = Some(if before == 0.0 { 0.0 } else { crossing(holds, angle, before) });
-                }
-                (Some(low), false) => {
-                    found.push([low, crossing(holds, before, angle)]);
-                    open = None;
-                }
-                _ => {}
-            }
-            before = angle;
-        }
-        found.extend(open.map(|low| [low, PI.hi]));
-        Ok(found)
+        let angles = angles.into_iter().take_while(|_| !ended());
+        Ok(intervals(angles, [0.0, PI.hi], |angle| self.within(angle, bound, periods, ended)))
     }
 }

@@ -16,13 +16,15 @@ use crate::pendulum::orbit::Solution;
 use crate::pendulum::state::State;
 use crate::pendulum::theta_quotients::Elliptic;
 
+/// Sine and cosine.
+type Turn = (Dd, Dd);
+
 /// The elliptic orbit, in libration or rotation, and the point of its phase: whole half periods, rest, sine and cosine.
 struct PhasePoint<'a> {
     elliptic: &'a Elliptic,
     n: f64,
     f: Dd,
-    sine: Dd,
-    cosine: Dd,
+    turn: Turn,
 }
 
 impl PhasePoint<'_> {
@@ -39,11 +41,11 @@ impl PhasePoint<'_> {
         let (sine, cosine) = half_turn(f);
         if turn == 1.0 {
             let side = alternating(n);
-            return Some(PhasePoint { elliptic, n, f, sine: sine.scale(side), cosine: cosine.scale(side) });
+            return Some(PhasePoint { elliptic, n, f, turn: (sine.scale(side), cosine.scale(side)) });
         }
         // Twice the angle: (cosine - sine)(cosine + sine) keeps the digits of both.
         let doubled = (sine * cosine).scale(2.0);
-        Some(PhasePoint { elliptic, n, f, sine: doubled, cosine: (cosine - sine) * (cosine + sine) })
+        Some(PhasePoint { elliptic, n, f, turn: (doubled, (cosine - sine) * (cosine + sine)) })
     }
 
     /// cos(theta/2), never negative in libration.
@@ -68,23 +70,30 @@ const NOTHING: f64 = 1e-33;
 /// More terms no series has that doubles can ask for.
 const MOST: usize = 20_000;
 
-type Turn = (Dd, Dd);
-
 fn times((s, c): Turn, (sine, cosine): Turn) -> Turn {
     (s * cosine + c * sine, c * cosine - s * sine)
 }
 
-fn multiple(turn: Turn, order: u32) -> Turn {
-    let mut result = (Dd::ZERO, Dd::ONE);
-    let (mut power, mut left) = (turn, order);
+/// base^order, by squares.
+fn raised<T: Copy>(one: T, base: T, order: u32, times: impl Fn(T, T) -> T) -> T {
+    let (mut result, mut square, mut left) = (one, base, order);
     while left > 0 {
         if left & 1 == 1 {
-            result = times(result, power);
+            result = times(result, square);
         }
-        power = times(power, power);
+        square = times(square, square);
         left >>= 1;
     }
     result
+}
+
+/// A turn j times, j = `order`.
+fn multiple(turn: Turn, order: u32) -> Turn {
+    raised((Dd::ZERO, Dd::ONE), turn, order, times)
+}
+
+fn power(base: Scaled, order: u32) -> Scaled {
+    raised(Scaled::ONE, base, order, |a, b| a * b)
 }
 
 impl Sum {
@@ -109,8 +118,7 @@ impl Sum {
         Sum { scale, coefficients, first, step }
     }
 
-    fn at(&self, sine: Dd, cosine: Dd) -> Scaled {
-        let turn = (sine, cosine);
+    fn at(&self, turn: Turn) -> Scaled {
         let step = multiple(turn, self.step);
         let mut here = multiple(turn, self.first);
         let mut sum = Dd::ZERO;
@@ -134,19 +142,6 @@ fn decay(orbit: &Orbit) -> (Scaled, u32) {
     }
 }
 
-/// base^j.
-fn power(base: Scaled, order: u32) -> Scaled {
-    let (mut result, mut square, mut left) = (Scaled::ONE, base, order);
-    while left > 0 {
-        if left & 1 == 1 {
-            result = result * square;
-        }
-        square = square.square();
-        left >>= 1;
-    }
-    result
-}
-
 /// a_j of the angle: 8 r^j/(j (1 + r^2j)) in libration, half of it in rotation.
 fn angle_term(r: Scaled, step: u32, j: u32) -> Scaled {
     let r = power(r, j);
@@ -154,42 +149,31 @@ fn angle_term(r: Scaled, step: u32, j: u32) -> Scaled {
     r * factor / ((Scaled::ONE + r.square()) * f64::from(j))
 }
 
-/// A series cut after N terms, and what is left out.
+/// A series cut after N terms, and what is left out; as an approximation, that of theta itself.
 #[derive(Clone, Debug)]
-struct Cut {
+pub(super) struct Series {
     head: Sum,
     tail: Sum,
 }
 
-impl Cut {
-    fn new(order: u32, step: u32, ratio: f64, term: impl Fn(u32) -> Scaled) -> Cut {
-        Cut {
+impl Series {
+    /// The series of theta.
+    pub fn new(orbit: &Orbit, order: u32) -> Series {
+        let (r, step) = decay(orbit);
+        let ratio = power(r, step).value();
+        Series::cut(order, step, ratio, |j| angle_term(r, step, j))
+    }
+
+    fn cut(order: u32, step: u32, ratio: f64, term: impl Fn(u32) -> Scaled) -> Series {
+        Series {
             head: Sum::new(1, step, order as usize, ratio, &term),
             tail: Sum::new(1 + step * order, step, MOST, ratio, &term),
         }
     }
 
-    fn of_angle(orbit: &Orbit, order: u32) -> Cut {
-        let (r, step) = decay(orbit);
-        let ratio = power(r, step).value();
-        Cut::new(order, step, ratio, |j| angle_term(r, step, j))
-    }
-}
-
-/// The series of theta itself.
-#[derive(Clone, Debug)]
-pub(super) struct Series {
-    cut: Cut,
-}
-
-impl Series {
-    pub fn new(orbit: &Orbit, order: u32) -> Series {
-        Series { cut: Cut::of_angle(orbit, order) }
-    }
-
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
-        let mut angle = self.cut.head.at(point.sine, point.cosine);
+        let mut angle = self.head.at(point.turn);
         if matches!(orbit.solution, Solution::Rotation(_)) {
             angle = Scaled::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
         }
@@ -198,7 +182,7 @@ impl Series {
 
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
-        -(self.cut.tail.at(point.sine, point.cosine) * orbit.frame.side).value()
+        -(self.tail.at(point.turn) * orbit.frame.side).value()
     }
 }
 
@@ -213,28 +197,28 @@ pub(super) struct Harmonic {
 
 impl Harmonic {
     pub fn new(orbit: &Orbit) -> Harmonic {
-        let tail = Cut::of_angle(orbit, 1).tail;
-        let top = tail.at(Dd::ONE, Dd::ZERO);
+        let tail = Series::new(orbit, 1).tail;
+        let top = tail.at((Dd::ONE, Dd::ZERO));
         Harmonic { theta_max: turning_angle(orbit), tail, top }
     }
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
-        framed(orbit, self.theta_max * Scaled::from(point.sine))
+        framed(orbit, self.theta_max * Scaled::from(point.turn.0))
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
-        let left = self.tail.at(point.sine, point.cosine);
-        ((self.top * Scaled::from(point.sine) - left) * orbit.frame.side).value()
+        let left = self.tail.at(point.turn);
+        ((self.top * Scaled::from(point.turn.0) - left) * orbit.frame.side).value()
     }
 }
 
 /// 2 arcsin of the cut series of sin(theta/2).
 #[derive(Clone, Debug)]
 pub(super) struct Arcsine {
-    cut: Cut,
+    sine: Series,
 }
 
 impl Arcsine {
@@ -250,18 +234,18 @@ impl Arcsine {
             let r = power(r, j);
             factor * r / (Scaled::ONE - r.square())
         };
-        Arcsine { cut: Cut::new(order, step, ratio, term) }
+        Arcsine { sine: Series::cut(order, step, ratio, term) }
     }
 
     /// 1 - |k sn_N|: below 0 the arcsine has no value.
     pub fn margin(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
-        (Scaled::ONE - self.cut.head.at(point.sine, point.cosine).abs()).value()
+        (Scaled::ONE - self.sine.head.at(point.turn).abs()).value()
     }
 
     /// k sn_N and the cosine that belongs to it.
     fn side(&self, point: &PhasePoint) -> Option<(Scaled, Dd)> {
-        let sine = self.cut.head.at(point.sine, point.cosine);
+        let sine = self.sine.head.at(point.turn);
         let square = (Scaled::ONE - sine) * (Scaled::ONE + sine);
         if square.is_negative() { None } else { Some((sine, square.sqrt().to_dd())) }
     }
@@ -269,7 +253,7 @@ impl Arcsine {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let Some((sine, cosine)) = self.side(&point) else { return f64::NAN };
-        framed(orbit, arcsine(sine, cosine))
+        framed(orbit, multiple_of_angle(sine, cosine, 1))
     }
 
     /// tan of a quarter of the difference is (sin a - sin b)/(cos a + cos b) of the halves, and sin a - sin b is what the
@@ -277,29 +261,19 @@ impl Arcsine {
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let Some((_, cosine)) = self.side(&point) else { return f64::NAN };
-        let left = self.cut.tail.at(point.sine, point.cosine);
+        let left = self.sine.tail.at(point.turn);
         let tangent = left / Scaled::from(cosine + point.half_cosine());
-        -(quarter_of(tangent) * orbit.frame.side).value()
+        -(multiple_of_angle(tangent, Dd::ONE, 2) * orbit.frame.side).value()
     }
 }
 
-/// Below, an angle is its tangent to all digits.
+/// Below, an angle is its sine and its tangent to all digits.
 const TINY: i32 = -300;
 
-/// Four times the arctangent.
-fn quarter_of(tangent: Scaled) -> Scaled {
-    if tangent.is_zero() || tangent.power() < TINY {
-        return tangent.shift(2);
-    }
-    let angle = Scaled::new(arctangent(tangent.abs().to_dd(), Dd::ONE), 2);
-    if tangent.is_negative() { -angle } else { angle }
-}
-
-/// Twice the angle with this sine and this cosine >= 0.
-fn arcsine(sine: Scaled, cosine: Dd) -> Scaled {
+/// 2^power times the angle with this sine and this cosine >= 0, or of the point of this height over this width.
+fn multiple_of_angle(sine: Scaled, cosine: Dd, power: i32) -> Scaled {
     if sine.is_zero() || sine.power() < TINY {
-        return sine.shift(1);
+        return sine.shift(power);
     }
-    let angle = Scaled::new(arctangent(sine.abs().to_dd(), cosine), 1);
-    if sine.is_negative() { -angle } else { angle }
+    Scaled::new(arctangent(sine.abs().to_dd(), cosine), power).signed(sine.sign())
 }

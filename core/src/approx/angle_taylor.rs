@@ -4,9 +4,9 @@
 //!   k s_k = sum j a_j c_(k-j),   k c_k = -sum j a_j s_(k-j),   (k + 1)(k + 2) a_(k+2) = -s_k,
 //! in units of time short enough for |a_1| <= 1. Source: derivatives of sin theta and cos theta.
 
-use crate::float::angle_reduction::{self, ReducedAngle};
+use crate::elliptic::amplitude::sine_cosine;
 use crate::float::exponent::ldexp;
-use crate::float::{Dd, HALF_PI, Scaled, series};
+use crate::float::{Dd, Scaled};
 use crate::pendulum::Orbit;
 
 /// sum a_k (unit t)^k.
@@ -15,20 +15,6 @@ pub(super) struct Polynomial {
     coefficients: Vec<Dd>,
     /// 1/s: omega0 times a power of two.
     unit: Scaled,
-}
-
-/// Sine and cosine of any angle.
-fn sine_cosine(theta: f64) -> (Dd, Dd) {
-    let ReducedAngle { side, from_bottom, from_top, .. } = angle_reduction::reduce(theta);
-    let beyond = from_top.hi < from_bottom.hi;
-    let near = if beyond { from_top } else { from_bottom };
-    let (sine, cosine) = if near.hi > 0.5 * HALF_PI.hi {
-        let (cosine, sine) = series::sin_cos((HALF_PI - near.to_dd()).into());
-        (sine, cosine)
-    } else {
-        series::sin_cos(near)
-    };
-    (sine.to_dd() * side, if beyond { -cosine.to_dd() } else { cosine.to_dd() })
 }
 
 impl Polynomial {

@@ -94,6 +94,23 @@ pub struct Named {
 }
 
 impl Entry {
+    /// A formula that takes no N, has a value everywhere, and whose author states no range.
+    pub(super) const fn new(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
+        Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
+    }
+    /// With the N that it takes.
+    pub(super) const fn of_order(self, orders: Orders) -> Entry {
+        Entry { orders: Some(orders), ..self }
+    }
+    /// With the range that its author states.
+    pub(super) const fn for_range(self, stated: &'static str, range: [f64; 2]) -> Entry {
+        Entry { stated, stated_range: Some(range), ..self }
+    }
+    /// With where it has no value.
+    pub(super) const fn but_for(self, undefined: &'static str) -> Entry {
+        Entry { undefined, ..self }
+    }
+
     /// `name` or `name:N`: how it is asked for.
     pub fn pattern(&self) -> String {
         if self.orders.is_some() { format!("{}:N", self.name) } else { self.name.to_string() }
@@ -176,18 +193,16 @@ fn edits(from: &[char], to: &[char]) -> usize {
 mod tests {
     use super::*;
 
-    const fn entry(name: &'static str, orders: Option<Orders>) -> Row<()> {
-        let entry =
-            Entry { name, orders, formula: "", source: "", stated: "", stated_range: None, undefined: "" };
-        row(entry, ())
+    const fn entry(name: &'static str) -> Entry {
+        Entry::new(name, "", "")
     }
 
     static TABLE: [Row<()>; 3] = [
-        entry("linear", None),
-        entry("fourier", Some(Orders::all([1, 500]))),
-        entry("fourier-theta", Some(Orders::all([1, 500]))),
+        row(entry("linear"), ()),
+        row(entry("fourier").of_order(Orders::all([1, 500])), ()),
+        row(entry("fourier-theta").of_order(Orders::all([1, 500])), ()),
     ];
-    static ODD: [Row<()>; 1] = [entry("odd", Some(Orders::every_second([3, 9])))];
+    static ODD: [Row<()>; 1] = [row(entry("odd").of_order(Orders::every_second([3, 9])), ())];
 
     fn refused(wanted: &str) -> String {
         Named::find("formula", &TABLE, wanted)

@@ -5,7 +5,7 @@
 
 use super::entry::{Entry, Named, entries};
 use super::period_formulas::{PeriodRule, TABLE, exact};
-use super::search::{crossing, peak};
+use super::search::{crossing, intervals, peak};
 use super::turning::Turning;
 use crate::domain::Domain;
 use crate::float::exponent::ldexp;
@@ -109,21 +109,7 @@ impl PeriodFormula {
     pub fn ranges(&self, bound: f64) -> Result<Vec<[f64; 2]>, Domain> {
         Domain::check("bound", bound, (1e-30..f64::INFINITY).contains(&bound), "finite and at least 1e-30")?;
         let within = |theta: f64| self.error(theta).abs() <= bound;
-        let points = self.marks();
-        let mut ranges = Vec::new();
-        let mut start = within(points[0]).then_some(points[0]);
-        for pair in points.windows(2) {
-            match (start, within(pair[1])) {
-                (None, true) => start = Some(crossing(within, pair[1], pair[0])),
-                (Some(from), false) => {
-                    ranges.push([from, crossing(within, pair[0], pair[1])]);
-                    start = None;
-                }
-                _ => {}
-            }
-        }
-        ranges.extend(start.map(|from| [from, PI]));
-        Ok(ranges)
+        Ok(intervals(self.marks(), [0.0, PI], within))
     }
 
     /// Angles so dense, with the zeros and the extremes of the error among them, that it crosses no bound twice

@@ -31,28 +31,21 @@ const fn diverging(ratio: fn(&Turning, u32) -> Td) -> PeriodRule {
     PeriodRule { ratio, diverges: true }
 }
 
-/// A formula that takes no N and whose author states no range.
-const fn entry(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
-    Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
-}
-
 /// A formula of the angle itself.
 const fn of_angle(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
-    Entry { undefined: "m < 0", ..entry(name, formula, source) }
+    Entry::new(name, formula, source).but_for("m < 0")
 }
 
 pub(super) const TABLE: &[Row<PeriodRule>] = &[
-    row(entry("linear", "1", "small swings"), finite(|_, _| Td::ONE)),
+    row(Entry::new("linear", "1", "small swings"), finite(|_, _| Td::ONE)),
     row(of_angle("bernoulli", "1 + θ_max²/16", "Bernoulli"), finite(|turning, _| series(turning, 2))),
     row(
-        Entry {
-            orders: Some(Orders::every_second([2, MOST])),
-            ..of_angle(
-                "series",
-                "1 + θ_max²/16 + 11 θ_max⁴/3072 + … to θ_max^N, N even",
-                "Taylor series of 2K/π in θ_max; DLMF 19.5.1",
-            )
-        },
+        of_angle(
+            "series",
+            "1 + θ_max²/16 + 11 θ_max⁴/3072 + … to θ_max^N, N even",
+            "Taylor series of 2K/π in θ_max; DLMF 19.5.1",
+        )
+        .of_order(Orders::every_second([2, MOST])),
         finite(series),
     ),
     row(
@@ -60,7 +53,7 @@ pub(super) const TABLE: &[Row<PeriodRule>] = &[
         finite(|turning, _| Td::ONE / (Td::ONE - turning.theta_max.square().scale(1.0 / 16.0))),
     ),
     row(
-        entry("kidd-fogg", "1/√a, a = cos(θ_max/2)", "Kidd & Fogg 2002"),
+        Entry::new("kidd-fogg", "1/√a, a = cos(θ_max/2)", "Kidd & Fogg 2002"),
         diverging(|turning, _| Td::ONE / turning.a.sqrt()),
     ),
     row(
@@ -68,82 +61,66 @@ pub(super) const TABLE: &[Row<PeriodRule>] = &[
         diverging(|turning, _| (turning.cardinal_sine().ln() * -0.375).exp()),
     ),
     row(
-        Entry {
-            stated: "to 0.001 up to 100 deg, to 5 % up to 160 deg",
-            stated_range: Some([0.0, 100.0 / 180.0 * PI]),
-            ..of_angle("ganley-parwani", "√(s/sin s), s = √3 θ_max/2", "Ganley 1985; Parwani 2004")
-        },
+        of_angle("ganley-parwani", "√(s/sin s), s = √3 θ_max/2", "Ganley 1985; Parwani 2004")
+            .for_range("to 0.001 up to 100 deg, to 5 % up to 160 deg", [0.0, 100.0 / 180.0 * PI]),
         finite(ganley),
     ),
-    row(entry("lima-arun", "−ln a/(1 − a), a = cos(θ_max/2)", "Lima & Arun 2006"), diverging(lima_arun)),
+    row(Entry::new("lima-arun", "−ln a/(1 − a), a = cos(θ_max/2)", "Lima & Arun 2006"), diverging(lima_arun)),
     row(
-        Entry {
-            orders: Some(Orders::all([1, 8])),
-            ..entry(
-                "agm",
-                "1/a_N with a₀ = 1, b₀ = cos(θ_max/2), a_(n+1) = (a_n + b_n)/2, b_(n+1) = √(a_n b_n)",
-                "N steps of DLMF 19.8.1; N = 1 Carvalhaes & Suppes",
-            )
-        },
+        Entry::new(
+            "agm",
+            "1/a_N with a₀ = 1, b₀ = cos(θ_max/2), a_(n+1) = (a_n + b_n)/2, b_(n+1) = √(a_n b_n)",
+            "N steps of DLMF 19.8.1; N = 1 Carvalhaes & Suppes",
+        )
+        .of_order(Orders::all([1, 8])),
         finite(|turning, steps| Td::ONE / means(turning.a, steps)),
     ),
     row(
-        entry("belendez", "4/(1 + √a)², a = cos(θ_max/2): agm:2", "Beléndez et al. 2009"),
+        Entry::new("belendez", "4/(1 + √a)², a = cos(θ_max/2): agm:2", "Beléndez et al. 2009"),
         finite(|turning, _| Td::ONE / means(turning.a, 2)),
     ),
     row(
         Entry {
-            stated: "near 180 deg", ..entry("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995")
+            stated: "near 180 deg",
+            ..Entry::new("cromer", "(2/π) ln(4/a), a = cos(θ_max/2)", "Cromer 1995")
         },
         diverging(|turning, _| four_over(turning.a).ln() / TWO_PI_LONG.scale(0.25)),
     ),
     row(
-        Entry {
-            stated: "all swings",
-            stated_range: Some([0.0, PI]),
-            ..entry(
-                "chachiyo",
-                "(2/(nπ)) ln((4/a)ⁿ + b), a = cos(θ_max/2), n = ln(4/π)/(π/2 − ln 4), b = e^(nπ/2) − 4ⁿ",
-                "Chachiyo 2025, arXiv:2505.17159",
-            )
-        },
+        Entry::new(
+            "chachiyo",
+            "(2/(nπ)) ln((4/a)ⁿ + b), a = cos(θ_max/2), n = ln(4/π)/(π/2 − ln 4), b = e^(nπ/2) − 4ⁿ",
+            "Chachiyo 2025, arXiv:2505.17159",
+        )
+        .for_range("all swings", [0.0, PI]),
         diverging(chachiyo),
     ),
     row(
-        Entry {
-            stated: "|m| ≤ 1/3",
-            stated_range: Some([0.0, 1.2309594173407747]),
-            ..entry("salas-26", "(5m − 16)/(9m − 16), m = sin²(θ_max/2)", "Salas 2019 (26)")
-        },
+        Entry::new("salas-26", "(5m − 16)/(9m − 16), m = sin²(θ_max/2)", "Salas 2019 (26)")
+            .for_range("|m| ≤ 1/3", [0.0, 1.2309594173407747]),
         finite(|turning, _| pade(&SALAS_26, turning.m)),
     ),
     row(
-        Entry {
-            stated: "|m| ≤ 3/4",
-            stated_range: Some([0.0, 2.0 / 3.0 * PI]),
-            ..entry(
-                "salas-27",
-                "(409m² − 3984m + 4864)/(1025m² − 5200m + 4864), m = sin²(θ_max/2)",
-                "Salas 2019 (27)",
-            )
-        },
+        Entry::new(
+            "salas-27",
+            "(409m² − 3984m + 4864)/(1025m² − 5200m + 4864), m = sin²(θ_max/2)",
+            "Salas 2019 (27)",
+        )
+        .for_range("|m| ≤ 3/4", [0.0, 2.0 / 3.0 * PI]),
         finite(|turning, _| pade(&SALAS_27, turning.m)),
     ),
     row(
-        Entry {
-            stated: "|m| < 1",
-            stated_range: Some([0.0, PI]),
-            ..entry(
-                "salas-28",
-                "(540191m³ − 10617024m² + 32584960m − 24653824)/(1708091m³ − 16837184m² + 38748416m − 24653824), \
+        Entry::new(
+            "salas-28",
+            "(540191m³ − 10617024m² + 32584960m − 24653824)/(1708091m³ − 16837184m² + 38748416m − 24653824), \
              m = sin²(θ_max/2)",
-                "Salas 2019 (28)",
-            )
-        },
+            "Salas 2019 (28)",
+        )
+        .for_range("|m| < 1", [0.0, PI]),
         finite(|turning, _| pade(&SALAS_28, turning.m)),
     ),
     row(
-        entry(
+        Entry::new(
             "exact",
             "2K(m)/π = 1/agm(1, cos(θ_max/2)), m = sin²(θ_max/2)",
             "Gauss; DLMF 19.8.5; four times Salas 2019 (25)",

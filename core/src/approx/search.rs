@@ -14,6 +14,31 @@ pub(super) fn crossing(holds: impl Fn(f64) -> bool, inside: f64, outside: f64) -
     inside
 }
 
+/// The intervals where a condition holds that changes at most once between two rising points; from the first of `ends` where
+/// it holds at the first point, and to the last where it holds at the last one.
+pub(super) fn intervals(
+    points: impl IntoIterator<Item = f64>,
+    [first, last]: [f64; 2],
+    holds: impl Fn(f64) -> bool,
+) -> Vec<[f64; 2]> {
+    let mut found = Vec::new();
+    let mut open = None;
+    let mut before = None;
+    for point in points {
+        match (open, holds(point)) {
+            (None, true) => open = Some(before.map_or(first, |before| crossing(&holds, point, before))),
+            (Some(from), false) => {
+                found.push([from, crossing(&holds, before.unwrap_or(first), point)]);
+                open = None;
+            }
+            _ => {}
+        }
+        before = Some(point);
+    }
+    found.extend(open.map(|from| [from, last]));
+    found
+}
+
 /// Where a function with one maximum in [low, high] is largest, for functions known beyond the digits of a double, whose
 /// maxima are wanted as places to the last one; [`maximum`] asks a function of doubles a third as often. The function's last digits decide how near: with
 /// twice the digits of a double it is the double.

@@ -12,9 +12,6 @@ use crate::domain::Domain;
 use crate::float::Td;
 use core::f64::consts::{PI, TAU};
 
-const STATES_NO_RANGE: Entry =
-    Entry { name: "", orders: None, formula: "", source: "", stated: "", stated_range: None, undefined: "" };
-
 /// Where the coefficients come from; Salas's after the first.
 enum SineRule {
     Salas(&'static [[f64; 2]]),
@@ -24,35 +21,17 @@ enum SineRule {
 
 const TABLE: &[Row<SineRule>] = &[
     row(
-        Entry {
-            name: "salas-2",
-            formula: "φ − 40φ³/243",
-            source: "Salas 2019 (2)",
-            stated: "|φ| < 70 deg",
-            stated_range: Some([0.0, DEGREES_70]),
-            ..STATES_NO_RANGE
-        },
+        Entry::new("salas-2", "φ − 40φ³/243", "Salas 2019 (2)").for_range("|φ| < 70 deg", [0.0, DEGREES_70]),
         SineRule::Salas(&[CUBIC]),
     ),
     row(
-        Entry {
-            name: "salas-3",
-            formula: "φ − 40φ³/243 + φ⁵/131",
-            source: "Salas 2019 (3)",
-            stated: "|φ| ≤ 120 deg",
-            stated_range: Some([0.0, DEGREES_120]),
-            ..STATES_NO_RANGE
-        },
+        Entry::new("salas-3", "φ − 40φ³/243 + φ⁵/131", "Salas 2019 (3)")
+            .for_range("|φ| ≤ 120 deg", [0.0, DEGREES_120]),
         SineRule::Salas(&[CUBIC, QUINTIC]),
     ),
     row(
-        Entry {
-            name: "taylor",
-            orders: Some(Orders::every_second([1, 99])),
-            formula: "φ − φ³/3! + φ⁵/5! − … to φ^N, N odd",
-            source: "Taylor series, DLMF 4.19.1",
-            ..STATES_NO_RANGE
-        },
+        Entry::new("taylor", "φ − φ³/3! + φ⁵/5! − … to φ^N, N odd", "Taylor series, DLMF 4.19.1")
+            .of_order(Orders::every_second([1, 99])),
         SineRule::Taylor,
     ),
     row(
@@ -62,7 +41,7 @@ const TABLE: &[Row<SineRule>] = &[
             formula: "the odd polynomial P of degree N with the least largest |sin φ − P(φ)| for |φ| ≤ phi_max, N odd",
             source: "Chebyshev's alternation, by Remez's exchange",
             stated: "|φ| ≤ phi_max",
-            ..STATES_NO_RANGE
+            ..Entry::new("", "", "")
         },
         SineRule::Best,
     ),

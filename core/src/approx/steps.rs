@@ -6,15 +6,14 @@
 
 use super::entry::{Entry, Named, Row, entries, row};
 use crate::domain::Domain;
-use crate::float::angle_reduction::reduce;
-use crate::float::series::sin_cos;
+use crate::elliptic::amplitude::sine_cosine;
 
 /// From a state to the next: the step h and omega0^2.
 type Step = fn(State, f64, f64) -> State;
 
 const TABLE: &[Row<Step>] = &[
     row(
-        scheme(
+        Entry::new(
             "euler",
             "theta += h v and v -= h omega^2 sin theta, both from the old state",
             "Euler 1768; order 1",
@@ -22,22 +21,18 @@ const TABLE: &[Row<Step>] = &[
         euler,
     ),
     row(
-        scheme(
+        Entry::new(
             "euler-cromer",
             "v -= h omega^2 sin theta, then theta += h v from the new v",
             "Cromer 1981; order 1, symplectic",
         ),
         euler_cromer,
     ),
-    row(scheme("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
+    row(Entry::new("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
 ];
 
 /// The schemes, each of a fixed step.
 pub static SCHEMES: [Entry; TABLE.len()] = entries(TABLE);
-
-const fn scheme(name: &'static str, formula: &'static str, source: &'static str) -> Entry {
-    Entry { name, orders: None, formula, source, stated: "", stated_range: None, undefined: "" }
-}
 
 /// One of [`SCHEMES`].
 #[derive(Clone, Copy, Debug)]
@@ -51,14 +46,7 @@ struct State(f64, f64);
 
 /// -omega^2 sin theta, correctly rounded but for the product.
 fn pull(theta: f64, omega2: f64) -> f64 {
-    if !theta.is_finite() {
-        return f64::NAN;
-    }
-    let reduced = reduce(theta);
-    // sin x = 2 sin(x/2) cos(x/2); the series serves up to pi/4, and the half angle reaches pi/2.
-    let (near, far) = (reduced.from_bottom, reduced.from_top);
-    let (sine, cosine) = sin_cos(if near.hi < far.hi { near.scale(0.5) } else { far.scale(0.5) });
-    -omega2 * reduced.side * (2.0 * (sine.to_dd() * cosine.to_dd()).value())
+    if theta.is_finite() { -omega2 * sine_cosine(theta).0.value() } else { f64::NAN }
 }
 
 impl State {

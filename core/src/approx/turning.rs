@@ -30,12 +30,7 @@ impl Turning {
         }
         let reduced = angle_reduction::reduce(f64::max(theta_max, LEAST));
         let half = reduced.from_bottom.scale(0.5);
-        let (s, a) = if half.hi <= core::f64::consts::FRAC_PI_4 {
-            series::sin_cos(half)
-        } else {
-            let (a, s) = series::sin_cos(reduced.from_top.scale(0.5));
-            (s, a)
-        };
+        let (s, a) = series::quarter_turn(half, reduced.from_top.scale(0.5));
         Some(Turning { theta_max: reduced.from_bottom, s, a, m: s.square() })
     }
 
@@ -90,11 +85,7 @@ impl Turning {
 pub(super) fn sine(x: Td) -> Td {
     let half_turn = TWO_PI_LONG.scale(0.5);
     let x = if x.hi > 0.5 * half_turn.hi { half_turn - x } else { x };
-    if x.hi <= core::f64::consts::FRAC_PI_4 {
-        series::sin_cos(x).0
-    } else {
-        series::sin_cos(half_turn.scale(0.5) - x).1
-    }
+    series::quarter_turn(x, half_turn.scale(0.5) - x).0
 }
 
 #[cfg(test)]

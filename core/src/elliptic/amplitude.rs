@@ -40,11 +40,14 @@ pub(crate) fn sines(r: Td, rest: Td) -> (Dd, Dd) {
     if r.hi < TINY {
         return (r.to_dd(), Dd::ONE);
     }
-    let (sine, cosine) = if r.hi <= rest.hi {
-        series::sin_cos(r)
-    } else {
-        let (cosine, sine) = series::sin_cos(rest);
-        (sine, cosine)
-    };
+    let (sine, cosine) = series::quarter_turn(r, rest);
     (sine.to_dd(), cosine.to_dd())
+}
+
+/// Sine and cosine of any finite angle.
+pub(crate) fn sine_cosine(theta: f64) -> (Dd, Dd) {
+    let ReducedAmplitude { odd, side, r, rest, .. } = ReducedAmplitude::new(theta);
+    let parity = if odd { -1.0 } else { 1.0 };
+    let (sine, cosine) = sines(r, rest);
+    (sine.scale(side * parity), cosine.scale(parity))
 }

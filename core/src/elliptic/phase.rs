@@ -32,6 +32,9 @@ pub struct ReducedPhase<L: Lane> {
 /// 2^53 half periods: beyond, doubles are further apart than a motion repeats.
 pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
+/// Beyond this argument every hyperbolic function has its limit.
+const FAR: f64 = 1e6;
+
 /// 2^100.
 const END: f64 = 1.267_650_600_228_229_4e30;
 
@@ -56,6 +59,16 @@ impl Phase {
         let error = t.mul_add(L::splat(self.rate.lo), error);
         let (y, rest) = two_sum(passed, L::splat(self.start.hi));
         Dd::ordered_sum(y, rest + (error + L::splat(self.start.lo)))
+    }
+
+    /// The same as the argument of hyperbolic functions, held where they have their limits; infinite times too.
+    #[inline(always)]
+    pub(crate) fn held<L: Lane>(&self, t: L) -> Dd<L> {
+        let y = self.counted(t);
+        let passed = t * L::splat(self.rate.hi);
+        let near = passed.abs().less(L::splat(FAR));
+        let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
+        Dd::select(near, y, Dd::from_double(far))
     }
 }
 

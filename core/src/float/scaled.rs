@@ -39,6 +39,21 @@ impl Scaled {
         let (sine, cosine) = series::sinh_cosh(Td::from(y) - LN_2 * k);
         Scaled::new((cosine + sine).to_dd(), k as i32)
     }
+    /// sinh and cosh.
+    pub fn sinh_cosh(self) -> (Scaled, Scaled) {
+        let size = self.abs();
+        if size.power() < -60 || size.is_zero() {
+            return (self, Scaled::ONE + self.square().shift(-1));
+        }
+        let (sine, cosine) = if size.power() < -1 {
+            let (sine, cosine) = series::sinh_cosh(Td::from(size.to_dd()));
+            (Scaled::from(sine.to_dd()), Scaled::from(cosine.to_dd()))
+        } else {
+            let (grown, shrunk) = (Scaled::exp(size.to_dd()), Scaled::exp(-size.to_dd()));
+            ((grown - shrunk).shift(-1), (grown + shrunk).shift(-1))
+        };
+        (sine.signed(self.sign()), cosine)
+    }
     /// part * 2^power of any part.
     #[inline]
     pub fn new(part: Dd, power: i32) -> Scaled {

@@ -18,6 +18,15 @@ pub fn sinh_cosh(y: Td) -> (Td, Td) {
     doubled_series(y, -1.0)
 }
 
+/// Sine and cosine of an angle in [0, pi/2] with rest = pi/2 - angle, to triple-double.
+pub fn quarter_turn(angle: Td, rest: Td) -> (Td, Td) {
+    if angle.hi <= rest.hi {
+        return sin_cos(angle);
+    }
+    let (cosine, sine) = sin_cos(rest);
+    (sine, cosine)
+}
+
 /// Sine and cosine of |z| <= pi/4 to all digits of a double-double.
 pub fn long_sin_cos(z: Dd) -> (Dd, Dd) {
     let (sine, cosine) = sin_cos(z.into());
@@ -40,14 +49,9 @@ pub fn long_sinh_cosh(y: Dd) -> (Dd, Dd) {
 /// Angle in [0, pi/2] of a point on the unit circle, to triple-double: what a double leaves of it is so small that its
 /// sine is the rest.
 pub fn angle(sine: Td, cosine: Td) -> Td {
-    let near = arctangent(sine.to_dd(), cosine.to_dd()).value();
-    let (s, c) = if near <= core::f64::consts::FRAC_PI_4 {
-        sin_cos(Td::from(near))
-    } else {
-        let (c, s) = sin_cos(TWO_PI_LONG.scale(0.25) - Td::from(near));
-        (s, c)
-    };
-    Td::from(near) + (sine * c - cosine * s)
+    let near = Td::from(arctangent(sine.to_dd(), cosine.to_dd()).value());
+    let (s, c) = quarter_turn(near, TWO_PI_LONG.scale(0.25) - near);
+    near + (sine * c - cosine * s)
 }
 
 /// Sine of |z| <= pi/4 (a little beyond does no harm) to all digits of a double-double, over lanes.

@@ -40,7 +40,7 @@ pub struct Columns<'a, 'b, const A: usize, const R: usize> {
     results: [&'b mut [f64]; R],
 }
 
-/// The evaluation with the second of two results first.
+/// The evaluation with the first two results exchanged.
 pub struct Second<E>(pub E);
 
 impl<'a, 'b, const A: usize, const R: usize> Columns<'a, 'b, A, R> {
@@ -75,22 +75,23 @@ impl<const A: usize, const N: usize, const R: usize> Evaluation<A, N> for Column
     }
 }
 
-impl<const A: usize, E: Evaluation<A, 2>> Evaluation<A, 2> for Second<E> {
+impl<const A: usize, const N: usize, E: Evaluation<A, N>> Evaluation<A, N> for Second<E> {
     type Output = E::Output;
-    fn of<F: Formula<A, 2>>(self, formula: &F) -> E::Output {
+    fn of<F: Formula<A, N>>(self, formula: &F) -> E::Output {
         self.0.of(&Swapped(formula))
     }
 }
 
-/// A formula with its two results exchanged.
+/// A formula with its first two results exchanged.
 struct Swapped<'a, F>(&'a F);
 
-impl<const A: usize, F: Formula<A, 2>> Formula<A, 2> for Swapped<'_, F> {
+impl<const A: usize, const N: usize, F: Formula<A, N>> Formula<A, N> for Swapped<'_, F> {
     type Place = F::Place;
     #[inline(always)]
-    fn at<L: Lane>(&self, arguments: [L; A]) -> [L; 2] {
-        let [first, second] = self.0.at(arguments);
-        [second, first]
+    fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
+        let mut results = self.0.at(arguments);
+        results.swap(0, 1);
+        results
     }
 }
 

@@ -13,7 +13,7 @@
 //! i a and i b, are removed where they are near: with y = (f^2 + a^2)(f^2 + b^2), u has the factor 1/sqrt y and u' the
 //! factor 1/(y sqrt y). With a = b they are poles, and there is no square root.
 
-use super::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
+use super::interpolant::{EvenFunctions, Interpolant, Node, OneSide, rounded_product, to_ends};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
@@ -54,40 +54,34 @@ pub(crate) struct Bounded {
     pub scales: [f64; 2],
 }
 
-/// u and u' in a quarter period, without the factors of [`Bounded`].
-pub(crate) trait QuarterPeriod {
-    /// At f and 1/2 - f half periods from the base of the theta functions, in (0, 1/2); `#[inline(always)]`.
-    fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2];
-}
-
-/// A quarter period as even functions about the origin; `far` where the origin is its far end.
-pub(crate) struct BoundedFunctions<Q> {
+/// A quarter period as even functions about the origin.
+pub(crate) struct BoundedFunctions<'a, Q> {
     pub quarter: Q,
-    pub origin: Origin,
-    pub far: bool,
-    pub removed: Removed,
+    pub bounded: &'a Bounded,
 }
 
-impl<Q: QuarterPeriod> EvenFunctions for BoundedFunctions<Q> {
+impl<Q: OneSide> EvenFunctions for BoundedFunctions<'_, Q> {
     #[inline(always)]
     fn at<L: Lane>(&self, Node { f, to_ends }: Node<L>) -> [Unnormalised<L>; 2] {
         let rest = to_ends.over(f + Unnormalised::from_double(L::splat(0.5)));
-        let [u, velocity] = if self.far { self.quarter.at(rest, f) } else { self.quarter.at(f, rest) };
+        let Bounded { origin, removed, .. } = self.bounded;
+        let [u, velocity] =
+            if *origin == Origin::Zero { self.quarter.at(f, rest) } else { self.quarter.at(rest, f) };
         let x = f.square();
-        let (u, velocity) = match self.removed {
+        let (u, velocity) = match removed {
             Removed::Nothing => (u, velocity),
             Removed::Pole(a) => {
-                let y = x + Unnormalised::from_double(L::splat(a));
+                let y = x + Unnormalised::from_double(L::splat(*a));
                 (u * y, velocity * y.square())
             }
             Removed::BranchPoints([a, b]) => {
-                let y = (x + Unnormalised::from_double(L::splat(a)))
-                    * (x + Unnormalised::from_double(L::splat(b)));
+                let y = (x + Unnormalised::from_double(L::splat(*a)))
+                    * (x + Unnormalised::from_double(L::splat(*b)));
                 let root = y.root();
                 (u * root, velocity * y * root)
             }
         };
-        match self.origin {
+        match origin {
             Origin::Zero => [u.over(f), velocity.over(to_ends)],
             Origin::TurningPoint => [u.over(to_ends), velocity.over(f)],
             Origin::WellTurningPoint => [u, velocity.over(f).over(to_ends)],
@@ -132,10 +126,17 @@ impl Formula<1, 2> for BoundedByInterpolant<'_> {
 }
 
 impl Bounded {
-    /// Counted from the far end of its quarter period, where the motion turns: there u' has the other sign.
-    pub fn counted_from_far_end(self, origin: Origin) -> Bounded {
-        let start = self.phase.start - Dd::from(0.5);
-        let [u, velocity] = self.scales;
-        Bounded { origin, phase: Phase { start, ..self.phase }, scales: [u, -velocity], ..self }
+    /// From the phase and the factors where it is counted from a zero, or from a turning point of a well as its other turning
+    /// point: the origin is the far end of that quarter period, where u' has the other sign.
+    pub fn new(
+        origin: Origin,
+        removed: Removed,
+        Phase { rate, start }: Phase,
+        time: f64,
+        [u, velocity]: [f64; 2],
+    ) -> Bounded {
+        let (start, velocity) =
+            if origin == Origin::Zero { (start, velocity) } else { (start - Dd::from(0.5), -velocity) };
+        Bounded { origin, removed, phase: Phase { rate, start }, time, scales: [u, velocity] }
     }
 }

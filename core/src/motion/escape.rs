@@ -10,7 +10,7 @@
 //! f: a factor (x - c)^2 + s of x = f^2, c = h^2 - k^2 and s = 4 h^2 k^2. That of the branch points multiplies y, that of
 //! the zeros of u' multiplies u'.
 
-use super::interpolant::{EvenFunctions, Interpolant, Node, rounded_product};
+use super::interpolant::{EvenFunctions, Interpolant, Node, OneSide, rounded_product};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::double_double::{fast_two_sum, two_sum};
@@ -86,31 +86,23 @@ pub(crate) struct Position<L: Lane> {
     pub rest: Dd<L>,
 }
 
-/// u and u' between the middle and a pole, without the factors of [`Escape`].
-pub(crate) trait ToPole {
-    /// At f and 1/2 - f from the middle, in (0, 1/2); `#[inline(always)]`.
-    fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2];
-}
-
 /// The motion from the middle to a pole as even functions about the middle.
-pub(crate) struct EscapeFunctions<P> {
+pub(crate) struct EscapeFunctions<'a, P> {
     pub to_pole: P,
-    pub odd: bool,
-    pub pole: EscapePole,
-    pub nearby: Option<NearbyBranchPoints>,
+    pub escape: &'a Escape,
 }
 
-impl<P: ToPole> EvenFunctions for EscapeFunctions<P> {
+impl<P: OneSide> EvenFunctions for EscapeFunctions<'_, P> {
     #[inline(always)]
     fn at<L: Lane>(&self, Node { f, to_ends }: Node<L>) -> [Unnormalised<L>; 2] {
         let rest = to_ends.over(f + Unnormalised::from_double(L::splat(0.5)));
         let [u, velocity] = self.to_pole.at(f, rest);
-        let (u, velocity) = match self.pole {
+        let (u, velocity) = match &self.escape.pole {
             EscapePole::Simple => (u * to_ends, velocity * (to_ends * to_ends)),
             EscapePole::BranchPoint(gap) => {
-                let mut y = to_ends * (to_ends + Unnormalised::splat(gap));
+                let mut y = to_ends * (to_ends + Unnormalised::splat(*gap));
                 let mut velocity = velocity;
-                if let Some(nearby) = &self.nearby {
+                if let Some(nearby) = &self.escape.nearby {
                     let [branch_points, zeros] = nearby.factors(f);
                     (y, velocity) = (y * branch_points, velocity.over(zeros));
                 }
@@ -118,7 +110,7 @@ impl<P: ToPole> EvenFunctions for EscapeFunctions<P> {
                 (u * root, velocity * root * y)
             }
         };
-        if self.odd { [u.over(f), velocity] } else { [u, velocity.over(f)] }
+        if self.escape.odd { [u.over(f), velocity] } else { [u, velocity.over(f)] }
     }
 }
 

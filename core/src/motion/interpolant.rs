@@ -62,6 +62,13 @@ pub(crate) trait EvenFunctions {
     fn at<L: Lane>(&self, place: Node<L>) -> [Unnormalised<L>; 2];
 }
 
+/// u and u' on one side of the base of a motion, without the factors that every sample has.
+pub(crate) trait OneSide {
+    /// At f and 1/2 - f from the base, in (0, 1/2), in half periods or, for an escape, in times from pole to pole;
+    /// `#[inline(always)]`.
+    fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2];
+}
+
 /// The sum of the semi-axes of the ellipse with foci -1 and 1 through that foot.
 fn semi_axes(foot: f64) -> f64 {
     foot + (foot * foot - 1.0).sqrt()

@@ -15,13 +15,13 @@ pub(crate) enum InterpolantKind {
 
 /// The kind of a motion, and its polynomials; `None` where they would need too many terms.
 #[derive(Clone, Debug)]
-pub(crate) struct LazyInterpolant {
-    pub kind: InterpolantKind,
+pub(crate) struct LazyInterpolant<K> {
+    pub kind: K,
     interpolant: OnceLock<Option<Interpolant>>,
 }
 
-impl LazyInterpolant {
-    pub fn new(kind: InterpolantKind) -> LazyInterpolant {
+impl<K> LazyInterpolant<K> {
+    pub fn new(kind: K) -> Self {
         LazyInterpolant { kind, interpolant: OnceLock::new() }
     }
 

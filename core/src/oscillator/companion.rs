@@ -9,11 +9,11 @@
 
 use super::duffing::Duffing;
 use crate::domain::Domain;
+use crate::float::angle_reduction;
 use crate::float::dyadic::sum_of_products;
 use crate::float::elementary::arctangent;
 use crate::float::scaled::Scaled;
 use crate::float::series;
-use crate::float::{Td, angle_reduction};
 use crate::pendulum::Frequency;
 
 /// The pendulum that moves like a Duffing oscillator: u = scale tan(theta/2).
@@ -54,14 +54,8 @@ impl Duffing {
         Domain::check("theta0", theta0, theta0.is_finite(), "finite")?;
         Domain::check("velocity0", velocity0, velocity0.is_finite(), "finite")?;
         let reduced = angle_reduction::reduce(theta0);
-        let half = |angle: Td| Td::new(0.5 * angle.hi, 0.5 * angle.mid, 0.5 * angle.lo);
-        let (low, high) = (reduced.from_bottom, reduced.from_top);
-        let (sine, cosine) = if low.hi < high.hi {
-            series::sin_cos(half(low))
-        } else {
-            let (sine, cosine) = series::sin_cos(half(high));
-            (cosine, sine)
-        };
+        let (sine, cosine) =
+            series::quarter_turn(reduced.from_bottom.scale(0.5), reduced.from_top.scale(0.5));
         let [sine, cosine] = [sine, cosine].map(|value| Scaled::from(value.to_dd()));
         let (a, b, c) = frequency.factors();
         let square = Scaled::from(a) * Scaled::from(b) / Scaled::from(c);

@@ -9,8 +9,6 @@ use super::energy::Orientation;
 use super::nonzero_energy::{Argument, NonzeroEnergy, RootCase};
 use super::roots::Distances;
 use crate::float::scaled::Scaled;
-use crate::float::series;
-use crate::float::triple_double::Td;
 
 /// What S, C and the velocity are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,22 +50,6 @@ pub(super) struct Elementary {
     pub sign: f64,
 }
 
-/// sinh and cosh.
-pub(super) fn sinh_cosh(x: Scaled) -> (Scaled, Scaled) {
-    let size = x.abs();
-    if size.power() < -60 || size.is_zero() {
-        return (x, Scaled::ONE + x.square().shift(-1));
-    }
-    let (sine, cosine) = if size.power() < -1 {
-        let (sine, cosine) = series::sinh_cosh(Td::from(size.to_dd()));
-        (Scaled::from(sine.to_dd()), Scaled::from(cosine.to_dd()))
-    } else {
-        let (grown, shrunk) = (Scaled::exp(size.to_dd()), Scaled::exp(-size.to_dd()));
-        ((grown - shrunk).shift(-1), (grown + shrunk).shift(-1))
-    };
-    (if x.is_negative() { -sine } else { sine }, cosine)
-}
-
 /// Beyond, tanh is 1 and sech^2 beside it nothing, whatever the range; and e^x is still in range.
 const FAR: f64 = 1e7;
 
@@ -77,11 +59,11 @@ impl Functions {
         match self {
             Functions::Power => [x, Scaled::ONE, Scaled::ONE],
             Functions::Sinh => {
-                let (sine, cosine) = sinh_cosh(x);
+                let (sine, cosine) = x.sinh_cosh();
                 [sine, Scaled::ONE, cosine]
             }
             Functions::Tanh => {
-                let (sine, cosine) = sinh_cosh(x);
+                let (sine, cosine) = x.sinh_cosh();
                 let sech = Scaled::ONE / cosine;
                 [sine * sech, sech, sech.square()]
             }
@@ -134,16 +116,16 @@ impl Elementary {
             }
             Sum::GrowingSinh(l) => {
                 let grown = Scaled::exp(rest.to_dd());
-                (one, grown.square(), (l * grown * sinh_cosh(rest).0).shift(1))
+                (one, grown.square(), (l * grown * rest.sinh_cosh().0).shift(1))
             }
             Sum::DecayingSinh(l) => {
                 let fallen = Scaled::exp(-rest.to_dd());
-                (one, fallen.square(), (l * fallen * sinh_cosh(rest).0).shift(1))
+                (one, fallen.square(), (l * fallen * rest.sinh_cosh().0).shift(1))
             }
             Sum::Linear(l) => (one, one, l * rest),
             Sum::CoshSinh(l) => {
-                let (sine, cosine) = (sinh_cosh(rest).0, sinh_cosh(behind).1);
-                (one, sinh_cosh(x.shift(1)).1, (l * sine * cosine).shift(1))
+                let (sine, cosine) = (rest.sinh_cosh().0, behind.sinh_cosh().1);
+                (one, x.shift(1).sinh_cosh().1, (l * sine * cosine).shift(1))
             }
         };
         let root = m.sqrt();

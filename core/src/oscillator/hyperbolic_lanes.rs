@@ -48,8 +48,6 @@ pub(super) struct Hyperbolic {
 
 /// Powers of two that factors and rates may have here; larger ones go sample by sample.
 const ORDINARY: i32 = 250;
-/// Beyond this argument every function has its limit.
-const FAR: f64 = 1e6;
 
 impl Hyperbolic {
     /// Of a motion whose M has two terms and whose factors are ordinary.
@@ -85,16 +83,6 @@ impl Hyperbolic {
     }
 }
 
-/// start + rate t, held where nothing changes any more; infinite times too.
-#[inline(always)]
-pub(super) fn held_argument<L: Lane>(phase: &Phase, t: L) -> Dd<L> {
-    let y = phase.counted(t);
-    let passed = t * L::splat(phase.rate.hi);
-    let near = passed.abs().less(L::splat(FAR));
-    let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
-    Dd::select(near, y, Dd::from_double(far))
-}
-
 /// tanh y, for y >= 0.
 #[inline(always)]
 fn tanh<L: Lane>(y: Dd<L>) -> Dd<L> {
@@ -108,7 +96,7 @@ impl Formula<1, 2> for Hyperbolic {
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
         let Hyperbolic { kind, base, rest, pole, velocity, scales, .. } = self;
         let (l, m) = (Unnormalised::splat(self.l), Unnormalised::splat(self.m));
-        let x = held_argument(base, t);
+        let x = base.held(t);
         let one = L::splat(1.0);
         let sign = one.copysign(x.hi);
         let y = x.scale(sign);
@@ -142,7 +130,7 @@ impl Formula<1, 2> for Hyperbolic {
         let (sum, inside) = match pole {
             None => (sum, number),
             Some(pole) => {
-                let ahead = held_argument(rest, t);
+                let ahead = rest.held(t);
                 let behind = Dd::splat(*pole).plain_sum(x);
                 let least = L::select(ahead.hi.less(behind.hi), ahead.hi, behind.hi);
                 let inside = L::splat(0.0).less(least);

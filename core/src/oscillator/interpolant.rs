@@ -8,9 +8,9 @@ use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::Lane;
-use crate::motion::bounded::{self, BoundedFunctions, Origin, QuarterPeriod, Removed};
-use crate::motion::escape::{self, EscapeFunctions, ToPole};
-use crate::motion::interpolant::{ConformalMap, Interpolant};
+use crate::motion::bounded::{self, BoundedFunctions, Removed};
+use crate::motion::escape::{self, EscapeFunctions};
+use crate::motion::interpolant::{ConformalMap, Interpolant, OneSide};
 use crate::motion::samples::InterpolantKind;
 
 /// u = n/sqrt M on one side of the theta functions, with the half periods from pole to pole and the powers of two by which
@@ -25,9 +25,16 @@ struct RootValues<'a, const HYPERBOLIC: bool> {
 /// u = A pq on one side of the theta functions.
 struct PqValues<'a, const HYPERBOLIC: bool>(&'a PqQuotient, &'a NevilleTheta);
 
-impl<const HYPERBOLIC: bool> RootValues<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> OneSide for RootValues<'_, HYPERBOLIC> {
     #[inline(always)]
-    fn values<L: Lane>(&self, arguments: [Dd<L>; 3]) -> [Unnormalised<L>; 2] {
+    fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2] {
+        let arguments = if let Some(whole) = self.whole {
+            let whole = Unnormalised::splat(whole);
+            let behind = f + Unnormalised::from_double(L::splat(0.5));
+            [(f * whole).tight(), within((rest * whole).tight()), within((behind * whole).tight())]
+        } else {
+            [f.tight(); 3]
+        };
         let [u_steps, velocity_steps] = &self.steps;
         let (u, velocity, folded) =
             self.quotient.quotients::<HYPERBOLIC, L>(self.neville, arguments, self.whole.is_some());
@@ -35,41 +42,11 @@ impl<const HYPERBOLIC: bool> RootValues<'_, HYPERBOLIC> {
     }
 }
 
-impl<const HYPERBOLIC: bool> QuarterPeriod for RootValues<'_, HYPERBOLIC> {
+impl<const HYPERBOLIC: bool> OneSide for PqValues<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, f: Unnormalised<L>, _: Unnormalised<L>) -> [Unnormalised<L>; 2] {
-        self.values([f.tight(); 3])
-    }
-}
-
-impl<const HYPERBOLIC: bool> ToPole for RootValues<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, f: Unnormalised<L>, rest: Unnormalised<L>) -> [Unnormalised<L>; 2] {
-        let whole = Unnormalised::splat(self.whole.unwrap_or(Dd::ONE));
-        let behind = f + Unnormalised::from_double(L::splat(0.5));
-        self.values([(f * whole).tight(), within((rest * whole).tight()), within((behind * whole).tight())])
-    }
-}
-
-impl<const HYPERBOLIC: bool> PqValues<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn values<L: Lane>(&self, f: Unnormalised<L>) -> [Unnormalised<L>; 2] {
         let [[above, below], [rising, square]] = self.0.quotients::<HYPERBOLIC, L>(self.1, f.tight(), false);
         [Unnormalised::from(above).over(below.into()), Unnormalised::from(rising).over(square.into())]
-    }
-}
-
-impl<const HYPERBOLIC: bool> QuarterPeriod for PqValues<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, f: Unnormalised<L>, _: Unnormalised<L>) -> [Unnormalised<L>; 2] {
-        self.values(f)
-    }
-}
-
-impl<const HYPERBOLIC: bool> ToPole for PqValues<'_, HYPERBOLIC> {
-    #[inline(always)]
-    fn at<L: Lane>(&self, f: Unnormalised<L>, _: Unnormalised<L>) -> [Unnormalised<L>; 2] {
-        self.values(f)
     }
 }
 
@@ -106,7 +83,7 @@ impl ThetaMotion {
                     InterpolantKind::Bounded(bounded) => (bounded.removed, false),
                     InterpolantKind::Escape(escape) => (Removed::Nothing, escape.nearby.is_some()),
                 };
-                let map = place.map(2.0 * self.neville.quarter.hi, self.neville.aspect, removed, nearby)?;
+                let map = place.map(&self.neville, removed, nearby)?;
                 let values = RootValues::<HYPERBOLIC> {
                     quotient,
                     neville: &self.neville,
@@ -118,25 +95,16 @@ impl ThetaMotion {
         }
     }
 
-    fn through(&self, values: impl QuarterPeriod + ToPole, map: ConformalMap) -> Option<Interpolant> {
+    fn through(&self, values: impl OneSide, map: ConformalMap) -> Option<Interpolant> {
         match &self.interpolant.kind {
             InterpolantKind::Bounded(bounded) => {
-                let (origin, removed) = (bounded.origin, bounded.removed);
-                let far = origin != Origin::Zero;
-                let functions = BoundedFunctions { quarter: values, origin, far, removed };
+                let functions = BoundedFunctions { quarter: values, bounded };
                 Interpolant::faithful(map, &functions, bounded::CONDITION)
             }
-            InterpolantKind::Escape(escape) => {
-                if !escape.starts_in_range() {
-                    return None;
-                }
-                let (odd, pole, nearby) = (escape.odd, escape.pole, escape.nearby);
-                Interpolant::faithful(
-                    map,
-                    &EscapeFunctions { to_pole: values, odd, pole, nearby },
-                    escape::CONDITION,
-                )
+            InterpolantKind::Escape(escape) if escape.starts_in_range() => {
+                Interpolant::faithful(map, &EscapeFunctions { to_pole: values, escape }, escape::CONDITION)
             }
+            InterpolantKind::Escape(_) => None,
         }
     }
 }

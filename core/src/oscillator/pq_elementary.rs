@@ -6,7 +6,6 @@
 
 use super::clock::carried_rate;
 use super::elementary::{Elementary, Functions, Sum};
-use super::hyperbolic_lanes::held_argument;
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
 use crate::float::elementary::{exp, quotient, saturated_sinh_cosh, sech};
@@ -122,7 +121,7 @@ impl Formula<1, 2> for PqElementary {
         let y = if self.function == Function::Inverse {
             self.phase.counted(scaled)
         } else {
-            held_argument(&self.phase, scaled)
+            self.phase.held(scaled)
         };
         let (zero, one, nan) = (L::splat(0.0), L::splat(1.0), L::splat(f64::NAN));
         let sign = one.copysign(y.hi);

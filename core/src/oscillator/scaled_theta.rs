@@ -5,7 +5,6 @@
 //! next to 0, and 1, k' sinh, k' cosh of the distance next to K. The formulas are those of root_quotient.rs and
 //! pq_quotient.rs.
 
-use super::elementary::sinh_cosh;
 use super::energy::{Orientation, Outline};
 use super::nonzero_energy::{Argument, RootCase};
 use super::pq_quotient::Pq;
@@ -72,7 +71,7 @@ impl ScaledTheta {
         let rest = quarter - x;
         let near = !(rest - x).is_negative();
         if near {
-            let (sine, cosine) = sinh_cosh(x);
+            let (sine, cosine) = x.sinh_cosh();
             let sech = Scaled::ONE / cosine;
             return Values { sn: sine * sech, cn: sech, dn: sech };
         }
@@ -81,7 +80,7 @@ impl ScaledTheta {
             let Values { sn, cn, dn } = self.values(self.half - x);
             return Values { sn, cn: -cn, dn };
         }
-        let (sine, cosine) = sinh_cosh(rest);
+        let (sine, cosine) = rest.sinh_cosh();
         Values { sn: Scaled::ONE, cn: self.kc * sine, dn: self.kc * cosine }
     }
 

@@ -20,17 +20,14 @@
 //!
 //! with F(sin^2, m). Two digits of it are enough. Source: Byrd & Friedman 232, 235, 236, 238, 243.
 
-use super::clock::carried_rate;
 use super::nonzero_energy::RootCase;
 use super::pq_quotient::Pq;
 use super::root_quotient::Squares;
 use crate::elliptic::carlson_rf;
-use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::Dd;
 use crate::float::scaled::Scaled;
-use crate::motion::bounded::{Bounded, Origin, Removed};
-use crate::motion::escape::{Escape, EscapePole, NearbyBranchPoints};
+use crate::motion::bounded::{Origin, Removed};
+use crate::motion::escape::NearbyBranchPoints;
 use crate::motion::interpolant::ConformalMap;
 
 /// What tells where the singularities of a motion are.
@@ -67,12 +64,17 @@ impl RootSingularities {
         matches!(self.case, RootCase::PairCrossing | RootCase::PairOutside)
     }
 
-    /// Where a motion without poles is best counted from, and whether that is the far end of its leg.
-    fn origin(self) -> (Origin, bool) {
+    /// Whether u is odd about the base.
+    pub fn odd(self) -> bool {
+        matches!(self.case, RootCase::Crossing | RootCase::PairCrossing)
+    }
+
+    /// Where a motion without poles is best counted from.
+    pub fn origin(self) -> Origin {
         match self.case {
-            RootCase::Crossing if self.ratio >= 1.0 => (Origin::Zero, false),
-            RootCase::Crossing | RootCase::PairCrossing => (Origin::TurningPoint, true),
-            _ => (Origin::WellTurningPoint, true),
+            RootCase::Crossing if self.ratio >= 1.0 => Origin::Zero,
+            RootCase::Crossing | RootCase::PairCrossing => Origin::TurningPoint,
+            _ => Origin::WellTurningPoint,
         }
     }
 
@@ -96,21 +98,26 @@ impl RootSingularities {
         }
     }
 
+    /// z in half periods, likewise.
+    fn in_half_periods(self, neville: &NevilleTheta) -> [f64; 2] {
+        let quarter = neville.quarter.hi;
+        self.argument([quarter, neville.aspect * quarter]).map(|z| z / (2.0 * quarter))
+    }
+
     /// What is best taken out of a motion without poles.
-    fn removed(self, half: f64, aspect: f64) -> Removed {
-        let quarter = 0.5 * half;
-        let [re, im] = self.argument([quarter, aspect * quarter]).map(|z| z / half);
+    pub fn removed(self, neville: &NevilleTheta) -> Removed {
+        let [re, im] = self.in_half_periods(neville);
         if re > 0.0 || im > NEAR {
             return Removed::Nothing;
         }
         // A sum of the periods is i K'/K for a pair too.
-        let other = aspect - im;
+        let other = neville.aspect - im;
         Removed::BranchPoints([im * im, other * other])
     }
 
     /// What is best taken out of an escape besides its poles: with a pair u' vanishes where dn(2v) does, at
     /// (1 + i K'/K)/4 half periods, and u branches at (1 + i K'/K)/2 - z.
-    fn nearby(self, neville: &NevilleTheta) -> Option<NearbyBranchPoints> {
+    pub fn nearby(self, neville: &NevilleTheta) -> Option<NearbyBranchPoints> {
         // A small nome of m leaves both far, and the aspect to two digits.
         let height = 0.125 * neville.aspect / self.pole;
         if !self.pair() || !neville.hyperbolic() || height > NEARBY {
@@ -120,8 +127,9 @@ impl RootSingularities {
         Some(NearbyBranchPoints::new([across, 2.0 * height], [0.125 / self.pole, height]))
     }
 
-    /// How the polynomials are laid out on a neville of that 2K and K'/K.
-    pub fn map(self, half: f64, aspect: f64, removed: Removed, nearby: bool) -> Option<ConformalMap> {
+    /// The map of the motion, if few enough terms serve.
+    pub fn map(self, neville: &NevilleTheta, removed: Removed, nearby: bool) -> Option<ConformalMap> {
+        let aspect = neville.aspect;
         let [across, up] = if self.pair() { [0.5, 0.5 * aspect] } else { [0.0, aspect] };
         if self.pole > 0.0 {
             // In flights: the poles 1/2 and (1 - z)/2z are taken out.
@@ -138,8 +146,7 @@ impl RootSingularities {
                 flights([1.0 - across - z, up]),
             ]);
         }
-        let quarter = 0.5 * half;
-        let [re, im] = self.argument([quarter, aspect * quarter]).map(|z| z / half);
+        let [re, im] = self.in_half_periods(neville);
         let beside = [across - re, up - im];
         if removed == Removed::Nothing {
             return ConformalMap::around(&[
@@ -159,91 +166,28 @@ impl RootSingularities {
     }
 }
 
-/// RootSingularitiesities are taken out where they are nearer than this, in half periods.
+/// Singularities are taken out where they are nearer than this, in half periods.
 const NEAR: f64 = 0.4;
 
 /// Zeros of u' are taken out of an escape where they are nearer to its way than this, in flights.
 const NEARBY: f64 = 0.175;
 
-/// How a motion without poles becomes polynomials, with the factors of u and u'.
-pub(super) fn bounded(
-    place: RootSingularities,
-    neville: &NevilleTheta,
-    phase: Phase,
-    time: f64,
-    scales: [f64; 2],
-) -> Bounded {
-    let (origin, far) = place.origin();
-    let removed = place.removed(2.0 * neville.quarter.hi, neville.aspect);
-    let bounded = Bounded { origin, removed, phase, time, scales };
-    if far { bounded.counted_from_far_end(origin) } else { bounded }
-}
-
-/// The phase of an escape, and whether it is counted from the pole; with the power of two that times take. From the
-/// argument per time, and those of the start from the middle, to the pole, and of the pole from the middle.
-fn escape_phase(omega: Scaled, [base, rest, pole]: [Scaled; 3], turn: f64) -> (Phase, bool, f64) {
-    let whole = pole.shift(1);
-    let (rate, time) = carried_rate(omega / whole);
-    let from_pole = (base - rest).is_positive();
-    let (start, turn) = if from_pole { (rest, -turn) } else { (base, turn) };
-    (Phase { rate: rate * turn, start: (start / whole).to_dd() }, from_pole, time)
-}
-
-/// How an escape becomes polynomials, likewise.
-pub(super) fn escape(
-    place: RootSingularities,
-    neville: &NevilleTheta,
-    half: Scaled,
-    omega: Scaled,
-    arguments: [Scaled; 3],
-    turn: f64,
-    scales: [f64; 2],
-) -> Escape {
-    let (phase, from_pole, time) = escape_phase(omega, arguments, turn);
-    let whole = arguments[2].shift(1);
-    // ((1 - z)^2 - z^2)/4z^2, z = pole/half.
-    let gap = half * (half - whole) / whole.square();
-    Escape {
-        pole: EscapePole::BranchPoint(if gap.is_negative() { Dd::ZERO } else { gap.to_dd() }),
-        nearby: place.nearby(neville),
-        odd: matches!(place.case, RootCase::Crossing | RootCase::PairCrossing),
-        phase,
-        from_pole,
-        time,
-        scales,
+impl Pq {
+    /// Where a motion without poles is best counted from: from a turning point, its poles are straight above the origin.
+    pub fn origin(self) -> Origin {
+        match self {
+            Pq::Sd => Origin::TurningPoint,
+            Pq::Nd => Origin::WellTurningPoint,
+            _ => Origin::Zero,
+        }
     }
-}
 
-/// How a motion without poles and without a quintic force becomes polynomials.
-pub(super) fn pq_bounded(
-    pq: Pq,
-    neville: &NevilleTheta,
-    phase: Phase,
-    time: f64,
-    scales: [f64; 2],
-) -> Bounded {
-    // On the circular side the poles are far away, and not known to a double.
-    let pole = 0.5 * neville.aspect;
-    let removed = if neville.hyperbolic() { Removed::Pole(pole * pole) } else { Removed::Nothing };
-    let bounded = Bounded { origin: Origin::Zero, removed, phase, time, scales };
-    match pq {
-        // From the turning point the poles are straight above the origin.
-        Pq::Sd => bounded.counted_from_far_end(Origin::TurningPoint),
-        Pq::Nd => bounded.counted_from_far_end(Origin::WellTurningPoint),
-        _ => bounded,
+    /// What is best taken out of a motion without poles.
+    pub fn removed(self, neville: &NevilleTheta) -> Removed {
+        // On the circular side the poles are far away, and not known to a double.
+        let pole = 0.5 * neville.aspect;
+        if neville.hyperbolic() { Removed::Pole(pole * pole) } else { Removed::Nothing }
     }
-}
-
-/// How an escape without a quintic force becomes polynomials.
-pub(super) fn pq_escape(
-    pq: Pq,
-    omega: Scaled,
-    arguments: [Scaled; 3],
-    turn: f64,
-    scales: [f64; 2],
-) -> Escape {
-    let (phase, from_pole, time) = escape_phase(omega, arguments, turn);
-    Escape { pole: EscapePole::Simple, nearby: None, odd: pq.odd(), phase, from_pole, time, scales }
 }
 
 /// The map of a motion without a quintic force, if few enough terms serve.

@@ -7,10 +7,13 @@ use super::pq_quotient::PqQuotient;
 use super::quotient_factors::QuotientFactors;
 use super::root_quotient::RootQuotient;
 use super::scaled_theta::ScaledTheta;
-use super::singularities::{RootSingularities, bounded, escape, pq_bounded, pq_escape};
+use super::singularities::RootSingularities;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
+use crate::float::Dd;
 use crate::float::scaled::Scaled;
+use crate::motion::bounded::Bounded;
+use crate::motion::escape::{Escape, EscapePole};
 use crate::motion::samples::{InterpolantKind, LazyInterpolant};
 
 /// What u is.
@@ -22,6 +25,44 @@ pub(super) enum Quotient {
     Pq(PqQuotient),
 }
 
+impl Quotient {
+    /// How a motion without poles becomes polynomials.
+    fn bounded(&self, neville: &NevilleTheta, phase: Phase, time: f64) -> Bounded {
+        let (origin, removed, scales) = match self {
+            Quotient::Root(quotient, place) => (place.origin(), place.removed(neville), quotient.scales()),
+            Quotient::Pq(quotient) => (quotient.pq.origin(), quotient.pq.removed(neville), quotient.scales),
+        };
+        Bounded::new(origin, removed, phase, time, scales)
+    }
+
+    /// How an escape becomes polynomials: from 2K, the argument per time, and those of the start and of the pole.
+    fn escape(
+        &self,
+        neville: &NevilleTheta,
+        half: Scaled,
+        omega: Scaled,
+        Argument { base, pole: rest }: Argument,
+        pole: Scaled,
+        Orientation { direction, .. }: Orientation,
+    ) -> Escape {
+        let whole = pole.shift(1);
+        let (rate, time) = carried_rate(omega / whole);
+        let from_pole = (base - rest).is_positive();
+        let (start, direction) = if from_pole { (rest, -direction) } else { (base, direction) };
+        let phase = Phase { rate: rate * direction, start: (start / whole).to_dd() };
+        let (pole, nearby, odd, scales) = match self {
+            Quotient::Root(quotient, place) => {
+                // ((1 - z)^2 - z^2)/4z^2, z = pole/half.
+                let gap = half * (half - whole) / whole.square();
+                let gap = if gap.is_negative() { Dd::ZERO } else { gap.to_dd() };
+                (EscapePole::BranchPoint(gap), place.nearby(neville), place.odd(), quotient.scales())
+            }
+            Quotient::Pq(quotient) => (EscapePole::Simple, None, quotient.pq.odd(), quotient.scales),
+        };
+        Escape { pole, nearby, odd, phase, from_pole, time, scales }
+    }
+}
+
 /// A motion by theta functions, set up once.
 #[derive(Clone, Debug)]
 pub(super) struct ThetaMotion {
@@ -29,7 +70,7 @@ pub(super) struct ThetaMotion {
     pub clock: Clock,
     pub quotient: Quotient,
     /// The polynomials of the motion.
-    pub interpolant: LazyInterpolant,
+    pub interpolant: LazyInterpolant<InterpolantKind>,
     /// The motion one sample after the other, where lanes do not serve.
     pub scaled: Option<Box<ScaledTheta>>,
     /// 2K.
@@ -49,44 +90,20 @@ impl ThetaMotion {
         let (rate, time) = carried_rate(outline.omega / half);
         let rate = rate * orientation.direction;
         let phase = Phase { rate, start: (start.base / half).to_dd() };
-        let arguments = |pole: Scaled| [start.base, start.pole, pole];
-        let turn = orientation.direction;
-        let (quotient, kind) = match factors {
-            QuotientFactors::Root(squares) => {
-                let quotient = RootQuotient::new(squares, &neville, orientation);
-                let place = RootSingularities::new(squares, outline.pole, half);
-                let kind = match outline.pole {
-                    Some(pole) => InterpolantKind::Escape(escape(
-                        place,
-                        &neville,
-                        half,
-                        outline.omega,
-                        arguments(pole),
-                        turn,
-                        quotient.scales(),
-                    )),
-                    None => {
-                        InterpolantKind::Bounded(bounded(place, &neville, phase, time, quotient.scales()))
-                    }
-                };
-                (Quotient::Root(quotient, place), kind)
-            }
+        let quotient = match factors {
+            QuotientFactors::Root(squares) => Quotient::Root(
+                RootQuotient::new(squares, &neville, orientation),
+                RootSingularities::new(squares, outline.pole, half),
+            ),
             QuotientFactors::Pq(amplitude, parameter) => {
-                let quotient = PqQuotient::new(*amplitude, outline.omega, *parameter, &neville, orientation);
-                let kind = match outline.pole {
-                    Some(pole) => InterpolantKind::Escape(pq_escape(
-                        quotient.pq,
-                        outline.omega,
-                        arguments(pole),
-                        turn,
-                        quotient.scales,
-                    )),
-                    None => InterpolantKind::Bounded(pq_bounded(
-                        quotient.pq, &neville, phase, time, quotient.scales,
-                    )),
-                };
-                (Quotient::Pq(quotient), kind)
+                Quotient::Pq(PqQuotient::new(*amplitude, outline.omega, *parameter, &neville, orientation))
             }
+        };
+        let kind = match outline.pole {
+            Some(pole) => InterpolantKind::Escape(
+                quotient.escape(&neville, half, outline.omega, start, pole, orientation),
+            ),
+            None => InterpolantKind::Bounded(quotient.bounded(&neville, phase, time)),
         };
         let poles = outline.pole.map(|pole| Poles {
             rest: Phase { rate: -rate, start: (start.pole / half).to_dd() },

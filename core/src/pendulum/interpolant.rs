@@ -5,73 +5,29 @@
 //! The nearest pole of both is f = i K'/2K. Method: docs/decisions/0011.
 
 use super::canonical::{Canonical, CanonicalMotion, last_count, turns_and_sign};
+use super::orbit::Orbit;
 use super::theta_quotients::{Elliptic, speed, tangent};
-use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
 use crate::float::elementary::{arctangent, quotient};
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::Lane;
-use crate::motion::interpolant::{ConformalMap, EvenFunctions, Interpolant, Node, rounded_product, to_ends};
-use std::sync::OnceLock;
+use crate::motion::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
 
 /// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to be accurate.
 const MOST_OF_VELOCITY: usize = 24;
 
-/// The polynomials of one orbit: of its angle and of its velocity.
-#[derive(Clone, Debug)]
-pub(super) struct OrbitInterpolant(Interpolant);
-
-/// The polynomials of an orbit where they serve, made when the first sample is asked for.
-#[derive(Clone, Debug)]
-pub(super) struct LazyInterpolant {
-    map: Option<ConformalMap>,
-    made: OnceLock<OrbitInterpolant>,
-}
-
-impl LazyInterpolant {
-    /// For a motion that no polynomials serve.
-    pub fn none() -> Self {
-        LazyInterpolant { map: None, made: OnceLock::new() }
-    }
-
-    /// For functions of this lattice, if few enough terms serve.
-    pub fn of(lattice: &NevilleTheta) -> Self {
-        LazyInterpolant { map: ConformalMap::of(lattice), made: OnceLock::new() }
-    }
-
-    /// The polynomials of the orbit that it was made for.
+impl Orbit {
+    /// The polynomials of its angle and its velocity, where they serve; the first call makes them.
     #[inline]
-    pub fn get<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&OrbitInterpolant> {
-        let map = self.map?;
-        Some(self.made.get_or_init(|| OrbitInterpolant::new::<ROTATION>(elliptic, map)))
-    }
-}
-
-impl OrbitInterpolant {
-    fn new<const ROTATION: bool>(elliptic: &Elliptic, map: ConformalMap) -> OrbitInterpolant {
-        OrbitInterpolant(if elliptic.lattice.hyperbolic() {
-            Interpolant::new(map, &EvenParts::<ROTATION, true>(elliptic))
-        } else {
-            Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic))
+    pub(super) fn polynomials<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&Interpolant> {
+        self.interpolant.or_make(|| {
+            let map = self.interpolant.kind?;
+            Some(if elliptic.lattice.hyperbolic() {
+                Interpolant::new(map, &EvenParts::<ROTATION, true>(elliptic))
+            } else {
+                Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic))
+            })
         })
-    }
-
-    /// Whether the velocity is accurate as well.
-    #[inline(always)]
-    fn has_velocity(&self) -> bool {
-        self.0.count() <= MOST_OF_VELOCITY
-    }
-
-    #[inline(always)]
-    fn angle<L: Lane>(&self, f: Dd<L>) -> Dd<L> {
-        let Unnormalised { hi, lo } = self.0.first(f) * f.into();
-        Dd::new(hi, lo)
-    }
-
-    #[inline(always)]
-    fn velocity<const ROTATION: bool, L: Lane>(&self, f: Dd<L>) -> L {
-        let velocity = self.0.second(f);
-        if ROTATION { velocity.hi + velocity.lo } else { rounded_product(velocity, to_ends(f)) }
     }
 }
 
@@ -92,7 +48,7 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for EvenParts<'
 }
 
 /// A libration or a rotation that is not next to the separatrix, by polynomials.
-pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a OrbitInterpolant);
+pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Interpolant);
 
 impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
@@ -104,11 +60,14 @@ impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
         let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
         let mut motion = Canonical::at_bottom(turns, sign);
         if ANGLE {
-            motion.opposite = interpolant.angle(f);
+            let Unnormalised { hi, lo } = interpolant.first(f) * f.into();
+            motion.opposite = Dd::new(hi, lo);
         }
         if VELOCITY {
-            motion.velocity = if interpolant.has_velocity() {
-                interpolant.velocity::<ROTATION, L>(f) * sign
+            motion.velocity = if interpolant.count() <= MOST_OF_VELOCITY {
+                let r = interpolant.second(f);
+                let velocity = if ROTATION { r.hi + r.lo } else { rounded_product(r, to_ends(f)) };
+                velocity * sign
             } else {
                 let size = f.scale(L::splat(1.0).copysign(f.hi));
                 let thetas = elliptic.lattice.thetas_on::<true, L>(size);

@@ -9,7 +9,7 @@ use super::orbit::{Orbit, Solution};
 use super::theta_quotients::{ByThetaFunctions, Elliptic};
 use crate::float::elementary::arctangent;
 use crate::float::{Dd, TWO_PI};
-use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, Second};
 
 /// A canonical motion in the frame of an orbit, asked for the angle, the velocity, or both.
 struct InFrame<'a, M, const ANGLE: bool, const VELOCITY: bool>(&'a Orbit, M);
@@ -53,42 +53,10 @@ impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RES
     }
 }
 
-/// The evaluation of the results from the FROM-th on, as many as it takes.
-struct Part<const FROM: usize, const COUNT: usize, E>(E);
-
-/// A formula with these results only.
-struct PartOf<'a, const FROM: usize, F>(&'a F);
-
-impl<const FROM: usize, const COUNT: usize, E: Evaluation<1, COUNT>> Evaluation<1, RESULTS>
-    for Part<FROM, COUNT, E>
-{
-    type Output = E::Output;
-    fn of<F: Formula<1, RESULTS>>(self, formula: &F) -> E::Output {
-        self.0.of(&PartOf::<FROM, F>(formula))
-    }
-}
-
-impl<const FROM: usize, const COUNT: usize, F: Formula<1, RESULTS>> Formula<1, COUNT>
-    for PartOf<'_, FROM, F>
-{
-    type Place = F::Place;
-    #[inline(always)]
-    fn at<L: Lane>(&self, arguments: [L; 1]) -> [L; COUNT] {
-        let all = self.0.at(arguments);
-        let mut part = [L::splat(0.0); COUNT];
-        let mut i = 0;
-        while i < COUNT {
-            part[i] = all[FROM + i];
-            i += 1;
-        }
-        part
-    }
-}
-
 impl Orbit {
     /// The angle at t as whole turns from those of the frame, and a rest; without a force no turns are taken out.
     pub(super) fn turned(&self, t: f64) -> (f64, Dd) {
-        let [turns, hi, lo] = self.evaluated::<true, false, _>(Part::<2, 3, _>(Once([t])));
+        let [_, _, turns, hi, lo] = self.evaluated::<true, false, _>(Once([t]));
         (turns, Dd::new(hi, lo))
     }
 
@@ -111,7 +79,7 @@ impl Orbit {
         elliptic: &Elliptic,
         evaluation: E,
     ) -> E::Output {
-        if let Some(interpolant) = self.interpolant.get::<ROTATION>(elliptic) {
+        if let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) {
             self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
         } else if elliptic.lattice.hyperbolic() {
             self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, true>(elliptic), evaluation)
@@ -142,8 +110,7 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn theta(&self, t: f64) -> f64 {
-        let [theta] = self.evaluated::<true, false, _>(Part::<0, 1, _>(Once([t])));
-        theta
+        self.evaluated::<true, false, _>(Once([t]))[0]
     }
 
     /// Angular velocity at t; domain and error as for [`Orbit::theta`].
@@ -158,8 +125,7 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
-        let [velocity] = self.evaluated::<false, true, _>(Part::<1, 1, _>(Once([t])));
-        velocity
+        self.evaluated::<false, true, _>(Once([t]))[1]
     }
 
     /// Angle and angular velocity at t, bit for bit those of [`Orbit::theta`] and [`Orbit::velocity`].
@@ -173,21 +139,22 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
-        self.evaluated::<true, true, _>(Part::<0, 2, _>(Once([t]))).into()
+        let [theta, velocity, ..] = self.evaluated::<true, true, _>(Once([t]));
+        (theta, velocity)
     }
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        self.evaluated::<true, false, _>(Part::<0, 1, _>(Columns::new([t], [theta])));
+        self.evaluated::<true, false, _>(Columns::new([t], [theta]));
     }
 
     /// [`Orbit::velocity`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        self.evaluated::<false, true, _>(Part::<1, 1, _>(Columns::new([t], [velocity])));
+        self.evaluated::<false, true, _>(Second(Columns::new([t], [velocity])));
     }
 
     /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
-        self.evaluated::<true, true, _>(Part::<0, 2, _>(Columns::new([t], [theta, velocity])));
+        self.evaluated::<true, true, _>(Columns::new([t], [theta, velocity]));
     }
 }

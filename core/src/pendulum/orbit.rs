@@ -6,7 +6,6 @@
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
 use super::frequency::Frequency;
-use super::interpolant::LazyInterpolant;
 use super::regime::Regime;
 use super::separatrix::Separatrix;
 use super::state::{Frame, State};
@@ -18,6 +17,8 @@ use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
 use crate::float::exponent::{carried, exponent, ldexp, mantissa};
 use crate::float::{Dd, TWO_PI};
+use crate::motion::interpolant::ConformalMap;
+use crate::motion::samples::LazyInterpolant;
 
 /// The formula of the motion.
 #[derive(Clone, Debug)]
@@ -45,7 +46,7 @@ pub struct Orbit {
     pub(crate) velocity0: f64,
     pub(crate) frame: Frame,
     pub(crate) solution: Solution,
-    pub(super) interpolant: LazyInterpolant,
+    pub(super) interpolant: LazyInterpolant<Option<ConformalMap>>,
     /// The start in units of omega0, where the force shapes the motion.
     pub(crate) state: Option<State>,
     /// Factor that brings t into the range where the phase is formed: a power of two, 1 for ordinary omega0.
@@ -102,7 +103,7 @@ impl Orbit {
             velocity0,
             frame: Frame::of_start(theta0),
             solution: if moving { Solution::ForceFree } else { Solution::Equilibrium },
-            interpolant: LazyInterpolant::none(),
+            interpolant: LazyInterpolant::new(None),
             state: None,
             time_scale: 1.0,
             velocity_scale: 1.0,
@@ -166,13 +167,13 @@ impl Orbit {
         };
         // Polynomials give the angle from the near equilibrium with an absolute error: tiny amplitudes, and small angles
         // from the other equilibrium, are accurate by theta functions only.
-        let interpolant = match &solution {
+        let map = match &solution {
             Solution::Libration(elliptic) | Solution::Rotation(elliptic)
                 if frame.half_turn == 0.0 && power == 0 =>
             {
-                LazyInterpolant::of(&elliptic.lattice)
+                ConformalMap::of(&elliptic.lattice)
             }
-            _ => LazyInterpolant::none(),
+            _ => None,
         };
         let at_equilibrium = matches!(solution, Solution::Equilibrium);
         let frame = if at_equilibrium { Frame::of_start(theta0) } else { frame };
@@ -182,7 +183,7 @@ impl Orbit {
             velocity0,
             frame,
             solution,
-            interpolant,
+            interpolant: LazyInterpolant::new(map),
             state: Some(state),
             time_scale: ldexp(1.0, time_power),
             velocity_scale: ldexp(frame.side, velocity_power),

@@ -12,7 +12,7 @@ use super::regime::Regime;
 use super::sensitivity_lanes::SensitivityLanes;
 use super::separatrix::Separatrix;
 use super::state::State;
-use super::variational::{Periodic, Solutions, VariationalSetUp, bounded, hyperbolic, on_separatrix};
+use super::variational::{Periodic, Solutions, VariationalSetUp, bounded, on_separatrix};
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
@@ -177,7 +177,7 @@ impl Sensitivity {
     /// cosh y, and sinh y over and times omega0.
     fn at_upper_equilibrium(&self, y: Dd) -> Jacobian {
         let omega = Scaled::from(self.start.omega).shift(self.start.omega_power);
-        let [sinh, cosh] = hyperbolic(y);
+        let (sinh, cosh) = Scaled::from(y).sinh_cosh();
         Jacobian::of([cosh, sinh / omega, Scaled::ZERO, sinh * omega, cosh, Scaled::ZERO].map(Scaled::value))
     }
 }

@@ -141,7 +141,9 @@ impl SensitivityLanes {
             let parity = alternating(n);
             (a * parity, b * parity, p * parity, q * parity)
         };
-        let [a0, b0, p0, q0] = self.start.map(constant);
+        // Not by `map`, which would be compiled without the instruction set.
+        let [a0, b0, p0, q0] = self.start;
+        let (a0, b0, p0, q0) = (constant(a0), constant(b0), constant(p0), constant(q0));
         let (k, x, stretch, omega) =
             (constant(self.k), constant(self.x), constant(self.stretch), constant(self.omega));
         let by_velocity = (a0 * p - p0 * a) * constant(per_stretch);

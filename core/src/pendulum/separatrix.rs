@@ -5,7 +5,6 @@
 use super::canonical::{Canonical, CanonicalMotion};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
-use crate::float::double_double::two_sum;
 use crate::float::elementary::{saturated_sinh_cosh, sech};
 use crate::lanes::Lane;
 
@@ -16,22 +15,12 @@ pub(crate) struct Separatrix {
     pub speed: Dd,
 }
 
-/// Beyond this hyperbolic phase the angle is pi and the velocity 0.
-const FAR: f64 = 1e6;
-
 impl CanonicalMotion for &Separatrix {
     const TURNS: bool = false;
     #[inline(always)]
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
-        let Separatrix { phase: Phase { rate, start }, speed } = self;
-        let (passed, error) = t.two_product(L::splat(rate.hi));
-        let error = t.mul_add(L::splat(rate.lo), error);
-        let near = passed.abs().less(L::splat(FAR));
-        let far = L::select(t.equal(t), L::splat(FAR).copysign(passed), t);
-        let passed = L::select(near, passed, far);
-        let error = L::select(near, error, L::splat(0.0));
-        let (y, rest) = two_sum(passed, L::splat(start.hi));
-        let y = Dd::ordered_sum(y, rest + (error + L::splat(start.lo)));
+        let Separatrix { phase, speed } = self;
+        let y = phase.held(t);
         let sign = L::splat(1.0).copysign(y.hi);
         let y = y.scale(sign);
         let mut motion = Canonical::at_bottom(L::splat(0.0), sign);

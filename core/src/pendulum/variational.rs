@@ -10,7 +10,6 @@ use crate::elliptic::integrals::carlson_duplication::{THIRD, rd, rf};
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{Phase, ReducedPhase};
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::series::long_sinh_cosh;
 use crate::float::{Dd, Scaled};
 
 /// The two solutions at a phase; next to the top they leave the range of the doubles.
@@ -99,8 +98,6 @@ fn rotation(Parameter { m, .. }: Parameter, values: [Dd; 3]) -> [Scaled; 2] {
     [dn * integral, Dd::ONE / dn - m * sn * cn * integral].map(Scaled::from)
 }
 
-/// Hyperbolic angles up to here have their sine without cancellation, and beyond it only one exponential counts.
-const NEAR: f64 = 300.0;
 /// Beyond, everything is out of the doubles.
 const FAR: f64 = 1e7;
 
@@ -109,22 +106,12 @@ pub(super) fn bounded(rate: Dd, t: f64) -> Dd {
     if (rate.hi * t).abs() < FAR { rate * t } else { Dd::from(FAR.copysign(t)) }
 }
 
-/// sinh y and cosh y.
-pub(super) fn hyperbolic(y: Dd) -> [Scaled; 2] {
-    let sign = 1f64.copysign(y.hi);
-    if y.hi.abs() < NEAR {
-        let (sinh, cosh) = long_sinh_cosh(y.abs());
-        return [sinh * sign, cosh].map(Scaled::from);
-    }
-    let half = Scaled::exp(y.abs()).shift(-1);
-    [half * sign, half]
-}
-
 /// The solutions on the separatrix.
 pub(super) fn on_separatrix(y: Dd) -> Solutions {
-    let [sinh, cosh] = hyperbolic(y);
+    let y = Scaled::from(y);
+    let (sinh, cosh) = y.sinh_cosh();
     let a = Scaled::ONE / cosh;
-    let (b, y) = (a.square() * sinh, Scaled::from(y));
+    let b = a.square() * sinh;
     Solutions { a, b, p: (sinh + y * a).shift(-1), q: (cosh + a - y * b).shift(-1) }
 }
 

@@ -1,7 +1,8 @@
 """Approximations of the pendulum by name, with their sources, domains and measured errors.
 
 `angle` holds formulas for theta(t), `period` formulas for the period of a swing, `sine` polynomials for the sine of the
-force, and `numerical` the schemes that march through theta(t): ask each for one by name, or go through all of them.
+force, and `numerical` the schemes that march through theta(t): ask each for one by name, or go through all of them. `compare` puts
+some of them beside the exact motion.
 
 Examples
 --------
@@ -14,6 +15,7 @@ Examples
 """
 
 from ._angle import AngleApproximation, AngleError, AngleFormula, angle
+from ._compare import Comparison, compare
 from ._numerical import NumericalFormula, NumericalSolution, numerical
 from ._period import PeriodFormula, period
 from ._registry import Registry
@@ -23,6 +25,7 @@ __all__ = [
     "AngleApproximation",
     "AngleError",
     "AngleFormula",
+    "Comparison",
     "NumericalFormula",
     "NumericalSolution",
     "PeriodFormula",
@@ -30,6 +33,7 @@ __all__ = [
     "SineError",
     "SineFormula",
     "angle",
+    "compare",
     "numerical",
     "period",
     "sine",

@@ -16,6 +16,7 @@ from .._arrays import Array, Floats, Intervals, Labelled, Scalar
 from .._dispatch import Elementwise, apply
 from .._immutable import Immutable
 from .._labels import Result
+from .._messages import explained
 from .._scalars import real
 from ..pendulum import Pendulum
 from ._named import Named, moving
@@ -72,11 +73,13 @@ class AngleFormula(Named):
 
     _formula: _core.AngleFormula
 
+    @explained
     def __new__(cls, name: str) -> Self:
         self = super().__new__(cls)
         object.__setattr__(self, "_formula", _core.AngleFormula(str(name)))
         return self
 
+    @explained
     def of(self, pendulum: Pendulum) -> AngleApproximation:
         """The formula for one pendulum.
 
@@ -116,6 +119,7 @@ class AngleFormula(Named):
     def error(self, theta_max: Array, periods: float = 1) -> Floats: ...
     @overload
     def error(self, theta_max: Labelled, periods: float = 1) -> Labelled: ...
+    @explained
     def error(self, theta_max: Any, periods: float = 1) -> Any:
         """Largest error of releases from rest, as a share of their turning angles.
 
@@ -145,6 +149,7 @@ class AngleFormula(Named):
         errors = partial(self._errors, periods=real("periods", periods))
         return apply(Elementwise(errors), theta_max, results=(ERROR,))
 
+    @explained
     def ranges(self, bound: float, periods: float = 1) -> Intervals:
         """The turning angles for which the largest error stays within a share of them.
 
@@ -216,6 +221,7 @@ class AngleApproximation(Immutable):
     formula: AngleFormula
     pendulum: Pendulum
 
+    @explained
     def __new__(cls, formula: AngleFormula, pendulum: Pendulum) -> Self:
         self = super().__new__(cls)
         object.__setattr__(self, "_approximation", formula._formula.of(moving(pendulum)._orbit))
@@ -229,6 +235,7 @@ class AngleApproximation(Immutable):
     def theta(self, t: Array) -> Floats: ...
     @overload
     def theta(self, t: Labelled) -> Labelled: ...
+    @explained
     def theta(self, t: Any) -> Any:
         """Approximate angle at the times `t`.
 
@@ -264,6 +271,7 @@ class AngleApproximation(Immutable):
     def difference(self, t: Array) -> Floats: ...
     @overload
     def difference(self, t: Labelled) -> Labelled: ...
+    @explained
     def difference(self, t: Any) -> Any:
         """Approximate minus exact angle at the times `t`.
 

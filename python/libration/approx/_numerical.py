@@ -19,6 +19,7 @@ import numpy as np
 from .. import _core
 from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import Elementwise, apply
+from .._messages import explained
 from .._scalars import real
 from ..pendulum import Pendulum
 from ._angle import THETA, AngleError
@@ -95,6 +96,7 @@ class NumericalFormula:
         """Who says so, with the order of the scheme."""
         return SCHEMES[self.scheme][1] if self.scheme in SCHEMES else f"SciPy, scipy.integrate.{self.scheme}"
 
+    @explained
     def of(self, pendulum: Pendulum) -> NumericalSolution:
         """The numerical solution for one pendulum.
 
@@ -154,6 +156,7 @@ class NumericalSolution:
     def theta(self, t: Array) -> Floats: ...
     @overload
     def theta(self, t: Labelled) -> Labelled: ...
+    @explained
     def theta(self, t: Any) -> Any:
         """Angle at the times `t`.
 
@@ -184,6 +187,7 @@ class NumericalSolution:
         """
         return apply(Elementwise(self._theta), t, results=(THETA,))
 
+    @explained
     def error(self, periods: float = 1.0) -> AngleError:
         """Largest difference from the exact motion, at the steps themselves or at 1,000 instants a period.
 
@@ -217,6 +221,7 @@ class NumericalSolution:
         largest, theta_max = float(difference[where]), self.pendulum.theta_max
         return AngleError(largest, largest / theta_max if theta_max else 0.0, float(t[where]), math.nan)
 
+    @explained
     def over_the_top(self, periods: float = 1.0) -> float:
         """When a swing is carried over the top, which the exact one never reaches; NaN if it is not.
 

@@ -14,6 +14,7 @@ from .. import _core
 from .._arrays import Array, Floats, Intervals, Labelled, Scalar
 from .._dispatch import Elementwise, apply
 from .._labels import Result
+from .._messages import explained
 from .._scalars import real
 from ..pendulum import Pendulum
 from ._named import Named, moving
@@ -57,6 +58,7 @@ class PeriodFormula(Named):
 
     _formula: _core.PeriodFormula
 
+    @explained
     def __new__(cls, name: str) -> Self:
         self = super().__new__(cls)
         object.__setattr__(self, "_formula", _core.PeriodFormula(str(name)))
@@ -72,6 +74,7 @@ class PeriodFormula(Named):
     def ratio(
         self, theta_max: Labelled | None = None, *, m: Labelled | None = None, mc: Labelled | None = None
     ) -> Labelled: ...
+    @explained
     def ratio(self, theta_max: Any = None, *, m: Any = None, mc: Any = None) -> Any:
         """Period over the period of small swings, for a release from rest.
 
@@ -118,6 +121,7 @@ class PeriodFormula(Named):
     def error(
         self, theta_max: Labelled | None = None, *, m: Labelled | None = None, mc: Labelled | None = None
     ) -> Labelled: ...
+    @explained
     def error(self, theta_max: Any = None, *, m: Any = None, mc: Any = None) -> Any:
         """Relative error of the formula: its ratio over the exact one, minus 1.
 
@@ -155,6 +159,7 @@ class PeriodFormula(Named):
         """
         return self._answered("error", ERROR, theta_max=theta_max, m=m, mc=mc)
 
+    @explained
     def period(self, pendulum: Pendulum) -> float:
         """The period in s that the formula gives a pendulum; NaN in rotation.
 
@@ -182,6 +187,7 @@ class PeriodFormula(Named):
         """
         return self._formula.period(moving(pendulum)._orbit)
 
+    @explained
     def quarter_period(self, pendulum: Pendulum) -> float:
         """A quarter of `period`: the time from the bottom to the turning point, which Salas calls T.
 
@@ -207,6 +213,7 @@ class PeriodFormula(Named):
         """
         return self._formula.quarter_period(moving(pendulum)._orbit)
 
+    @explained
     def ranges(self, bound: float) -> Intervals:
         """The turning angles for which the size of the error stays within a bound.
 

@@ -11,6 +11,7 @@ from .. import _core
 from .._arrays import Array, Floats, Intervals, Labelled, Scalar
 from .._dispatch import Elementwise, apply
 from .._labels import Result
+from .._messages import explained
 from .._scalars import real
 from ._named import Named
 from ._registry import Registry
@@ -71,6 +72,7 @@ class SineFormula(Named):
 
     _formula: _core.SineFormula
 
+    @explained
     def __new__(cls, name: str, phi_max: float | None = None) -> Self:
         self = super().__new__(cls)
         given = None if phi_max is None else real("phi_max", phi_max)
@@ -93,6 +95,7 @@ class SineFormula(Named):
     def value(self, phi: Array) -> Floats: ...
     @overload
     def value(self, phi: Labelled) -> Labelled: ...
+    @explained
     def value(self, phi: Any) -> Any:
         """Polynomial at angles `phi`.
 
@@ -118,6 +121,7 @@ class SineFormula(Named):
         """
         return apply(Elementwise(self._value), phi, results=(VALUE,))
 
+    @explained
     def error(self, phi_max: float) -> SineError:
         """The largest distance from the sine for angles of a size up to `phi_max`, absolute and relative.
 
@@ -150,6 +154,7 @@ class SineFormula(Named):
         """
         return SineError(*self._formula.largest_error(real("phi_max", phi_max)))
 
+    @explained
     def ranges(self, bound: float) -> Intervals:
         """The angles up to which the polynomial stays within a bound of the sine: one interval from 0.
 

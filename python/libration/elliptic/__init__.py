@@ -18,6 +18,9 @@ Examples
 '0.25000000'
 """
 
+from typing import TYPE_CHECKING, Any
+
+from .._messages import no_member
 from ._carlson import carlson_rc, carlson_rd, carlson_rf, carlson_rj
 from ._glaisher import (
     arccd,
@@ -110,3 +113,11 @@ __all__ = [
 
 def __dir__() -> list[str]:
     return __all__
+
+
+# Hidden from type checkers, so that a name that does not exist is an error there too.
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Any:
+        """Python asks here for what it has not found."""
+        raise no_member(__name__, name)

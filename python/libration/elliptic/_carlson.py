@@ -15,6 +15,7 @@ from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
 from .._labels import Result
+from .._messages import explained
 
 RF = Result("carlson_rf", "1", "Carlson's integral R_F")
 RC = Result("carlson_rc", "1", "Carlson's integral R_C")
@@ -30,6 +31,7 @@ def carlson_rf(x: Real, y: Real, z: Real, *, out: Floats | None = None, where: M
 def carlson_rf(
     x: Real | Labelled, y: Real | Labelled, z: Real | Labelled, *, out: Labelled | None = None, where: Mask = True
 ) -> Labelled: ...
+@explained
 def carlson_rf(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_F.
 
@@ -69,6 +71,7 @@ def carlson_rc(x: Real, y: Real, *, out: Floats | None = None, where: Mask = Tru
 def carlson_rc(
     x: Real | Labelled, y: Real | Labelled, *, out: Labelled | None = None, where: Mask = True
 ) -> Labelled: ...
+@explained
 def carlson_rc(x: Any, y: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_C.
 
@@ -111,6 +114,7 @@ def carlson_rd(x: Real, y: Real, z: Real, *, out: Floats | None = None, where: M
 def carlson_rd(
     x: Real | Labelled, y: Real | Labelled, z: Real | Labelled, *, out: Labelled | None = None, where: Mask = True
 ) -> Labelled: ...
+@explained
 def carlson_rd(x: Any, y: Any, z: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_D.
 
@@ -157,6 +161,7 @@ def carlson_rj(
     out: Labelled | None = None,
     where: Mask = True,
 ) -> Labelled: ...
+@explained
 def carlson_rj(x: Any, y: Any, z: Any, p: Any, *, out: Any = None, where: Any = True) -> Any:
     """Carlson's symmetric elliptic integral R_J.
 

@@ -177,7 +177,7 @@ def _function(name: str) -> "OfU":
     quotient, example, *_, source, _ = _TABLE[name]
 
     def pq(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
-        return pq_of(u, m=m, mc=mc, k=k, out=out, where=where)
+        return pq_of.of((u,), m, mc, k, out, where)
 
     nature = _ODD if name[0] == "s" else _POLE.format(name=name) if name[1] == "s" else _EVEN
     pq.__name__ = pq.__qualname__ = name
@@ -191,7 +191,7 @@ def _inverse(name: str) -> "OfX":
     _, _, domain, x, example, _, source = _TABLE[name]
 
     def arcpq(x: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
-        return arcpq_of(x, m=m, mc=mc, k=k, out=out, where=where)
+        return arcpq_of.of((x,), m, mc, k, out, where)
 
     branch = _AROUND if "s" in name else _LEAST.format(range=": in [0, K] for m < 1" if name in ("dn", "nd") else "")
     arcpq.__name__ = arcpq.__qualname__ = f"arc{name}"

@@ -12,6 +12,7 @@ import numpy as np
 
 from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._labels import Result, like
+from .._messages import explained
 from ._parameter import Function
 
 Value = TypeVar("Value")
@@ -85,6 +86,7 @@ def jacobi(
     out: tuple[Labelled, Labelled, Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> JacobiValues[Labelled]: ...
+@explained
 def jacobi(
     u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
 ) -> JacobiValues[Any]:
@@ -126,7 +128,7 @@ def jacobi(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f} {values.am:.6f}")
     0.803002 0.595977 0.823161 0.932315
     """
-    return JacobiValues(*_JACOBI(u, m=m, mc=mc, k=k, out=out, where=where))
+    return JacobiValues(*_JACOBI.of((u,), m, mc, k, out, where))
 
 
 class _Joined:
@@ -162,7 +164,7 @@ def _parts(u: Any) -> tuple[Any, Any]:
 
 
 _JACOBI_COMPLEX = Function("jacobi_complex", _SN, _CN, _DN)
-_JACOBI_COMPLEX.ufuncs = {keyword: _Joined(ufunc) for keyword, ufunc in _JACOBI_COMPLEX.ufuncs.items()}
+_JACOBI_COMPLEX.ufuncs = tuple(ufunc and _Joined(ufunc) for ufunc in _JACOBI_COMPLEX.ufuncs)
 
 
 @overload
@@ -195,6 +197,7 @@ def jacobi_complex(
     out: tuple[Labelled, Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> JacobiComplexValues[Labelled]: ...
+@explained
 def jacobi_complex(
     u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
 ) -> JacobiComplexValues[Any]:
@@ -235,4 +238,4 @@ def jacobi_complex(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f}")
     0.891000+0.239754j 0.618716-0.345266j 0.805834-0.132547j
     """
-    return JacobiComplexValues(*_JACOBI_COMPLEX(*_parts(u), m=m, mc=mc, k=k, out=out, where=where))
+    return JacobiComplexValues(*_JACOBI_COMPLEX.of(_parts(u), m, mc, k, out, where))

@@ -51,7 +51,7 @@ def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     >>> f"{libration.complete_k(m=0.5):.8f} {libration.complete_k(mc=1e-300):.8f}"
     '1.85407468 346.77405831'
     """
-    return _COMPLETE_K(m=m, mc=mc, k=k, out=out, where=where)
+    return _COMPLETE_K.of((), m, mc, k, out, where)
 
 
 @of_parameter
@@ -88,7 +88,7 @@ def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     >>> f"{libration.complete_e(m=0.5):.8f}"
     '1.35064388'
     """
-    return _COMPLETE_E(m=m, mc=mc, k=k, out=out, where=where)
+    return _COMPLETE_E.of((), m, mc, k, out, where)
 
 
 @of_n
@@ -128,7 +128,7 @@ def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     >>> f"{libration.complete_pi(0.3, m=0.5):.8f} {libration.complete_pi(3.0, m=0.5):.8f}"
     '2.25037682 -0.19298821'
     """
-    return _COMPLETE_PI(n, m=m, mc=mc, k=k, out=out, where=where)
+    return _COMPLETE_PI.of((n,), m, mc, k, out, where)
 
 
 @of_phi
@@ -168,7 +168,7 @@ def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.incomplete_f(1.0, m=0.5):.8f}"
     '1.08321677'
     """
-    return _INCOMPLETE_F(phi, m=m, mc=mc, k=k, out=out, where=where)
+    return _INCOMPLETE_F.of((phi,), m, mc, k, out, where)
 
 
 @of_phi
@@ -208,7 +208,7 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.incomplete_e(1.0, m=0.5):.8f}"
     '0.92732988'
     """
-    return _INCOMPLETE_E(phi, m=m, mc=mc, k=k, out=out, where=where)
+    return _INCOMPLETE_E.of((phi,), m, mc, k, out, where)
 
 
 @of_n_and_phi
@@ -253,7 +253,7 @@ def incomplete_pi(
     >>> f"{libration.incomplete_pi(0.3, 1.0, m=0.5):.8f}"
     '1.19232544'
     """
-    return _INCOMPLETE_PI(n, phi, m=m, mc=mc, k=k, out=out, where=where)
+    return _INCOMPLETE_PI.of((n, phi), m, mc, k, out, where)
 
 
 @of_phi
@@ -295,4 +295,4 @@ def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out
     >>> f"{libration.heuman_lambda(1.0, m=0.5):.8f}"
     '0.74740064'
     """
-    return _HEUMAN_LAMBDA(phi, m=m, mc=mc, k=k, out=out, where=where)
+    return _HEUMAN_LAMBDA.of((phi,), m, mc, k, out, where)

@@ -48,7 +48,7 @@ def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.jacobi_epsilon(1.0, m=0.5):.8f} {libration.jacobi_epsilon(1.0, m=2.0):.8f}"
     '0.87227528 0.58904863'
     """
-    return _JACOBI_EPSILON(u, m=m, mc=mc, k=k, out=out, where=where)
+    return _JACOBI_EPSILON.of((u,), m, mc, k, out, where)
 
 
 @of_u
@@ -87,4 +87,4 @@ def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     >>> f"{libration.jacobi_zeta(1.0, m=0.5):.8f}"
     '0.14380199'
     """
-    return _JACOBI_ZETA(u, m=m, mc=mc, k=k, out=out, where=where)
+    return _JACOBI_ZETA.of((u,), m, mc, k, out, where)

@@ -1,6 +1,7 @@
 """The signatures of the elliptic functions as type checkers see them: numbers give numbers, arrays arrays, labels stay.
 
-Each is a protocol with a decorator that declares a function to have it. At run time there is only the function.
+Each is a protocol with a decorator that declares a function to have it. At run time there is only the function, whose
+refusals are explained.
 """
 
 # A number fits where an array does: of several signatures the first that fits is meant.
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Protocol, overload
 import numpy as np
 
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
+from .._messages import explained
 
 if TYPE_CHECKING:
 
@@ -282,34 +284,34 @@ if TYPE_CHECKING:
 
 def of_parameter(function: Callable[..., Any]) -> OfParameter:
     """Declare a function of the parameter alone."""
-    return function
+    return explained(function)
 
 
 def of_u(function: Callable[..., Any]) -> OfU:
     """Declare a function of an argument u and the parameter."""
-    return function
+    return explained(function)
 
 
 def of_x(function: Callable[..., Any]) -> OfX:
     """Declare a function of a value x and the parameter."""
-    return function
+    return explained(function)
 
 
 def of_phi(function: Callable[..., Any]) -> OfPhi:
     """Declare a function of an amplitude phi and the parameter."""
-    return function
+    return explained(function)
 
 
 def of_n(function: Callable[..., Any]) -> OfN:
     """Declare a function of a characteristic n and the parameter."""
-    return function
+    return explained(function)
 
 
 def of_n_and_phi(function: Callable[..., Any]) -> OfNAndPhi:
     """Declare a function of a characteristic n and an amplitude phi and the parameter."""
-    return function
+    return explained(function)
 
 
 def of_z(function: Callable[..., Any]) -> OfZ:
     """Declare a theta function of z."""
-    return function
+    return explained(function)

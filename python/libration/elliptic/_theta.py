@@ -47,7 +47,7 @@ def nome(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where
     >>> f"{libration.nome(m=0.5):.8f}"
     '0.04321392'
     """
-    return _NOME(m=m, mc=mc, k=k, out=out, where=where)
+    return _NOME.of((), m, mc, k, out, where)
 
 
 _DOCUMENT = """Jacobi's theta function theta_{index}(z, q).
@@ -110,7 +110,7 @@ def _theta(index: int) -> "OfZ":
         out: Any = None,
         where: Any = True,
     ) -> Any:
-        return theta_of(z, q=q, m=m, mc=mc, k=k, out=out, where=where)
+        return theta_of.of((z,), m, mc, k, out, where, q=q)
 
     theta.__name__ = theta.__qualname__ = f"theta{index}"
     theta.__doc__ = _DOCUMENT.format(

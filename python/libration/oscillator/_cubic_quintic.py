@@ -6,6 +6,7 @@ Its square is an elliptic function of time: with v = 1/u**2, v'**2 is a cubic in
 from typing import Self
 
 from .. import _core
+from .._messages import explained
 from .._scalars import real
 from ._oscillator import Oscillator
 
@@ -49,6 +50,7 @@ class CubicQuintic(Oscillator):
     _names = ("alpha", "beta", "gamma")
     _kernels = (_core.cubic_quintic_u, _core.cubic_quintic_velocity, _core.cubic_quintic_motion)
 
+    @explained
     def __new__(cls, u0: float, velocity0: float = 0.0, *, alpha: float, beta: float, gamma: float) -> Self:
         given = real("alpha", alpha), real("beta", beta), real("gamma", gamma)
         return cls._made(_core.CubicQuintic(real("u0", u0), real("velocity0", velocity0), *given))

@@ -9,13 +9,15 @@ Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
 
 from __future__ import annotations
 
-from typing import Any, Self, overload
+from typing import TYPE_CHECKING, Any, Self, overload
 
 import numpy as np
 
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from .._immutable import Elsewhere
+from .._messages import explained
 from .._scalars import real
 from ..pendulum import Pendulum
 from ._oscillator import MOTION, Oscillator
@@ -60,13 +62,20 @@ class Duffing(Oscillator):
 
     _oscillator: _core.Duffing
 
+    # Hidden from type checkers, so that they are errors there too.
+    if not TYPE_CHECKING:
+        alpha = Elsewhere("p")
+        beta = Elsewhere("q")
+
     _names = ("p", "q")
     _kernels = (_core.duffing_u, _core.duffing_velocity, _core.duffing_motion)
 
+    @explained
     def __new__(cls, u0: float, velocity0: float = 0.0, *, p: float, q: float) -> Self:
         return cls._made(_core.Duffing(real("u0", u0), real("velocity0", velocity0), real("p", p), real("q", q)))
 
     @classmethod
+    @explained
     def of_pendulum(cls, pendulum: Pendulum) -> Self:
         """Oscillator of u = tan(theta/2) for a pendulum: p = omega0**2 (1 - 2 m), q = 2 omega0**2 (1 - m), m the energy ratio.
 
@@ -161,6 +170,7 @@ def duffing_motion(
     out: tuple[Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> tuple[Labelled, Labelled]: ...
+@explained
 def duffing_motion(
     t: Any, u0: Any, velocity0: Any = 0.0, p: Any = 1.0, q: Any = 1.0, *, out: Any = None, where: Any = True
 ) -> Any:

@@ -10,6 +10,7 @@ from .. import _core
 from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import Elementwise, apply
 from .._immutable import Immutable
+from .._messages import explained
 from .._scalars import real
 from ._oscillator import MOTION, VELOCITY, OscillatorRegime, U
 
@@ -53,6 +54,7 @@ class DuffingForm(Immutable):
     _form: _core.DuffingForm
     _given: tuple[Any, ...]
 
+    @explained
     def __new__(cls, form: str, c1: float, c2: float = 0.0, *, p: float, q: float) -> Self:
         numbers = real("p", p), real("q", q), real("c1", c1), real("c2", c2)
         self = super().__new__(cls)
@@ -66,6 +68,7 @@ class DuffingForm(Immutable):
     def u(self, t: Array) -> Floats: ...
     @overload
     def u(self, t: Labelled) -> Labelled: ...
+    @explained
     def u(self, t: Any) -> Any:
         """Displacement at the times `t`.
 
@@ -98,6 +101,7 @@ class DuffingForm(Immutable):
     def velocity(self, t: Array) -> Floats: ...
     @overload
     def velocity(self, t: Labelled) -> Labelled: ...
+    @explained
     def velocity(self, t: Any) -> Any:
         """Velocity at the times `t`, the derivative of `u`.
 
@@ -130,6 +134,7 @@ class DuffingForm(Immutable):
     def motion(self, t: Array) -> tuple[Floats, Floats]: ...
     @overload
     def motion(self, t: Labelled) -> tuple[Labelled, Labelled]: ...
+    @explained
     def motion(self, t: Any) -> Any:
         """Displacement and velocity at the times `t`, together: ``(u, velocity)``.
 

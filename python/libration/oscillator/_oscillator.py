@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any, ClassVar, Self, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Self, overload
 
 import numpy as np
 
 from .. import _core
 from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import apply
-from .._immutable import Immutable
+from .._immutable import Elsewhere, Immutable
 from .._labels import Result
+from .._messages import explained, refuse
 from .._scalars import real
 
 # Displacements are in the user's units.
@@ -53,12 +54,21 @@ class Oscillator(Immutable):
     _operands: tuple[np.ndarray, ...]
     _oscillator: _core.Duffing | _core.CubicQuintic
 
+    # Hidden from type checkers, so that they are errors there too.
+    if not TYPE_CHECKING:
+        amplitude = Elsewhere("range")
+        T = Elsewhere("period")
+        x = Elsewhere("u")
+        x0 = Elsewhere("u0")
+        solve = Elsewhere("motion")
+
     @classmethod
     def _made(cls, made: Any) -> Self:
         self = super().__new__(cls)
         object.__setattr__(self, "_oscillator", made)
-        object.__setattr__(self, "_given", tuple(made.operands))
-        object.__setattr__(self, "_operands", tuple(map(np.asarray, made.operands)))
+        given = made.operands
+        object.__setattr__(self, "_given", tuple(given))
+        object.__setattr__(self, "_operands", tuple(map(np.asarray, given)))
         return self
 
     @overload
@@ -97,7 +107,10 @@ class Oscillator(Immutable):
         """
         if out is None and type(t) is float:
             return self._oscillator.u(t)
-        return apply(self._kernels[0], t, *self._operands, results=(U,), out=out)
+        try:
+            return apply(self._kernels[0], t, *self._operands, results=(U,), out=out)
+        except (TypeError, ValueError) as error:
+            refuse(error, Oscillator.u, (self, t, out))
 
     @overload
     def velocity(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -135,7 +148,10 @@ class Oscillator(Immutable):
         """
         if out is None and type(t) is float:
             return self._oscillator.velocity(t)
-        return apply(self._kernels[1], t, *self._operands, results=(VELOCITY,), out=out)
+        try:
+            return apply(self._kernels[1], t, *self._operands, results=(VELOCITY,), out=out)
+        except (TypeError, ValueError) as error:
+            refuse(error, Oscillator.velocity, (self, t, out))
 
     @overload
     def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
@@ -169,8 +185,12 @@ class Oscillator(Immutable):
         """
         if type(t) is float:
             return self._oscillator.motion(t)
-        return apply(self._kernels[2], t, *self._operands, results=MOTION)
+        try:
+            return apply(self._kernels[2], t, *self._operands, results=MOTION)
+        except (TypeError, ValueError) as error:
+            refuse(error, Oscillator.motion, (self, t))
 
+    @explained
     def times(self, u: float, start: float, stop: float) -> Floats:
         """All times from `start` to `stop`, both included, at which the displacement is `u`.
 
@@ -261,3 +281,9 @@ class Oscillator(Immutable):
 
     def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         return (), dict(zip(("u0", "velocity0", *self._names), self._given, strict=True))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the potential with the energy, equation, regime and period or escape."""
+        from ..plot._oscillator_card import oscillator_card
+
+        return oscillator_card(self)

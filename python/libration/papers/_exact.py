@@ -18,6 +18,7 @@ import numpy as np
 from .._arrays import Floats, Labelled, Real, Scalar
 from .._dispatch import apply
 from .._labels import Result, like
+from .._messages import explained
 from ..elliptic import carlson_rf, dc, jacobi, jacobi_complex, nc, sc
 
 ARGUMENTS = ("t", "theta0", "velocity0", "omega0")
@@ -73,6 +74,7 @@ def salas_22(
     velocity0: Real | Labelled = 0.0,
     omega0: Real | Labelled = 1.0,
 ) -> Labelled: ...
+@explained
 def salas_22(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
     """Salas (22): the angle through Jacobi's functions of the imaginary argument i omega0 t.
 
@@ -128,6 +130,7 @@ def salas_23(
     velocity0: Real | Labelled = 0.0,
     omega0: Real | Labelled = 1.0,
 ) -> Labelled: ...
+@explained
 def salas_23(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
     """Salas (23): the angle through Jacobi's functions of omega0 t.
 
@@ -182,6 +185,7 @@ def salas_24(
     velocity0: Real | Labelled = 0.0,
     omega0: Real | Labelled = 1.0,
 ) -> Labelled: ...
+@explained
 def salas_24(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
     """Salas (24): the angle through nc, dc and sc of omega0 t.
 
@@ -236,6 +240,7 @@ def juchem_neto(
     velocity0: Real | Labelled = 0.0,
     omega0: Real | Labelled = 1.0,
 ) -> Labelled: ...
+@explained
 def juchem_neto(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
     """Juchem Neto's formula as Horsley gives it in (3), with its two slips mended.
 

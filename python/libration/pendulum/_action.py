@@ -18,6 +18,7 @@ import numpy as np
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from .._messages import explained
 from ._results import ACTION, FREQUENCY, MOTION, PHASE
 
 
@@ -38,6 +39,7 @@ def action(
     out: Labelled | None = None,
     where: Mask = True,
 ) -> Labelled: ...
+@explained
 def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Action of pendulums in the states (theta, velocity).
 
@@ -91,6 +93,7 @@ def frequency(
     out: Labelled | None = None,
     where: Mask = True,
 ) -> Labelled: ...
+@explained
 def frequency(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Mean angular frequency of pendulums in the states (theta, velocity), negative in rotation downwards.
 
@@ -144,6 +147,7 @@ def phase(
     out: Labelled | None = None,
     where: Mask = True,
 ) -> Labelled: ...
+@explained
 def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Phase of pendulums in the states (theta, velocity).
 
@@ -211,6 +215,7 @@ def from_action_phase(
     out: tuple[Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> tuple[Labelled, Labelled]: ...
+@explained
 def from_action_phase(
     action: Any,
     phase: Any,

@@ -2,6 +2,7 @@
 
 from enum import StrEnum
 
+from .._messages import explained
 from .._scalars import count
 from ._fourier import Fourier
 from ._orbit import Orbit
@@ -102,6 +103,7 @@ class Constants(Orbit):
         """
         return self._orbit.frequency
 
+    @explained
     def fourier(self, n: int) -> Fourier:
         """First `n` amplitudes of the exact Fourier series of angle and velocity in the phase.
 

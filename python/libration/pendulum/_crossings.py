@@ -1,6 +1,7 @@
 """When an orbit is at an angle, and when it turns back."""
 
 from .._arrays import Floats
+from .._messages import explained
 from .._scalars import real
 from ._constants import Constants
 
@@ -10,6 +11,7 @@ class Crossings(Constants):
 
     __slots__ = ()
 
+    @explained
     def times(self, theta: float, start: float, stop: float) -> Floats:
         """All times from `start` to `stop`, both included, at which the angle is `theta`.
 
@@ -46,6 +48,7 @@ class Crossings(Constants):
         """
         return self._orbit.times(real("theta", theta), real("start", start), real("stop", stop))
 
+    @explained
     def turning_times(self, start: float, stop: float) -> Floats:
         """All times from `start` to `stop`, both included, at which the pendulum turns back.
 

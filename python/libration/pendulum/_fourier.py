@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from .._messages import explained
 from ._results import DISTORTION
 
 
@@ -35,6 +36,7 @@ def harmonic_distortion(theta_max: Scalar, *, out: None = None, where: bool = Tr
 def harmonic_distortion(theta_max: Real, *, out: Floats | None = None, where: Mask = True) -> Floats: ...
 @overload
 def harmonic_distortion(theta_max: Real | Labelled, *, out: Labelled | None = None, where: Mask = True) -> Labelled: ...
+@explained
 def harmonic_distortion(theta_max: Any, *, out: Any = None, where: Any = True) -> Any:
     """Loss of harmonicity of a swing: the norm of the higher harmonics of its angle, over the first.
 

@@ -17,6 +17,7 @@ import numpy as np
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
+from .._messages import explained
 from ._results import MOTION, THETA, VELOCITY
 
 
@@ -38,6 +39,7 @@ def theta(
     out: Labelled | None = None,
     where: Mask = True,
 ) -> Labelled: ...
+@explained
 def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Angle of pendulums at the times `t`, continuous through whole turns.
 
@@ -102,6 +104,7 @@ def velocity(
     out: Labelled | None = None,
     where: Mask = True,
 ) -> Labelled: ...
+@explained
 def velocity(
     t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True
 ) -> Any:
@@ -171,6 +174,7 @@ def motion(
     out: tuple[Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> tuple[Labelled, Labelled]: ...
+@explained
 def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """Angle and angular velocity of pendulums at the times `t`, together: ``(theta, velocity)``.
 
@@ -238,6 +242,7 @@ def advance(
     out: tuple[Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> tuple[Labelled, Labelled]: ...
+@explained
 def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
     """State of pendulums a time `dt` later: ``(theta, velocity)``.
 
@@ -281,6 +286,8 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     return apply(_core.advance, theta, velocity, dt, omega0, results=MOTION, out=out, where=where)
 
 
-def _one_orbit(*arguments: Any) -> bool:
+def _one_orbit(theta0: Any, velocity0: Any, omega0: Any) -> bool:
     """Whether no orbit argument has dimensions."""
-    return all(type(argument) is float or np.ndim(argument) == 0 for argument in arguments)
+    if type(theta0) is type(velocity0) is type(omega0) is float:
+        return True
+    return not (np.ndim(theta0) or np.ndim(velocity0) or np.ndim(omega0))

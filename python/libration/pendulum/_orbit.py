@@ -1,12 +1,48 @@
 """What an orbit is made of: its strict set-up from a state or from action and phase, kept in compiled form."""
 
+import math
+import sys
+import warnings
 from typing import Any, Self
 
 import numpy as np
 
 from .. import _core
 from .._immutable import Immutable
-from .._scalars import real
+from .._messages import explained
+from .._scalars import radians, real
+
+TWO_TURNS = 4 * math.pi
+
+
+def _warn_of_radians(theta0: float) -> None:
+    """Say how a large angle was taken, where the call comes from outside of this package."""
+    # Above this function stand the constructor, what explains its errors, and the one who calls it.
+    caller = sys._getframe(3).f_globals.get("__name__", "")
+    if caller.partition(".")[0] == __name__.partition(".")[0]:
+        return
+    rest = math.remainder(theta0, math.tau)
+    turns = round((theta0 - rest) / math.tau)
+    warnings.warn(
+        f"theta0 = {theta0!r} is in radians: {turns:.6g} whole turns and {math.degrees(rest):.4g} degrees; "
+        f"for degrees write Pendulum.degrees({theta0!r})",
+        UserWarning,
+        stacklevel=4,
+    )
+
+
+def _frequency(omega0: Any, omega2: Any, length: Any, gravity: Any) -> dict[str, float]:
+    """The numbers that state the frequency, by name; those that are not given are left out."""
+    given = {}
+    if omega0 is not None:
+        given["omega0"] = real("omega0", omega0)
+    if omega2 is not None:
+        given["omega2"] = real("omega2", omega2)
+    if length is not None:
+        given["length"] = real("length", length)
+    if gravity is not None:
+        given["gravity"] = real("gravity", gravity)
+    return given
 
 
 class Orbit(Immutable):
@@ -18,6 +54,7 @@ class Orbit(Immutable):
     _operands: tuple[np.ndarray, ...]
     _orbit: _core.Orbit
 
+    @explained
     def __new__(
         cls,
         theta0: float,
@@ -28,9 +65,11 @@ class Orbit(Immutable):
         length: float | None = None,
         gravity: float | None = None,
     ) -> Self:
-        given = {"omega0": omega0, "omega2": omega2, "length": length, "gravity": gravity}
-        frequency = {name: real(name, value) for name, value in given.items() if value is not None}
-        orbit = _core.Orbit(real("theta0", theta0), real("velocity0", velocity0), **frequency)
+        frequency = _frequency(omega0, omega2, length, gravity)
+        theta0 = real("theta0", theta0)
+        orbit = _core.Orbit(theta0, real("velocity0", velocity0), **frequency)
+        if abs(theta0) > TWO_TURNS and velocity0 == 0:
+            _warn_of_radians(theta0)
         self = super().__new__(cls)
         object.__setattr__(self, "_frequency", frequency or {"omega0": 1.0})
         # As arrays without dimensions: NumPy takes them as they are, in half the time it needs for Python's numbers.
@@ -39,6 +78,58 @@ class Orbit(Immutable):
         return self
 
     @classmethod
+    @explained
+    def degrees(
+        cls,
+        theta0: float,
+        velocity0: float = 0.0,
+        *,
+        omega0: float | None = None,
+        omega2: float | None = None,
+        length: float | None = None,
+        gravity: float | None = None,
+    ) -> Self:
+        """Orbit from an initial angle in degrees and an initial angular velocity in degrees per second.
+
+        Everything the orbit answers is in radians. 180 degrees is pi, which no double is: ``theta0`` is then ``math.pi``, which
+        is 1.2e-16 below, and the pendulum swings with a long period, as ``Pendulum(math.pi)`` does. So do all odd multiples:
+        none of them rests upright.
+
+        Parameters
+        ----------
+        theta0 : scalar
+            Initial angle in degrees, finite.
+        velocity0 : scalar, default 0.0
+            Initial angular velocity in degrees per second, finite.
+        omega0, omega2, length, gravity : scalar, optional
+            As for `Pendulum`; omega0 is in rad/s.
+
+        Returns
+        -------
+        Pendulum
+
+        Raises
+        ------
+        ValueError
+            In one line: the argument, its value and what is allowed.
+
+        Notes
+        -----
+        Error promised: 0.5 ulp of each of the two; `math.radians`, which rounds twice, is often an ulp off. Source: pi to 60
+        digits, OEIS A000796.
+
+        Examples
+        --------
+        >>> import libration
+        >>> pendulum = libration.Pendulum.degrees(120, length=0.8)
+        >>> f"{pendulum.theta0:.6f} rad, period {pendulum.period:.6f} s"
+        '2.094395 rad, period 2.463746 s'
+        """
+        state = radians(real("theta0", theta0)), radians(real("velocity0", velocity0))
+        return cls(*state, **_frequency(omega0, omega2, length, gravity))
+
+    @classmethod
+    @explained
     def from_action_phase(
         cls,
         action: float,
@@ -89,8 +180,7 @@ class Orbit(Immutable):
         >>> f"{pendulum.theta0:.6f} {pendulum.action:.6f} {pendulum.phase(0.0):.6f}"
         '0.751444 1.000000 0.500000'
         """
-        given = {"omega0": omega0, "omega2": omega2, "length": length, "gravity": gravity}
-        frequency = {name: real(name, value) for name, value in given.items() if value is not None}
+        frequency = _frequency(omega0, omega2, length, gravity)
         place = real("action", action), real("phase", phase), real("direction", direction)
         return cls(*_core.Orbit.state_of(*place, **frequency), **frequency)
 
@@ -119,6 +209,16 @@ class Orbit(Immutable):
         Error promised: 1 ulp. Source: Salas (1).
         """
         return self._orbit.omega2
+
+    @property
+    def length(self) -> float | None:
+        """Length in m, as given, without error; None where the frequency was given by `omega0` or `omega2`."""
+        return self._frequency.get("length")
+
+    @property
+    def gravity(self) -> float | None:
+        """Acceleration of gravity in m/s**2, without error: as given, or 9.80665 beside a `length`; None without one."""
+        return self._orbit.operands[2] if "length" in self._frequency else None
 
     def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         return (), {"theta0": self.theta0, "velocity0": self.velocity0, **self._frequency}

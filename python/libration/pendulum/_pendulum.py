@@ -1,25 +1,27 @@
 """The class ``Pendulum``: one orbit of theta'' + omega0**2 sin(theta) = 0, set up once, exact in every regime.
 
-Here stands what depends on time; in _crossings.py when an angle is reached, in _constants.py what does not depend on time,
-in _orbit.py how an orbit is made. Single instants are answered without NumPy's machinery, arrays through the one-orbit
-ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
+Here stands what depends on time; in _plots.py its pictures, in _crossings.py when an angle is reached, in _constants.py
+what does not depend on time, in _orbit.py how an orbit is made. Single instants are answered without NumPy's machinery,
+arrays through the one-orbit ufuncs. Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
 """
 
 from __future__ import annotations
 
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from .. import _core
 from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import apply, tensor, unindexed
-from ._crossings import Crossings
+from .._immutable import Elsewhere
+from .._messages import explained, refuse
+from ._plots import Plots
 from ._results import MOTION, PHASE, SECOND_SENSITIVITIES, SENSITIVITIES, THETA, TURNS, VELOCITY
 from ._sensitivities import FIRST, SECOND, SYMMETRIC
 
 
-class Pendulum(Crossings):
+class Pendulum(Plots):
     """One orbit of the pendulum theta'' + omega0**2 sin(theta) = 0, exact in every regime.
 
     The angle is zero at the bottom and counts on continuously through whole turns. With the energy ratio
@@ -31,7 +33,7 @@ class Pendulum(Crossings):
     Parameters
     ----------
     theta0 : scalar
-        Initial angle in rad, finite.
+        Initial angle in rad, finite; `Pendulum.degrees` takes degrees.
     velocity0 : scalar, default 0.0
         Initial angular velocity in rad/s, finite.
     omega0 : scalar, optional
@@ -54,6 +56,9 @@ class Pendulum(Crossings):
 
     Notes
     -----
+    A release from rest (velocity0 = 0) beyond two turns, abs(theta0) > 4 pi, is taken and gives a ``UserWarning``: degrees
+    are often passed for radians. Functions of arrays of states never warn.
+
     A pendulum does not change. It is hashable, two are equal when their initial state and the numbers that state the
     frequency are equal (omega0=2 and omega2=4 are not), and a pickle rebuilds it bit for bit.
 
@@ -73,6 +78,15 @@ class Pendulum(Crossings):
     """
 
     __slots__ = ()
+
+    # Hidden from type checkers, so that they are errors there too.
+    if not TYPE_CHECKING:
+        amplitude = Elsewhere("theta_max")
+        T = Elsewhere("period")
+        g = Elsewhere("gravity")
+        L = Elsewhere("length")
+        omega = Elsewhere("omega0")
+        solve = Elsewhere("motion")
 
     @overload
     def theta(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -115,9 +129,12 @@ class Pendulum(Crossings):
         """
         if out is None and (type(t) is float or type(t) is np.float64):
             return self._orbit.theta(t)
-        if type(t) is np.ndarray:
-            return _core.orbit_theta(t, *self._operands, out)
-        return apply(_core.orbit_theta, t, *self._operands, results=(THETA,), out=out)
+        try:
+            if type(t) is np.ndarray:
+                return _core.orbit_theta(t, *self._operands, out)
+            return apply(_core.orbit_theta, t, *self._operands, results=(THETA,), out=out)
+        except (TypeError, ValueError) as error:
+            refuse(error, Pendulum.theta, (self, t, out))
 
     @overload
     def velocity(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -158,9 +175,12 @@ class Pendulum(Crossings):
         """
         if out is None and (type(t) is float or type(t) is np.float64):
             return self._orbit.velocity(t)
-        if type(t) is np.ndarray:
-            return _core.orbit_velocity(t, *self._operands, out)
-        return apply(_core.orbit_velocity, t, *self._operands, results=(VELOCITY,), out=out)
+        try:
+            if type(t) is np.ndarray:
+                return _core.orbit_velocity(t, *self._operands, out)
+            return apply(_core.orbit_velocity, t, *self._operands, results=(VELOCITY,), out=out)
+        except (TypeError, ValueError) as error:
+            refuse(error, Pendulum.velocity, (self, t, out))
 
     @overload
     def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
@@ -196,7 +216,10 @@ class Pendulum(Crossings):
         """
         if type(t) is float or type(t) is np.float64:
             return self._orbit.motion(t)
-        return apply(_core.orbit_motion, t, *self._operands, results=MOTION)
+        try:
+            return apply(_core.orbit_motion, t, *self._operands, results=MOTION)
+        except (TypeError, ValueError) as error:
+            refuse(error, Pendulum.motion, (self, t))
 
     @overload
     def turns(self, t: Scalar) -> tuple[np.int64, np.float64]: ...
@@ -234,7 +257,10 @@ class Pendulum(Crossings):
         """
         if type(t) is float or type(t) is np.float64:
             return self._orbit.turns(t)
-        return apply(_core.turns, t, *self._operands, results=TURNS)
+        try:
+            return apply(_core.turns, t, *self._operands, results=TURNS)
+        except (TypeError, ValueError) as error:
+            refuse(error, Pendulum.turns, (self, t))
 
     @overload
     def phase(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -274,7 +300,10 @@ class Pendulum(Crossings):
         >>> f"{pendulum.phase(0.0):.6f} {pendulum.phase(pendulum.period):.6f}"
         '1.570796 7.853982'
         """
-        return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
+        try:
+            return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
+        except (TypeError, ValueError) as error:
+            refuse(error, Pendulum.phase, (self, t, out))
 
     @overload
     def sensitivities(self, t: Scalar | Array) -> Floats: ...
@@ -282,6 +311,7 @@ class Pendulum(Crossings):
     def sensitivities(self, t: Stacked) -> Stacked: ...
     @overload
     def sensitivities(self, t: Indexed) -> Floats: ...
+    @explained
     def sensitivities(self, t: Any) -> Any:
         """Derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
 
@@ -322,6 +352,7 @@ class Pendulum(Crossings):
     def second_sensitivities(self, t: Stacked) -> Stacked: ...
     @overload
     def second_sensitivities(self, t: Indexed) -> Floats: ...
+    @explained
     def second_sensitivities(self, t: Any) -> Any:
         """Second derivatives of angle and velocity by the initial angle, the initial velocity and omega0, at the times `t`.
 

@@ -10,6 +10,7 @@ from typing import Any, overload
 from .. import _core
 from .._arrays import Floats, Indexed, Real, Stacked
 from .._dispatch import apply, tensor, unindexed
+from .._messages import explained
 from ._results import SENSITIVITIES
 
 BY = ("theta0", "velocity0", "omega0")
@@ -29,6 +30,7 @@ def sensitivities(
 def sensitivities(
     t: Real | Indexed, theta0: Real | Indexed, velocity0: Real | Indexed = 0.0, omega0: Real | Indexed = 1.0
 ) -> Floats: ...
+@explained
 def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
     """Derivatives of the state a time `t` after (theta0, velocity0), by theta0, velocity0 and omega0.
 

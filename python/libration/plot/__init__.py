@@ -13,11 +13,12 @@ b'PNG'
 """
 
 from ._comparison import plot_comparison
-from ._motion import linear_theta, plot_motion
-from ._periods import plot_periods
+from ._linear import linear_theta
+from ._motion import plot_motion
+from ._periods import plot_period, plot_periods
 from ._springs import plot_oscillator
 
-__all__ = ["linear_theta", "plot_comparison", "plot_motion", "plot_oscillator", "plot_periods"]
+__all__ = ["linear_theta", "plot_comparison", "plot_motion", "plot_oscillator", "plot_period", "plot_periods"]
 
 
 def __dir__() -> list[str]:

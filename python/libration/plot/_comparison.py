@@ -1,21 +1,45 @@
 """Pictures of approximations: the angle over time above their errors, as Lima draws them."""
 
+from __future__ import annotations
+
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..pendulum import Pendulum
-from ._style import BLACK, DASHED, DOTTED, EXACT, SEPARATRIX, head, legend, number, quiet, save_figure
+from ._axes import given_or_new, named, once
+from ._language import ENGLISH, Language
+from ._style import (
+    BLACK,
+    DASHED,
+    DOTTED,
+    EXACT,
+    GREEN,
+    OCHRE,
+    PURPLE,
+    SEPARATRIX,
+    SKY,
+    head,
+    legend,
+    logarithmic,
+    look,
+    quiet,
+    save_figure,
+    sizes,
+    spans_decades,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 # Colour and dash: told apart in grey too; the first two are those of the papers' figures.
 STYLES = (
     (SEPARATRIX, DOTTED),
     (EXACT, DASHED),
-    ("#2e7d32", (0, (6, 2, 1, 2))),
-    ("#8e44ad", (0, (3, 1))),
-    ("#b9770e", (0, (8, 2))),
-    ("#0e7c7b", (0, (2, 2))),
+    (GREEN, (0, (6, 2, 1, 2))),
+    (PURPLE, (0, (3, 1))),
+    (OCHRE, (0, (8, 2))),
+    (SKY, (0, (2, 2))),
 )
 INSTANTS = 2000
 # More periods than this would be a solid band: the first are drawn.
@@ -23,9 +47,20 @@ SHOWN_PERIODS = 12
 
 
 def plot_comparison(
-    pendulum: Pendulum, solutions: Any, path: Any, *, periods: float = 1.0, form: str | None = None
+    pendulum: Any,
+    solutions: Any,
+    path: Any,
+    *,
+    periods: float = 1.0,
+    form: str | None = None,
+    title: str | None = None,
+    dpi: float = 100,
+    lang: str = "en",
 ) -> None:
     """Draw approximations beside the exact angle, and below their errors in percent of the turning angle.
+
+    Where the largest errors span decades, their size is drawn on a logarithmic axis. Into axes of your own:
+    `libration.approx.compare`.
 
     Parameters
     ----------
@@ -38,12 +73,20 @@ def plot_comparison(
     periods : float, default 1
         How many periods; of more than twelve the first twelve.
     form : str, optional
-        `png` or `svg`; by default the ending of `path`.
+        `png` or `svg`; by default the ending of `path`. The text of an SVG is text.
+    title : str, optional
+        The line above the picture; by default it says the state, the regime and the period. An empty one leaves it out.
+    dpi : scalar, default 100
+        Dots per inch of a PNG of 9 by 6.5 inches, from 20 to 1200.
+    lang : str, default "en"
+        `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
 
     Raises
     ------
     ImportError
         If matplotlib is missing.
+    ValueError
+        If `dpi` or `lang` is none of those.
 
     Examples
     --------
@@ -55,60 +98,136 @@ def plot_comparison(
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    save_figure({form: path}, (9, 6.5), lambda figure: draw_comparison(figure, pendulum, solutions, periods))
+    say = Language(lang)
+
+    def draw(figure: Any) -> None:
+        draw_comparison(figure, pendulum, solutions, periods, say)
+        head(figure, headline(pendulum, say) if title is None else title)
+
+    save_figure({form: path}, (9, 6.5), draw, dpi=dpi)
 
 
-def draw_comparison(figure: Any, pendulum: Pendulum, solutions: Any, periods: float) -> None:
+def headline(pendulum: Any, say: Language = ENGLISH) -> str:
+    """State, regime and period in one line."""
+    start = rf"$\theta_0$ = {say.number(math.degrees(pendulum.theta0), 7)}°"
+    if pendulum.velocity0:
+        start += rf", $\dot\theta_0$ = {say.number(pendulum.velocity0)} rad/s"
+    words = "{start}: rotation, T = {period} s"
+    if pendulum.regime == "libration":
+        words = "{start}: libration, T = {period} s"
+    return say.word(words, start=start, period=say.number(pendulum.period))
+
+
+def comparison_axes(pendulum: Any, solutions: Any, periods: float, ax: Any, lang: str) -> Axes:
+    """Draw the angles into axes of the user, or both panels into a new figure; return those of the angles."""
+    say = Language(lang)
+    upper, new = given_or_new(ax, (7.5, 5.6))
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        if new:
+            figure = upper.figure
+            upper.remove()
+            draw_comparison(figure, pendulum, solutions, periods, say)
+            return figure.axes[0]
+        draw_angles(upper, pendulum, solutions, periods, say)
+    upper.set_xlabel(abscissa(pendulum, solutions, periods, say))
+    say.ticks(upper)
+    named(upper, new)
+    return upper
+
+
+def error_axes(pendulum: Any, solutions: Any, periods: float, ax: Any, lang: str) -> Axes:
+    """Draw the errors into axes of the user or new ones, and return them."""
+    say = Language(lang)
+    axes, new = given_or_new(ax, (7.5, 4.2))
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        draw_errors(axes, pendulum, solutions, periods, say)
+    axes.set_xlabel(abscissa(pendulum, solutions, periods, say))
+    say.ticks(axes)
+    named(axes, new)
+    return axes
+
+
+def draw_comparison(figure: Any, pendulum: Any, solutions: Any, periods: float, say: Language = ENGLISH) -> None:
     """Both panels, over time in periods."""
-    shown = min(periods, SHOWN_PERIODS)
-    part = np.linspace(0.0, shown, INSTANTS + 1)
-    t = part * pendulum.period
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.1))
+    for axes in (upper, lower):
+        quiet(axes)
+    draw_angles(upper, pendulum, solutions, periods, say)
+    draw_errors(lower, pendulum, solutions, periods, say)
+    lower.set_xlabel(abscissa(pendulum, solutions, periods, say))
+    say.ticks(upper, lower)
+    legend(upper)
+
+
+def grid(pendulum: Any, periods: float) -> tuple[np.ndarray, np.ndarray]:
+    """Instants in periods and in s."""
+    part = np.linspace(0.0, min(periods, SHOWN_PERIODS), INSTANTS + 1)
+    return part, part * pendulum.period
+
+
+def draw_angles(axes: Any, pendulum: Any, solutions: Any, periods: float, say: Language) -> None:
+    """The exact angle and those of the approximations; hatched where one is undefined."""
+    part, t = grid(pendulum, periods)
     exact = pendulum.theta(t)
-    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
-    upper.plot(part, exact, color=BLACK, lw=1.8, label="exact")
-    swings = math.isfinite(pendulum.theta_max)
+    axes.plot(part, exact, color=BLACK, lw=1.8, label=once(axes, say.word("exact")))
     gaps = 0
     for number_of, (name, solution) in enumerate(solutions):
-        color, dash = style(number_of)
+        color, dash = look(STYLES, number_of)
         theta = solution.theta(t)
-        gap = np.isnan(theta)
-        upper.plot(part, theta, color=color, ls=dash, lw=1.6, label=name)
-        # The approximations know their error beyond the rounding of the angle.
-        error = solution.difference(t) if hasattr(solution, "difference") else theta - exact
-        lower.plot(part, 100 * error / pendulum.theta_max if swings else error, color=color, ls=dash, lw=1.6)
-        if gap.any():
-            hatch(upper, part, gap, color, gaps)
+        axes.plot(part, theta, color=color, ls=dash, lw=1.6, label=name)
+        if np.isnan(theta).any():
+            hatch(axes, part, np.isnan(theta), color, gaps)
             gaps += 1
     # What runs away leaves the picture, so that the others can be told apart.
     room = 0.5 * np.ptp(exact)
-    within(upper, exact.min() - room, exact.max() + room)
-    within(lower, *((-100 * room / pendulum.theta_max, 100 * room / pendulum.theta_max) if swings else (-room, room)))
-    upper.set_ylabel(r"$\theta$ [rad]")
-    lower.set_ylabel(r"error [% of $\theta_{max}$]" if swings else "error [rad]")
-    lower.axhline(0.0, color=BLACK, lw=0.8)
-    lower.set_xlim(0.0, shown)
-    span = "" if shown == periods else f", the first {shown} of {periods:.6g} periods"
-    lower.set_xlabel(f"t / T{span}{'; hatched: undefined' if gaps else ''}")
-    for axes in (upper, lower):
-        quiet(axes)
-    legend(upper)
-    state = rf"$\theta_0$ = {number(math.degrees(pendulum.theta0), 7)}°"
-    if pendulum.velocity0:
-        state += rf", $\dot\theta_0$ = {number(pendulum.velocity0)} rad/s"
-    head(figure, f"{state}: {pendulum.regime}, T = {number(pendulum.period)} s")
+    within(axes, exact.min() - room, exact.max() + room)
+    axes.set_xlim(0.0, part[-1])
+    axes.set_ylabel(r"$\theta$ [rad]")
+
+
+def draw_errors(axes: Any, pendulum: Any, solutions: Any, periods: float, say: Language) -> None:
+    """The errors; their size on a logarithmic axis where they span decades."""
+    part, t = grid(pendulum, periods)
+    exact = pendulum.theta(t)
+    swings = math.isfinite(pendulum.theta_max)
+    unit = 100 / pendulum.theta_max if swings else 1.0
+    # The approximations know their error beyond the rounding of the angle.
+    errors = [
+        unit * (solution.difference(t) if hasattr(solution, "difference") else solution.theta(t) - exact)
+        for _, solution in solutions
+    ]
+    room = 0.5 * unit * np.ptp(exact)
+    decades = spans_decades(errors, 2 * room)
+    for number_of, ((name, _), error) in enumerate(zip(solutions, errors, strict=True)):
+        color, dash = look(STYLES, number_of)
+        axes.plot(part, sizes(error) if decades else error, color=color, ls=dash, lw=1.6, label=name)
+    percent = "error [% of θmax]" if swings else "error [rad]"
+    if decades:
+        logarithmic(axes, errors, 2 * room)
+        percent = "|error| [% of θmax]" if swings else "|error| [rad]"
+    else:
+        within(axes, -room, room)
+        axes.axhline(0.0, color=BLACK, lw=0.8)
+    axes.set_ylabel(say.word(percent).replace("θmax", r"$\theta_\mathrm{max}$"))
+    axes.set_xlim(0.0, part[-1])
+
+
+def abscissa(pendulum: Any, solutions: Any, periods: float, say: Language) -> str:
+    """What the axis of time says."""
+    part, t = grid(pendulum, periods)
+    text = "t / T"
+    if part[-1] < periods:
+        words = "{axis}, the first {shown} of {all} periods"
+        text = say.word(words, axis=text, shown=say.number(part[-1]), all=say.number(periods))
+    if any(np.isnan(solution.theta(t)).any() for _, solution in solutions):
+        text = say.word("{axis}; hatched: undefined", axis=text)
+    return text
 
 
 def within(axes: Any, low: float, high: float) -> None:
     """Keeps the limits that the curves ask for within others."""
     bottom, top = axes.get_ylim()
     axes.set_ylim(max(bottom, low), min(top, high))
-
-
-def style(number_of: int) -> tuple[str, Any]:
-    """Colour and dash of a curve: the first six are told apart in grey too, and no two of thirty-six are alike."""
-    color, _ = STYLES[number_of % len(STYLES)]
-    _, dash = STYLES[(number_of + number_of // len(STYLES)) % len(STYLES)]
-    return color, dash
 
 
 def hatch(axes: Any, part: np.ndarray, gap: np.ndarray, color: str, row: int) -> None:

@@ -1,30 +1,139 @@
-"""Picture of the period against the turning angle: every formula beside the exact one, and its error."""
+"""Pictures of the period against the turning angle: chosen formulas in one panel, all of them family by family."""
+
+from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..approx import period
+from ..approx import PeriodFormula, period
 from ..approx._period import listed
-from ._style import BLACK, head, quiet, save_figure
+from ._axes import given_or_new, named
+from ._language import ENGLISH, Language
+from ._style import (
+    BLACK,
+    DASHED,
+    DOTTED,
+    EXACT,
+    FAINT,
+    GREEN,
+    LINEAR,
+    OCHRE,
+    PURPLE,
+    SEPARATRIX,
+    SKY,
+    head,
+    look,
+    quiet,
+    save_figure,
+)
 
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from matplotlib.axes import Axes
+
+# What `plot_period` draws if nobody says: one formula of each kind.
+CHOSEN = ("linear", "bernoulli", "kidd-fogg", "lima-arun", "agm:2", "cromer")
 # One curve under two names is drawn once.
-SAME = {"belendez": " = agm:2"}
-# Two hues for every family, told apart by dashes.
-COLOURS = ("#1f5fa8", "#c0392b", "#2e7d32", "#8e44ad", "#b9770e", "#0e7c7b", "#6d4c41", "#546e7a")
-DASHES = ("solid", (0, (5, 2)), (0, (1, 1.2)))
+SAME = {"agm:2": "agm:2 = belendez"}
+# Each family has a panel; what is in none has the last.
+FAMILIES = {
+    "powers of the angle": ("linear", "bernoulli", "series:4", "series:8"),
+    "sine and cosine of the angle": ("kidd-fogg", "molina", "ganley-parwani", "denman"),
+    "logarithms": ("lima-arun", "cromer", "chachiyo"),
+    "arithmetic-geometric mean": ("agm:1", "agm:2", "agm:3", "agm:4"),
+    "rational in m": ("salas-26", "salas-27", "salas-28"),
+}
+OTHERS = "other formulas"
+STYLES = (
+    (EXACT, "solid"),
+    (SEPARATRIX, DASHED),
+    (GREEN, DOTTED),
+    (PURPLE, (0, (6, 2, 1, 2))),
+    (OCHRE, (0, (8, 2))),
+    (SKY, (0, (3, 1))),
+)
 ANGLES = 1200
 # A double shows no smaller error of a ratio.
 LEAST = 1e-16
-# A curve is shaded to this factor on both sides.
-WIDE = 2.5
+HIGHEST = 4.0
+# Degrees that a letter of a name takes on the axis of a panel.
+WIDTH = 4.4
+TURNING, RATIO = r"$\theta_\mathrm{max}$", r"$T / T_0$"
 
 
-def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None = None) -> None:
-    """Draw T/T0 against the turning angle by every formula, and below the size of its relative error.
+def plot_period(
+    ax: Axes | None = None,
+    *,
+    formulas: Iterable[str] = CHOSEN,
+    error: bool = False,
+    theta_max: float | None = None,
+    lang: str = "en",
+) -> Axes:
+    """Draw the period over that of small swings against the turning angle, exact and by chosen formulas.
 
-    Where an author states a range, the error of the formula is shaded over it.
+    Parameters
+    ----------
+    ax : Axes, optional
+        Where to draw; by default a new figure. Axes that are given keep their look, and no setting is changed.
+    formulas : iterable of str
+        Names of `libration.approx.period`; by default one formula of each kind.
+    error : bool, default False
+        Whether to draw the size of the relative error instead, on a logarithmic axis.
+    theta_max : float, optional
+        A turning angle in rad to be marked.
+    lang : str, default "en"
+        `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
+
+    Returns
+    -------
+    Axes
+        Those drawn into; the turning angle is in degrees.
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is missing.
+    ValueError
+        If a formula is not known, or `ax` or `lang` is none of those.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from libration.plot import plot_period
+    >>> ax = plot_period(Figure().subplots(), formulas=["bernoulli", "agm:2"])
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['exact', 'bernoulli', 'agm:2']
+    """
+    say = Language(lang)
+    if isinstance(formulas, str):
+        raise ValueError(f"formulas = {formulas!r}: must be a list of names, as [{formulas!r}]")
+    made = [period(name) for name in formulas]
+    axes, new = given_or_new(ax)
+    draw = draw_errors if error else draw_ratios
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        draw(axes, made, say)
+    axes.set_xlabel(say.word("turning angle θmax [degrees]").replace("θmax", TURNING))
+    mark(axes, theta_max)
+    say.ticks(axes)
+    named(axes, new)
+    return axes
+
+
+def plot_periods(
+    path: Any,
+    *,
+    theta_max: float | None = None,
+    form: str | None = None,
+    title: str | None = None,
+    dpi: float = 100,
+    lang: str = "en",
+) -> None:
+    """Draw T/T0 against the turning angle, and the size of the relative error of every formula, family by family.
+
+    Where an author states a range, the curve of the formula is broad over it. Into axes of your own: `plot_period`.
 
     Parameters
     ----------
@@ -33,12 +142,20 @@ def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None 
     theta_max : float, optional
         A turning angle in rad to be marked.
     form : str, optional
-        `png` or `svg`; by default the ending of `path`.
+        `png` or `svg`; by default the ending of `path`. The text of an SVG is text.
+    title : str, optional
+        The line above the picture; an empty one leaves it out.
+    dpi : scalar, default 100
+        Dots per inch of a PNG of 12 by 7.4 inches, from 20 to 1200.
+    lang : str, default "en"
+        `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
 
     Raises
     ------
     ImportError
         If matplotlib is missing.
+    ValueError
+        If `dpi` or `lang` is none of those.
 
     Examples
     --------
@@ -49,33 +166,145 @@ def plot_periods(path: Any, *, theta_max: float | None = None, form: str | None 
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    save_figure({form: path}, (11, 8), lambda figure: draw_periods(figure, theta_max))
+    say = Language(lang)
+
+    def draw(figure: Any) -> None:
+        draw_periods(figure, theta_max, say)
+        head(figure, say.word("Period of a pendulum against its turning angle") if title is None else title)
+
+    save_figure({form: path}, (12, 7.4), draw, dpi=dpi)
 
 
-def draw_periods(figure: Any, theta_max: float | None) -> None:
-    """Both panels and the legend beside them."""
-    # Denser towards the top, where the period runs away.
+def families() -> dict[str, list[PeriodFormula]]:
+    """Every formula once, by its family."""
+    shown = {formula.name: formula for formula in listed() if formula.name != "belendez"}
+    found = {family: [shown.pop(name) for name in names if name in shown] for family, names in FAMILIES.items()}
+    return found | ({OTHERS: list(shown.values())} if shown else {})
+
+
+def draw_periods(figure: Any, theta_max: float | None, say: Language = ENGLISH) -> None:
+    """The ratios, and a panel of errors for each family over the others in grey."""
+    groups = families()
+    panels = figure.subplots(math.ceil((1 + len(groups)) / 3), 3, sharex=True).flatten()
+    first, *rest = panels[: 1 + len(groups)]
+    for spare in panels[1 + len(groups) :]:
+        spare.remove()
+    every = [formula for group in groups.values() for formula in group]
+    for axes in (first, *rest):
+        quiet(axes)
+    first.set_title(say.word("T/T₀, exact and every formula"), fontsize=11, loc="left")
+    draw_ratios(first, [], say, every)
+    exact = float(period("exact").ratio(math.radians(120)))
+    first.annotate(say.word("exact"), (120, exact), (-6, 6), textcoords="offset points", ha="right", color=BLACK)
+    for axes, (family, group) in zip(rest, groups.items(), strict=True):
+        axes.set_title(say.word(family), fontsize=11, loc="left")
+        draw_errors(axes, group, say, [formula for formula in every if formula not in group])
+        label_curves(axes)
+    for number_of, axes in enumerate((first, *rest)):
+        mark(axes, theta_max)
+        say.ticks(axes)
+        if number_of > 1 and number_of % 3:
+            axes.set_ylabel("")
+    first.set_xticks(range(0, 181, 30))
+    broad = say.word("turning angle θmax [degrees]; broad: the range that its author states")
+    figure.supxlabel(broad.replace("θmax", TURNING), fontsize=10)
+
+
+def angles() -> tuple[np.ndarray, np.ndarray]:
+    """Turning angles in degrees and rad, denser towards the top, where the period runs away."""
     degrees = 180 * np.sin(np.linspace(0, math.pi / 2, ANGLES + 2)[1:-1])
-    angles = np.radians(degrees)
-    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.6))
-    upper.plot(degrees, period("exact").ratio(angles), color=BLACK, lw=2.2, label="exact", zorder=5)
-    for number, formula in enumerate(formula for formula in listed() if formula.name != "agm:2"):
-        color, dash = COLOURS[number % len(COLOURS)], DASHES[number // len(COLOURS) % len(DASHES)]
-        label = formula.name + SAME.get(formula.name, "")
-        upper.plot(degrees, formula.ratio(angles), color=color, ls=dash, lw=1.2, label=label)
-        error = np.abs(formula.error(angles))
-        lower.plot(degrees, error, color=color, ls=dash, lw=1.4)
+    return degrees, np.radians(degrees)
+
+
+def draw_ratios(axes: Any, formulas: list[PeriodFormula], say: Language, faint: Any = ()) -> None:
+    """T/T0, exact and by formulas; those that are faint are the background."""
+    degrees, theta_max = angles()
+    for formula in faint:
+        axes.plot(degrees, formula.ratio(theta_max), color=FAINT, lw=0.9, zorder=1.5)
+    exact = say.word("exact")
+    axes.plot(degrees, period("exact").ratio(theta_max), color=BLACK, lw=2.2, label=exact, zorder=3)
+    for number_of, formula in enumerate(formulas):
+        color, dash = look(STYLES, number_of)
+        axes.plot(degrees, formula.ratio(theta_max), color=color, ls=dash, lw=1.5, label=formula.name)
+    axes.set(xlim=(0, 180), ylim=(0.8, HIGHEST), ylabel=RATIO)
+
+
+def draw_errors(axes: Any, formulas: list[PeriodFormula], say: Language, faint: Any = ()) -> None:
+    """The size of the relative errors on a logarithmic axis."""
+    degrees, theta_max = angles()
+    for formula in faint:
+        axes.plot(degrees, size(formula, theta_max), color=FAINT, lw=0.9, zorder=1.5)
+    for number_of, formula in enumerate(formulas):
+        color, dash = look(STYLES, number_of)
+        error = size(formula, theta_max)
+        axes.plot(degrees, error, color=color, ls=dash, lw=1.6, label=SAME.get(formula.name, formula.name))
         if formula.stated_range:
             low, high = np.degrees(formula.stated_range)
-            inside = (low <= degrees) & (degrees <= high)
-            lower.fill_between(degrees, error / WIDE, error * WIDE, where=inside, color=color, alpha=0.2, lw=0)
-    for axes in (upper, lower):
-        if theta_max is not None:
-            axes.axvline(math.degrees(theta_max), color="#777777", lw=1, ls=(0, (2, 2)))
-        quiet(axes)
-    upper.set(ylim=(0.9, 4.0), ylabel=r"$T / T_0$")
-    lower.set(yscale="log", ylim=(LEAST, 3.0), xlim=(0, 180), ylabel="|relative error|")
-    lower.set_xlabel(r"$\theta_{max}$ [degrees]; shaded: the range that the author states")
-    lower.set_xticks(range(0, 181, 15))
-    figure.legend(*upper.get_legend_handles_labels(), loc="outside right center", frameon=False, fontsize=9.5)
-    head(figure, "Period of a pendulum against its turning angle")
+            inside = np.where((low <= degrees) & (degrees <= high), error, np.nan)
+            axes.plot(degrees, inside, color=color, lw=7, alpha=0.2, solid_capstyle="butt", zorder=1.8)
+    axes.set(yscale="log", ylim=(LEAST, 10.0), xlim=(0, 180), ylabel=say.word("|relative error|"))
+
+
+def size(formula: PeriodFormula, theta_max: np.ndarray) -> np.ndarray:
+    """The size of the error, without the zeros that a logarithm has not."""
+    error = np.abs(formula.error(theta_max))
+    return np.where(error > 0, error, np.nan)
+
+
+def mark(axes: Any, theta_max: float | None) -> None:
+    """A turning angle, marked."""
+    if theta_max is not None:
+        axes.axvline(math.degrees(theta_max), color=LINEAR, lw=1, ls=(0, (2, 2)), zorder=1.7)
+
+
+def label_curves(axes: Any) -> None:
+    """A name on every curve of a panel of errors, where it covers no other curve and no other name."""
+    curves = [line for line in axes.lines if not line.get_label().startswith("_")]
+    grid = np.arange(4.0, 177.0)
+    heights = [heights_at(grid, line) for line in curves]
+    taken: list[tuple[float, float, float]] = []
+    for line, height in zip(curves, heights, strict=True):
+        half = WIDTH * len(line.get_label()) / 2
+        others = [other for other in heights if other is not height]
+        where = [place for place in range(grid.size) if 5 + half <= grid[place] <= 172 - half]
+        best = max(where, key=lambda place: clear(place, half, grid, height, others, taken))
+        taken.append((grid[best], height[best], half))
+        axes.annotate(
+            line.get_label(),
+            (grid[best], 10 ** height[best]),
+            ha="center",
+            va="center",
+            fontsize=9,
+            color=line.get_color(),
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85},
+            zorder=4,
+        )
+
+
+def clear(
+    place: int,
+    half: float,
+    grid: np.ndarray,
+    height: np.ndarray,
+    others: list[np.ndarray],
+    taken: list[tuple[float, float, float]],
+) -> float:
+    """How far a name at a place is from the other curves and names, in decades; below 0 outside of the panel."""
+    x, y = grid[place], height[place]
+    if not math.log10(LEAST) + 1 < y < 0.3:
+        return -1.0
+    beside = np.abs(grid - x) <= half + 2
+    room = min((float(np.min(np.abs(other[beside] - y))) for other in others), default=9.0)
+    for other_x, other_y, other_half in taken:
+        if abs(x - other_x) < half + other_half + 4:
+            room = min(room, abs(y - other_y) - 1.0)
+    # Of places with room enough, one where the curve is flat: a name across a steep curve hides more of it.
+    steep = float(np.ptp(height[beside]))
+    return min(room, 1.6) - 0.25 * min(steep, 4.0)
+
+
+def heights_at(places: np.ndarray, line: Any) -> np.ndarray:
+    """The logarithm of a curve at some places."""
+    x, y = (np.asarray(data, dtype=float) for data in line.get_data())
+    height: np.ndarray = np.log10(np.interp(places, x, y))
+    return height

@@ -1,18 +1,29 @@
 """The picture of a nonlinear spring's motion: u(t), and the phase portrait with its separatrices."""
 
+from __future__ import annotations
+
 import math
 from typing import Any
 
 import numpy as np
 
 from ..oscillator._oscillator import Oscillator
-from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, legend, number, part_of, quiet, save
+from ._axes import named
+from ._language import ENGLISH, Language
+from ._potential import FAR, barriers, equilibria, potential, reach, scaled
+from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, part_of, quiet, save
 
-# Displacements of an escape are drawn up to this multiple of where it starts or turns.
-FAR = 4.0
 
-
-def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | None = None) -> None:
+def plot_oscillator(
+    oscillator: Oscillator,
+    t: Any,
+    path: Any,
+    *,
+    form: str | None = None,
+    title: str | None = None,
+    dpi: float = 100,
+    lang: str = "en",
+) -> None:
     """Draw u(t) beside the phase portrait and save the picture.
 
     Left: the displacement over the range of `t`, a dashed line at each escape, and a dot at each instant if they are few.
@@ -27,14 +38,21 @@ def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | No
     path : str, path or binary file
         Where to save.
     form : str, optional
-        `png` or `svg`; by default the ending of `path`.
+        `png` or `svg`; by default the ending of `path`. The text of an SVG is text.
+    title : str, optional
+        The line above the picture; by default it says the equation, the start and the regime. An empty one leaves it out.
+    dpi : scalar, default 100
+        Dots per inch of a PNG of 12 by 5 inches, from 20 to 1200.
+    lang : str, default "en"
+        `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
 
     Raises
     ------
     ImportError
         If matplotlib is missing.
     ValueError
-        If there is no finite instant; it or an OverflowError if the motion is too large for an axis (about 1e150).
+        If there is no finite instant, or `dpi` or `lang` is none of those; it or an OverflowError if the motion is too
+        large for an axis (about 1e150).
 
     Examples
     --------
@@ -46,76 +64,54 @@ def plot_oscillator(oscillator: Oscillator, t: Any, path: Any, *, form: str | No
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
-    t = finite(t)
-    panels = (lambda axes: draw_displacement(axes, oscillator, t)), (lambda axes: draw_portrait(axes, oscillator))
-    save(path, form, lambda: headline(oscillator), *panels)
+    t, say = finite(t), Language(lang)
+    panels = (
+        lambda axes: draw_displacement(axes, oscillator, t, say),
+        lambda axes: draw_portrait(axes, oscillator, say),
+    )
+    save(path, form, headline(oscillator, say) if title is None else title, *panels, dpi=dpi)
 
 
-def headline(oscillator: Oscillator) -> str:
+def headline(oscillator: Oscillator, say: Language = ENGLISH) -> str:
     """Equation, regime and what goes with it in one line."""
-    coefficients = ", ".join(f"{name} = {number(getattr(oscillator, name))}" for name in oscillator._names)
-    start = f"{coefficients}, u(0) = {number(oscillator.u0)}, u'(0) = {number(oscillator.velocity0)}: "
-    regime = str(oscillator.regime)
+    coefficients = ", ".join(f"{name} = {say.number(getattr(oscillator, name))}" for name in oscillator._names)
+    start = f"{coefficients}, u(0) = {say.number(oscillator.u0)}, u′(0) = {say.number(oscillator.velocity0)}"
+    regime = say.word(str(oscillator.regime))
     if math.isfinite(oscillator.period):
-        return f"{start}{regime}, period {number(oscillator.period)} s"
+        words = "{start}: {regime}, period {period} s"
+        return say.word(words, start=start, regime=regime, period=say.number(oscillator.period))
     ends = [end for end in (oscillator.escape_time_backward, oscillator.escape_time) if math.isfinite(end)]
+    if len(ends) == 2:
+        first, second = map(say.number, ends)
+        both = say.word("{first} s and {second} s", first=first, second=second)
+        return say.word("{start}: {regime} at t = {ends}", start=start, regime=regime, ends=both)
     if ends:
-        return f"{start}{regime} at t = {' and '.join(f'{number(end)} s' for end in ends)}"
-    return start + regime
+        return say.word("{start}: {regime} at t = {ends}", start=start, regime=regime, ends=f"{say.number(ends[0])} s")
+    return f"{start}: {regime}"
 
 
-def reach(oscillator: Oscillator) -> float:
-    """Half the width of the picture: the orbit if it is bounded, else some way on its way out."""
-    marks = [abs(oscillator.u0), *(abs(end) for end in oscillator.range if math.isfinite(end))]
-    marks += [abs(each) for each in equilibria(oscillator)]
-    widest = max(marks, default=0.0) or 1.0
-    bounded = all(math.isfinite(end) for end in oscillator.range)
-    return (1.25 if bounded else FAR / 2) * widest
-
-
-def polynomial(oscillator: Oscillator) -> list[float]:
-    """Coefficients of the force over u, rising powers of u**2."""
-    return [getattr(oscillator, name) for name in oscillator._names]
-
-
-def equilibria(oscillator: Oscillator) -> list[float]:
-    """Displacements other than 0 at which the force is 0."""
-    squares = np.roots(polynomial(oscillator)[::-1]) if any(polynomial(oscillator)[1:]) else np.empty(0)
-    return [sign * math.sqrt(s.real) for s in squares if abs(s.imag) < 1e-9 * abs(s) and s.real > 0 for sign in (-1, 1)]
-
-
-def potential(stiffness: list[float], x: Any) -> Any:
-    """Energy at rest at x."""
-    return sum(c * x ** (2 * k + 2) / (2 * k + 2) for k, c in enumerate(stiffness))
-
-
-def barriers(stiffness: list[float], resting: list[float]) -> list[float]:
-    """Energies at rest on the unstable equilibria, rising: those of the separatrices."""
-    tops = [x for x in resting if sum((2 * k + 1) * c * x ** (2 * k) for k, c in enumerate(stiffness)) < 0]
-    return sorted({float(potential(stiffness, x)) for x in tops})
-
-
-def draw_displacement(axes: Any, oscillator: Oscillator, t: np.ndarray) -> None:
+def draw_displacement(axes: Any, oscillator: Oscillator, t: np.ndarray, say: Language = ENGLISH) -> None:
     """The left panel: u over t, as far as it is in the picture."""
     first, last = t.min(), t.max()
     if first == last:
         first, last = sorted((0.0, first))
     fine, u = seen(oscillator, first, last)
-    axes.set_xlabel(part_of("t [s]", fine[0], fine[-1], first, last))
+    axes.set_xlabel(part_of("t [s]", fine[0], fine[-1], first, last, say))
     if last > first:
-        axes.plot(fine, u, color=EXACT, lw=2, label="exact")
+        axes.plot(fine, u, color=EXACT, lw=2, label=say.word("exact"))
         axes.set_xlim(fine[0], fine[-1])
     t = t[(fine[0] <= t) & (t <= fine[-1])]
     if 0 < t.size <= FEW:
-        axes.plot(t, oscillator.u(t), "o", ms=4, color=EXACT, label="instants")
-    label: str | None = "escape"
+        axes.plot(t, oscillator.u(t), "o", ms=4, color=EXACT, label=say.word("instants"))
+    label: str | None = say.word("escape")
     for end in (oscillator.escape_time_backward, oscillator.escape_time):
         if fine[0] <= end <= fine[-1]:
             axes.axvline(end, color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label=label)
             label = None
     axes.set_ylabel("u")
     quiet(axes)
-    legend(axes)
+    say.ticks(axes)
+    named(axes, new=True)
 
 
 def seen(oscillator: Oscillator, first: float, last: float) -> tuple[np.ndarray, np.ndarray]:
@@ -140,7 +136,7 @@ def seen(oscillator: Oscillator, first: float, last: float) -> tuple[np.ndarray,
         first, last = closer
 
 
-def draw_portrait(axes: Any, oscillator: Oscillator) -> None:
+def draw_portrait(axes: Any, oscillator: Oscillator, say: Language = ENGLISH) -> None:
     """The right panel: velocity over displacement, by the levels of the energy.
 
     Displacements count in units of the picture's half width and velocities in what the largest force makes of it, so
@@ -166,24 +162,17 @@ def draw_portrait(axes: Any, oscillator: Oscillator) -> None:
     saddles = [level for level in barriers(stiffness, resting) if low < level < high]
     if saddles:
         axes.contour(*scale, levels=saddles, colors=SEPARATRIX, linewidths=1.1, linestyles="dashed")
-    axes.plot(*along(oscillator, width), color=EXACT, lw=2, label="this motion")
+    axes.plot(*along(oscillator, width), color=EXACT, lw=2, label=say.word("this motion"))
     axes.plot([oscillator.u0], [oscillator.velocity0], "o", ms=6, color=EXACT, label="t = 0 s")
     if saddles:
-        axes.plot([], [], color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label="separatrix")
+        axes.plot([], [], color=SEPARATRIX, lw=1.1, ls=(0, (5, 3)), label=say.word("separatrix"))
+    axes.plot([], [], color=FAINT, lw=0.9, label=say.word("other energies"))
     axes.set(xlim=(-width, width), ylim=(scale[1][0], scale[1][-1]))
     axes.set_xlabel("u")
     axes.set_ylabel(r"$\dot u$")
     quiet(axes)
-    legend(axes)
-
-
-def scaled(oscillator: Oscillator, width: float) -> tuple[list[float], float]:
-    """Coefficients of the force where u counts in half widths and the largest of them is 1, and the rate that it stands for."""
-    stiffness = [c * width ** (2 * k) for k, c in enumerate(polynomial(oscillator))]
-    pull = max(map(abs, stiffness))
-    if not pull:
-        return stiffness, abs(oscillator.velocity0) / width or 1.0
-    return [c / pull for c in stiffness], math.sqrt(pull)
+    say.ticks(axes)
+    named(axes, new=True)
 
 
 def along(oscillator: Oscillator, width: float) -> tuple[np.ndarray, np.ndarray]:

@@ -1,19 +1,33 @@
 """How every picture looks: colours, frame, legend, ticks, and the way it is saved.
 
 matplotlib is needed only here (`pip install 'libration[plot]'`) and only its Figure is used: no pyplot, no global
-state, no window.
+state, no window. The colours are those of Okabe & Ito, which the colour-blind tell apart, darkened where a thin line or
+a word of that colour would be pale on white; no two lines of a panel differ by colour alone.
 """
 
+from __future__ import annotations
+
+import re
+from io import BytesIO
 from typing import Any
 
 import numpy as np
 
+from ._language import ENGLISH, Language
+
 BLACK = "#1a1a1a"
 DOTTED, DASHED = (0, (1, 1.4)), (0, (4.5, 3.2))
-EXACT = "#1f5fa8"
+EXACT, SEPARATRIX = "#0072b2", "#c44601"
+GREEN, PURPLE, OCHRE, SKY = "#00805e", "#a8447c", "#946c00", "#3a8fc4"
 LINEAR = "#8a8a8a"
-SEPARATRIX = "#b5442e"
 FAINT = "#d9d9d9"
+# The text of an SVG is text; where the first font is missing, one of nearly its widths is taken.
+FONTS = ("DejaVu Sans", "Verdana", "Segoe UI", "Roboto", "Helvetica Neue", "Arial", "Liberation Sans", "sans-serif")
+# The largest errors of a panel differ by more than this factor: its axis is logarithmic, and ends so many decades below
+# the smallest of them.
+WIDE, DECADES = 50.0, 2.0
+LEAST_DPI, MOST_DPI = 20, 1200
+MISSING = "a picture needs matplotlib: pip install 'libration[plot]'"
 # Of more than MANY swings or turns, only the first SHOWN are drawn over t.
 MANY, SHOWN = 60, 20
 # Instants are drawn as dots up to this number.
@@ -29,46 +43,86 @@ def finite(t: Any) -> np.ndarray:
     return instants
 
 
-def save(path: Any, form: str | None, title: Any, left: Any, right: Any) -> None:
+def save(path: Any, form: str | None, title: str, left: Any, right: Any, *, dpi: float = 100) -> None:
     """Draw a panel over time beside a phase portrait, under one line, and save the picture."""
 
     def draw(figure: Any) -> None:
         panels = figure.subplots(1, 2, width_ratios=(1.35, 1))
         left(panels[0])
         right(panels[1])
-        head(figure, title())
+        head(figure, title)
 
-    save_figure({form: path}, (12, 5), draw)
+    save_figure({form: path}, (12, 5), draw, dpi=dpi)
 
 
 def head(figure: Any, title: str) -> None:
-    """The line above a picture."""
-    figure.suptitle(title, x=0.012, ha="left", fontsize=13)
+    """The line above a picture; a title too long for one line is smaller, then broken."""
+    if not title:
+        return
+    room = int(9.2 * figure.get_size_inches()[0])
+    size = 13 if len(title) <= room else max(10.0, 13 * room / len(title))
+    wide = int(room * 13 / size)
+    figure.suptitle(wrapped(title, wide), x=0.012, ha="left", fontsize=size)
+
+
+def wrapped(text: str, wide: int) -> str:
+    """A text in lines of a number of characters; lines of its own are kept."""
+    import textwrap
+
+    return "\n".join(textwrap.fill(line, wide, break_long_words=False) for line in text.splitlines())
 
 
 def save_figure(
-    files: dict[Any, Any], size: tuple[float, float], draw: Any, *, dpi: int = 100, told: dict[str, str] | None = None
+    files: dict[Any, Any], size: tuple[float, float], draw: Any, *, dpi: float = 100, told: dict[str, str] | None = None
 ) -> None:
     """Draw a figure of a size in inches once, in the settings of the house, and save it in every form.
 
     `files` are paths or binary files by form; without one (None) the ending of the path says it. `told` is what a file
     says of itself.
     """
-    from matplotlib import rc_context, rcParamsDefault
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    if not LEAST_DPI <= dpi <= MOST_DPI:
+        raise ValueError(f"dpi = {dpi!r}: must be from {LEAST_DPI} to {MOST_DPI}")
+    try:
+        from matplotlib import rc_context, rcParamsDefault
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ModuleNotFoundError as error:
+        raise ImportError(MISSING) from error
 
     # Not those of a matplotlibrc, which may ask for LaTeX or hide a line; the salt makes the same file of the same picture.
     settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
-    with rc_context(settings | {"svg.hashsalt": "libration"}):
+    house = {"svg.hashsalt": "libration", "svg.fonttype": "none", "font.sans-serif": list(FONTS[:-1])}
+    with rc_context(settings | house):
         figure = Figure(figsize=size, dpi=dpi, layout="constrained")
         FigureCanvasAgg(figure)
+        engine: Any = figure.get_layout_engine()
+        engine.set(w_pad=0.08, h_pad=0.05)
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             draw(figure)
             for form, file in files.items():
-                # A date would make another file of the same picture.
-                stamp = {"Date": None} if is_svg(file, form) else {"Software": "libration"}
-                figure.savefig(file, format=form, metadata=(told or {}) | stamp)
+                save_as(figure, file, form, told or {})
+
+
+def save_as(figure: Any, file: Any, form: str | None, told: dict[str, str]) -> None:
+    """One file of a figure."""
+    if not is_svg(file, form):
+        figure.savefig(file, format=form, metadata=told | {"Software": "libration"})
+        return
+    made = BytesIO()
+    # A date would make another file of the same picture.
+    figure.savefig(made, format="svg", metadata=told | {"Date": None})
+    content = with_fonts(made.getvalue().decode()).encode()
+    if hasattr(file, "write"):
+        file.write(content)
+    else:
+        with open(file, "wb") as target:
+            target.write(content)
+
+
+def with_fonts(svg: str) -> str:
+    """An SVG whose formulas name the fonts to fall back on too; matplotlib gives them one font alone."""
+    others = ", ".join(f"'{each}'" if " " in each else each for each in FONTS)
+    return re.sub(r"(font(?:-family)?: [^;\"]*?)'DejaVu Sans'(?=[;\"])", lambda found: found[1] + others, svg)
 
 
 def is_svg(path: Any, form: str | None) -> bool:
@@ -76,22 +130,45 @@ def is_svg(path: Any, form: str | None) -> bool:
     return form == "svg" or (form is None and str(path).lower().endswith(".svg"))
 
 
-def number(value: float, digits: int = 6) -> str:
-    """A number with a real minus sign."""
-    return f"{value:.{digits}g}".replace("-", "−")
-
-
 def first_swings(first: float, last: float, scale: float) -> float:
     """Where the picture ends: more swings than it has room for would be a solid band."""
     return first + SHOWN * scale if last - first > MANY * scale else last
 
 
-def part_of(unit: str, first: float, last: float, start: float, stop: float) -> str:
+def part_of(unit: str, first: float, last: float, start: float, stop: float, say: Language = ENGLISH) -> str:
     """What an axis from `first` to `last` shows of the instants asked for, `start` to `stop`."""
     if last - first == stop - start:
         return unit
-    which = "the first " if first == start else ""
-    return f"{unit}, {which}{last - first:.3g} of {stop - start:.6g} s"
+    text = "{axis}, the first {shown} of {all} s" if first == start else "{axis}, {shown} of {all} s"
+    return say.word(text, axis=unit, shown=say.number(last - first, 3), all=say.number(stop - start))
+
+
+def look(styles: tuple[tuple[str, Any], ...], number_of: int) -> tuple[str, Any]:
+    """Colour and dash of a curve: the first six are told apart in grey too, and no two of thirty-six are alike."""
+    color, _ = styles[number_of % len(styles)]
+    _, dash = styles[(number_of + number_of // len(styles)) % len(styles)]
+    return color, dash
+
+
+def spans_decades(errors: list[np.ndarray], room: float = np.inf) -> bool:
+    """Whether the largest errors, cut at `room`, are too different for one linear axis."""
+    largest = [min(float(np.nanmax(np.abs(error), initial=0.0)), room) for error in errors]
+    seen = [each for each in largest if each > 0]
+    return bool(seen) and max(seen) > WIDE * min(seen)
+
+
+def logarithmic(axes: Any, errors: list[np.ndarray], room: float = np.inf) -> None:
+    """A logarithmic axis for the sizes of errors, with room below for where they cross zero."""
+    largest = [min(float(np.nanmax(np.abs(error), initial=0.0)), room) for error in errors]
+    seen = [each for each in largest if each > 0]
+    axes.set_yscale("log")
+    axes.set_ylim(min(seen) / 10**DECADES, 2 * max(seen))
+
+
+def sizes(error: np.ndarray) -> np.ndarray:
+    """Sizes of errors; the zeros, which have no logarithm, are left out."""
+    found: np.ndarray = np.where(error == 0, np.nan, np.abs(error))
+    return found
 
 
 def quiet(axes: Any) -> None:

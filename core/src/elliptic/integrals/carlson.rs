@@ -6,7 +6,7 @@
 //! Source: DLMF 19.16, 19.20, 19.26.18 to 19.26.22.
 
 use super::carlson_duplication;
-use crate::float::Scaled;
+use crate::float::{Dd, Scaled};
 
 /// Powers of two that the arguments of carlson_duplication.rs may lie apart: cubes and their squares stay in range.
 const APART: i32 = 110;
@@ -27,57 +27,51 @@ const STEPS: usize = 32;
 /// The same of R_J. A p far above x, y and z comes nearer by one factor of 4 a step, and it is at most 2^2100 above them.
 const STEPS_OF_RJ: usize = 1050 + STEPS;
 
-const NAN: f64 = f64::NAN;
-
-/// Whether the arguments are numbers: with a NaN or an infinity the duplication would never end.
-fn finite<const N: usize>(arguments: [Scaled; N]) -> bool {
-    arguments.iter().all(|x| x.is_finite())
+/// Duplicates x, y and z, and with them p, until all are near: what they are then over a power of two, that power, and the
+/// power of two of what is left. `step` has the arguments of a step, their roots, the shift and that power. None for a NaN
+/// or an infinity, with which the duplication would never end.
+fn brought_near<const N: usize>(
+    mut at: [Scaled; N],
+    steps: usize,
+    mut step: impl FnMut(&[Scaled; N], &[Scaled; N], Scaled, i32),
+) -> Option<([Dd; N], i32, i32)> {
+    if !at.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let mut power = 0;
+    for _ in 0..steps {
+        let (top, near) = window(at);
+        if near {
+            return Some((at.map(|x| x.shift(-top).to_dd()), top, power));
+        }
+        let roots = at.map(Scaled::sqrt);
+        // sqrt x sqrt y + sqrt y sqrt z + sqrt z sqrt x.
+        let shift = roots[0] * (roots[1] + roots[2]) + roots[1] * roots[2];
+        step(&at, &roots, shift, power);
+        at = at.map(|x| (x + shift).shift(-2));
+        power -= 2;
+    }
+    None
 }
 
-/// sqrt x sqrt y + sqrt y sqrt z + sqrt z sqrt x.
-fn shift(roots: [Scaled; 3]) -> Scaled {
-    let [x, y, z] = roots;
-    x * (y + z) + y * z
+fn nan() -> Scaled {
+    Scaled::from(f64::NAN)
 }
 
 /// R_F of arguments >= 0.
 pub(crate) fn rf(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
-    let mut at = [x, y, z];
+    let at = [x, y, z];
     if at.iter().filter(|x| x.is_zero()).count() > 1 {
         return Scaled::from(f64::INFINITY);
     }
-    if !finite(at) {
-        return Scaled::from(NAN);
-    }
-    for _ in 0..STEPS {
-        let (top, near) = window(at);
-        if near {
-            let [x, y, z] = at.map(|x| x.shift(-top).to_dd());
-            return Scaled::from(carlson_duplication::rf(x, y, z)).shift(-top / 2);
-        }
-        let shift = shift(at.map(Scaled::sqrt));
-        at = at.map(|x| (x + shift).shift(-2));
-    }
-    Scaled::from(NAN)
+    brought_near(at, STEPS, |_, _, _, _| ())
+        .map_or(nan(), |([x, y, z], top, _)| Scaled::from(carlson_duplication::rf(x, y, z)).shift(-top / 2))
 }
 
 /// R_C of x >= 0, y > 0.
 pub(crate) fn rc(x: Scaled, y: Scaled) -> Scaled {
-    let (mut x, mut y) = (x, y);
-    if !finite([x, y]) {
-        return Scaled::from(NAN);
-    }
-    for _ in 0..STEPS {
-        let (top, near) = window([x, y]);
-        if near {
-            let [x, y] = [x, y].map(|x| x.shift(-top).to_dd());
-            return Scaled::from(carlson_duplication::rc(x, y)).shift(-top / 2);
-        }
-        let shift = (x.sqrt() * y.sqrt()).shift(1) + y;
-        x = (x + shift).shift(-2);
-        y = (y + shift).shift(-2);
-    }
-    Scaled::from(NAN)
+    brought_near([x, y, y], STEPS, |_, _, _, _| ())
+        .map_or(nan(), |([x, y, _], top, _)| Scaled::from(carlson_duplication::rc(x, y)).shift(-top / 2))
 }
 
 /// R_C of x >= 0 and any y: for y < 0 Cauchy's principal value.
@@ -99,25 +93,13 @@ pub(crate) fn rd(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
     if z.is_zero() || (x.is_zero() && y.is_zero()) {
         return Scaled::from(f64::INFINITY);
     }
-    let mut at = [x, y, z];
-    if !finite(at) {
-        return Scaled::from(NAN);
-    }
     let mut sum = Scaled::ZERO;
-    let mut power = 0;
-    for _ in 0..STEPS {
-        let (top, near) = window(at);
-        if near {
-            let [x, y, z] = at.map(|x| x.shift(-top).to_dd());
-            return sum + Scaled::from(carlson_duplication::rd(x, y, z)).shift(power - top / 2 * 3);
-        }
-        let roots = at.map(Scaled::sqrt);
-        let shift = shift(roots);
+    let near = brought_near([x, y, z], STEPS, |at, roots, shift, power| {
         sum = sum + (Scaled::from(3.0) / (roots[2] * (at[2] + shift))).shift(power);
-        power -= 2;
-        at = at.map(|x| (x + shift).shift(-2));
-    }
-    Scaled::from(NAN)
+    });
+    near.map_or(nan(), |([x, y, z], top, power)| {
+        sum + Scaled::from(carlson_duplication::rd(x, y, z)).shift(power - top / 2 * 3)
+    })
 }
 
 /// R_J of x, y, z >= 0, p > 0.
@@ -125,28 +107,15 @@ pub(crate) fn rj(x: Scaled, y: Scaled, z: Scaled, p: Scaled) -> Scaled {
     if p.is_zero() || [x, y, z].iter().filter(|x| x.is_zero()).count() > 1 {
         return Scaled::from(f64::INFINITY);
     }
-    let mut at = [x, y, z, p];
-    if !finite(at) {
-        return Scaled::from(NAN);
-    }
     let mut sum = Scaled::ZERO;
-    let mut power = 0;
-    for _ in 0..STEPS_OF_RJ {
-        let (top, near) = window(at);
-        if near {
-            let [x, y, z, p] = at.map(|x| x.shift(-top).to_dd());
-            return sum + Scaled::from(carlson_duplication::rj(x, y, z, p)).shift(power - top / 2 * 3);
-        }
-        let p = at[3];
-        let [x, y, z, _] = at.map(Scaled::sqrt);
-        let shift = shift([x, y, z]);
+    let near = brought_near([x, y, z, p], STEPS_OF_RJ, |&[_, _, _, p], &[x, y, z, _], shift, power| {
         let a = p * (x + y + z) + x * y * z;
         let b_square = p * (p + shift).square();
         sum = sum + (rc(a.square(), b_square) * 3.0).shift(power);
-        power -= 2;
-        at = at.map(|x| (x + shift).shift(-2));
-    }
-    Scaled::from(NAN)
+    });
+    near.map_or(nan(), |([x, y, z, p], top, power)| {
+        sum + Scaled::from(carlson_duplication::rj(x, y, z, p)).shift(power - top / 2 * 3)
+    })
 }
 
 /// Cauchy's principal value of R_J(x, y, z, -q), q > 0: DLMF 19.20.14 with z the largest, so that its R_F and R_J have

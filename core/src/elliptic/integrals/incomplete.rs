@@ -5,7 +5,6 @@
 //! terms are all positive for the given m. Added are 2 n K or 2 n E.
 
 use super::carlson;
-use super::carlson_duplication::{THIRD, rd, rf};
 use super::complete::{complete_e_dd, complete_k_dd};
 use crate::elliptic::amplitude::{ReducedAmplitude, sines};
 use crate::elliptic::parameter::Parameter;
@@ -47,21 +46,8 @@ enum Integral {
     Second,
 }
 
-/// Up to here |m| leaves every step of [`reduced`] in the range of doubles.
-const LARGE: f64 = 1e100;
-
 /// The integral from 0 to the reduced amplitude; NaN where 1 - m sin^2 is negative there.
-fn reduced_integral(integral: Integral, parameter: Parameter, sine: Dd, cosine: Dd) -> Scaled {
-    let Parameter { m, mc, .. } = parameter;
-    if m.hi.abs() <= LARGE {
-        let d = cosine.square() + mc * sine.square();
-        let real = mc.hi >= 0.0 || d.hi >= 0.0;
-        return if real {
-            reduced(integral, parameter, sine, cosine, d).into()
-        } else {
-            Scaled::from(f64::NAN)
-        };
-    }
+fn reduced_integral(integral: Integral, Parameter { m, mc, .. }: Parameter, sine: Dd, cosine: Dd) -> Scaled {
     let [m, mc, s, c] = [m, mc, sine, cosine].map(Scaled::from);
     let square = delta_square(m, mc, s.square(), c.square());
     match integral {
@@ -69,33 +55,6 @@ fn reduced_integral(integral: Integral, parameter: Parameter, sine: Dd, cosine: 
         Integral::First => s * carlson::rf(c.square(), square, Scaled::ONE),
         Integral::Second => second_kind(m, mc, [s, c, square.sqrt()]),
     }
-}
-
-/// The same for |m| up to [`LARGE`], from d = 1 - m sin^2 r.
-fn reduced(integral: Integral, parameter: Parameter, sine: Dd, cosine: Dd, d: Dd) -> Dd {
-    let Parameter { m, mc, .. } = parameter;
-    let c = cosine.square();
-    if integral == Integral::First {
-        return sine * rf(c, d, Dd::ONE);
-    }
-    if m.hi < 0.0 {
-        // 19.25.9, with R_D scaled by d.
-        let inverse = Dd::ONE / d;
-        let scaled = rd(c * inverse, Dd::ONE, inverse);
-        return sine * rf(c, d, Dd::ONE)
-            - m * inverse * sine.square() * (sine * inverse.sqrt()) * scaled * THIRD;
-    }
-    if mc.hi < 0.0 {
-        // 19.25.11
-        let part = mc * sine.square() * sine * rd(d, Dd::ONE, c) * THIRD;
-        return d.sqrt() * sine / cosine - part;
-    }
-    if mc.hi == 0.0 {
-        return sine;
-    }
-    // 19.25.10
-    let first = mc * rf(c, d, Dd::ONE) + m * mc * sine.square() * rd(c, Dd::ONE, d) * THIRD;
-    sine * first + m * sine * cosine / d.sqrt()
 }
 
 fn incomplete(integral: Integral, phi: f64, parameter: Parameter) -> f64 {

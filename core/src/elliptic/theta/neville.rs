@@ -38,9 +38,16 @@ struct Correction {
 }
 
 impl Correction {
-    /// From q-series: each argument is one coefficient of x before normalisation by `origin`.
-    fn new(origin: Dd, first: Dd, second: f64, third: f64) -> Correction {
-        Correction { first: first / origin, second: second / origin.hi, third: third / origin.hi }
+    /// From the rows of a function in [`SERIES`] and the powers of q that their last three columns name.
+    fn of(rows: &[[f64; 4]; 4], (first, second, third): (Dd, Dd, f64)) -> Correction {
+        // A loop, not `map`: the closure would be called, and half the time of a set-up goes by here.
+        let mut sums = [Dd::ZERO; 4];
+        for (sum, [a, b, c, d]) in sums.iter_mut().zip(rows) {
+            let small = second * *c + Dd::from(third * d);
+            *sum = if *b == 0.0 { small } else { Dd::from(*a) + first * *b + small };
+        }
+        let [origin, one, two, three] = sums;
+        Correction { first: one / origin, second: two.hi / origin.hi, third: three.hi / origin.hi }
     }
     /// The same in double-double, good to 2^-66.
     fn long_at(&self, x: Dd) -> Dd {
@@ -73,6 +80,7 @@ pub struct NevilleTheta {
     pub kc: Dd,
     /// K'/K to two digits, not above it.
     pub aspect: f64,
+    /// Of theta1/A to theta4, beside sin, cos, 1, 1 on the circular side and sinh, 1, 1, cosh on the hyperbolic one.
     theta: [Correction; 4],
 }
 
@@ -123,7 +131,8 @@ impl NevilleTheta {
             };
         }
         let other = agm(k);
-        let theta = corrections(small_nome(mc, k));
+        // theta2 and theta4 change places.
+        let [t1, t4, t3, t2] = corrections(small_nome(mc, k));
         let angle = PI * other / mean;
         let aspect = PI.hi / angle.hi;
         NevilleTheta {
@@ -133,7 +142,7 @@ impl NevilleTheta {
             quarter,
             kc,
             aspect,
-            theta,
+            theta: [t1, t2, t3, t4],
         }
     }
 
@@ -160,17 +169,17 @@ impl NevilleTheta {
     pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
         let (folded, v) = fold(f);
         let angle = v * Dd::splat(self.angle);
-        let [t1, t2, t3, t4] = &self.theta;
         let one = Dd::from_double(L::splat(1.0));
-        let theta = if HYPERBOLIC {
+        let ([first, second, third, fourth], x) = if HYPERBOLIC {
             let (sine, cosine) = sinh_cosh(angle);
-            let x = -bounded_square(sine.hi);
-            [sine.nudge(t1.at(x)), one.nudge(t4.at(x)), one.nudge(t3.at(x)), cosine.nudge(t2.at(x))]
+            ([sine, one, one, cosine], -bounded_square(sine.hi))
         } else {
             let (sine, cosine) = sin_cos(angle);
-            let x = sine.hi * sine.hi;
-            [sine.nudge(t1.at(x)), cosine.nudge(t2.at(x)), one.nudge(t3.at(x)), one.nudge(t4.at(x))]
+            ([sine, cosine, one, one], sine.hi * sine.hi)
         };
+        let [t1, t2, t3, t4] = &self.theta;
+        let theta =
+            [first.nudge(t1.at(x)), second.nudge(t2.at(x)), third.nudge(t3.at(x)), fourth.nudge(t4.at(x))];
         Thetas { theta, folded }
     }
 
@@ -183,23 +192,16 @@ impl NevilleTheta {
         let [t1, t2, t3, t4] = &self.theta;
         let (factor, kc) = (L::splat(self.theta1_factor.hi), L::splat(self.kc.hi));
         let one = L::splat(1.0);
-        let (theta, near, far) = if HYPERBOLIC {
-            let (sine, cosine) = sinh_cosh(angle);
-            let (sine, cosine) = (sine.hi, cosine.hi);
-            let x = -(sine * sine);
-            let twice = sine * cosine * L::splat(-2.0);
-            let tail = t2.logarithmic_slope(x) * twice;
-            let theta = [sine * (one + t1.at(x)), one + t4.at(x), one + t3.at(x), cosine * (one + t2.at(x))];
-            (theta, sine / cosine + tail, t3.logarithmic_slope(x) * twice)
-        } else {
-            let (sine, cosine) = sin_cos(angle);
-            let (sine, cosine) = (sine.hi, cosine.hi);
-            let x = sine * sine;
-            let twice = sine * cosine * L::splat(2.0);
-            let theta = [sine * (one + t1.at(x)), cosine * (one + t2.at(x)), one + t3.at(x), one + t4.at(x)];
-            (theta, t4.logarithmic_slope(x) * twice, t3.logarithmic_slope(x) * twice)
-        };
-        let [t1, t2, t3, t4] = theta;
+        let (sine, cosine) = if HYPERBOLIC { sinh_cosh(angle) } else { sin_cos(angle) };
+        let (sine, cosine) = (sine.hi, cosine.hi);
+        let side = L::splat(if HYPERBOLIC { -1.0 } else { 1.0 });
+        let (x, twice) = (sine * sine * side, sine * cosine * side * L::splat(2.0));
+        let tail = t4.logarithmic_slope(x) * twice;
+        let near = if HYPERBOLIC { sine / cosine + tail } else { tail };
+        let far = t3.logarithmic_slope(x) * twice;
+        let (second, fourth) = if HYPERBOLIC { (one, cosine) } else { (cosine, one) };
+        let (t1, t2) = (sine * (one + t1.at(x)), second * (one + t2.at(x)));
+        let (t3, t4) = (one + t3.at(x), fourth * (one + t4.at(x)));
         let below = one / L::select(folded, t3, t4);
         let (t1, upper) = (t1 * factor, kc * below);
         let sn = L::select(folded, t2, t1) * below;
@@ -213,32 +215,19 @@ impl NevilleTheta {
         let folded = f.hi > 0.25;
         let v = if folded { Dd::from(0.5) - f } else { f };
         let angle = v * self.angle;
-        let [t1, t2, t3, t4] = &self.theta;
-        let times = |lead: Dd, correction: Dd| lead + lead * correction;
-        let theta = match self.side {
+        let (leads, x) = match self.side {
             Side::Circular => {
                 let (sine, cosine) = long_sin_cos(angle);
-                let x = sine.square();
-                [
-                    times(sine, t1.long_at(x)),
-                    times(cosine, t2.long_at(x)),
-                    times(Dd::ONE, t3.long_at(x)),
-                    times(Dd::ONE, t4.long_at(x)),
-                ]
+                ([sine, cosine, Dd::ONE, Dd::ONE], sine.square())
             }
             Side::Hyperbolic => {
                 let (sine, cosine) = long_sinh_cosh(angle);
                 let square = sine.square();
                 let x = if square.hi > LARGE { Dd::from(-LARGE) } else { -square };
-                [
-                    times(sine, t1.long_at(x)),
-                    times(Dd::ONE, t4.long_at(x)),
-                    times(Dd::ONE, t3.long_at(x)),
-                    times(cosine, t2.long_at(x)),
-                ]
+                ([sine, Dd::ONE, Dd::ONE, cosine], x)
             }
         };
-        Thetas { theta, folded }
+        Thetas { theta: [0, 1, 2, 3].map(|i| leads[i] + leads[i] * self.theta[i].long_at(x)), folded }
     }
 
     /// sn, cn, dn at a reduced phase, with the digits of [`NevilleTheta::long_thetas`].
@@ -275,15 +264,13 @@ fn corrections(q: Dd) -> [Correction; 4] {
     let q2 = q.square();
     let q4 = q2.square();
     let (q6, q9, q12) = (q4.hi * q2.hi, q4.hi * q4.hi * q.hi, q4.hi * q4.hi * q4.hi);
-    let powers = [(q2, Dd::from(q6), q12), (q2, Dd::from(q6), q12), (q, q4, q9), (q, q4, q9)];
-    core::array::from_fn(|i| {
-        let (first, second, third) = powers[i];
-        let [origin, one, two, three] = SERIES[i].map(|[a, b, c, d]| {
-            let small = second * c + Dd::from(third * d);
-            if b == 0.0 { small } else { Dd::from(a) + first * b + small }
-        });
-        Correction::new(origin, one, two.hi, three.hi)
-    })
+    let (even, odd) = ((q2, Dd::from(q6), q12), (q, q4, q9));
+    [
+        Correction::of(&SERIES[0], even),
+        Correction::of(&SERIES[1], even),
+        Correction::of(&SERIES[2], odd),
+        Correction::of(&SERIES[3], odd),
+    ]
 }
 
 /// A [`Correction`] per lane, in double.

@@ -16,7 +16,7 @@ from ... import approx
 from ...elliptic import complete_k, jacobi
 from ...pendulum import Pendulum
 from ...plot import linear_theta
-from ...plot._style import BLACK, angle_ticks, quiet
+from ...plot._style import BLACK, DASHED, DOTTED, GREEN, PURPLE, angle_ticks, quiet
 from .._diagram import angle, arrow, bare, bob, letter, path, rod, vertical, write
 from .._picture import BLUE, GREY, RED, Picture, named, panels
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 GRAVITY, LENGTH = 9.8, 1.0
-DARK_RED, GREEN = "#7a1f12", "#3f7d3f"
+DARK_RED, BRIGHT_RED = "#7a1f12", "#e0301e"
 # The ellipse: released at rest from 120 degrees, m = 3/4, half axes 1 and 2.
 RELEASE = 2 * math.pi / 3
 
@@ -51,7 +51,7 @@ def draw_forces(figure: Figure) -> None:
     weight = 0.6
     radial, along = np.array([math.sin(at), -math.cos(at)]), -np.array([math.cos(at), math.sin(at)])
     arrow(axes, place, -0.52 * radial, DARK_RED, r"$T$", (0.0, -0.13))
-    arrow(axes, place, (0, -weight), "#e0301e", r"$mg$", (0.0, -0.08))
+    arrow(axes, place, (0, -weight), BRIGHT_RED, r"$mg$", (0.0, -0.08))
     arrow(axes, place, weight * math.sin(at) * along, GREEN, r"$mg\,\sin\theta$", (-0.14, -0.1), thick=1.5)
     arrow(axes, place, weight * math.cos(at) * radial, GREEN, r"$mg\,\cos\theta$", (0.2, -0.02), thick=1.5)
     # The components add up to the weight.
@@ -67,7 +67,7 @@ def draw_graph(figure: Figure, theta0: float) -> None:
     t = np.linspace(0, 10, 500)
     numerical = approx.numerical("odeint").of(pendulum).theta(t)
     upper.plot(t, numerical, color=BLUE, lw=1.8, label="nonlinear (odeint)")
-    upper.plot(t, linear_theta(pendulum, t), color=RED, lw=1.5, label="linear")
+    upper.plot(t, linear_theta(pendulum, t), color=RED, lw=1.5, ls=DASHED, label="linear")
     upper.plot(t[::10], pendulum.theta(t[::10]), "o", ms=3.2, color=BLACK, mew=0, label="exact")
     lower.plot(t, 1e6 * (numerical - pendulum.theta(t)), color=BLUE, lw=1.2)
     lower.set_xlim(0, 10)
@@ -86,8 +86,10 @@ def draw_phase_space(figure: Figure) -> None:
     levels = (0.05, 0.2, 0.4, 0.6, 0.8, 1.3, 1.7, 2.2)
     axes.contour(grid, speed, energy, levels=levels, colors="#c4c4c4", linewidths=0.9)
     for sign, label in ((1, "separatrix"), (-1, None)):
-        axes.plot(grid, sign * 2 * omega0 * np.abs(np.cos(grid / 2)), color=RED, lw=1.7, label=label)
-    for theta0, color, style in ((0.4, "#5b94d1", "-"), (3.0, BLUE, "-")):
+        axes.plot(
+            grid, sign * 2 * omega0 * np.abs(np.cos(grid / 2)), color=RED, lw=1.7, ls=DASHED, label=label, zorder=3
+        )
+    for theta0, color, style in ((0.4, BLUE, DOTTED), (3.0, BLUE, "-")):
         pendulum = swing(theta0)
         theta, velocity = pendulum.motion(np.linspace(0, pendulum.period, 401))
         axes.plot(theta, velocity, color=color, lw=2, ls=style, label=f"from rest at {theta0:g} rad")
@@ -167,8 +169,12 @@ def over_time(axes: Axes, m: float, u: float) -> None:
     z = jacobi(shares * quarter, m=m)
     axes.plot(shares, z.cn / z.dn, color=BLACK, lw=1.7, label=r"$x=\mathrm{cd}\,u$, ellipse")
     axes.plot(shares, np.cos(shares * np.pi / 2), color=GREY, lw=1.3, ls=(0, (4, 3)), label="cosine, circle")
-    for values, color, label in ((z.sn, "#3f7d3f", "sn"), (z.cn, BLUE, "cn"), (z.dn, "#8a5fb0", "dn")):
-        axes.plot(shares, values, color=color, lw=1.1, label=label)
+    for values, color, dash, label in (
+        (z.sn, GREEN, DASHED, "sn"),
+        (z.cn, BLUE, DOTTED, "cn"),
+        (z.dn, PURPLE, (0, (6, 2, 1, 2)), "dn"),
+    ):
+        axes.plot(shares, values, color=color, lw=1.4, ls=dash, label=label)
     axes.plot([u / quarter], [jacobi(u, m=m).cn / jacobi(u, m=m).dn], "o", ms=7, color=BLUE)
     axes.set(xlim=(0, 4), ylim=(-1.08, 1.08))
     axes.set_xlabel(r"$u/K$, where $u=\omega_0 t$")
@@ -182,8 +188,8 @@ def graph(number: int, theta0: float) -> Picture:
         f"horsley-{number}",
         f"Nonlinear and linear pendulum, released at rest from {theta0:g} rad",
         f"After Horsley 2025, appendix, the graph at {theta0:g} rad: l = 1 m, g = 9.8 m/s², 0 to 10 s. Blue, the "
-        "nonlinear equation (2) by SciPy's odeint at its default tolerances, as in the essay's code; red, the linear "
-        f"equation (1); dots, the exact solution. The period is {ratio:.4f} times that of (1). "
+        "nonlinear equation (2) by SciPy's odeint at its default tolerances, as in the essay's code; red and dashed, the "
+        f"linear equation (1); dots, the exact solution. The period is {ratio:.4f} times that of (1). "
         "The lower panel is ours.",
         (7.5, 5.6),
         functools.partial(draw_graph, theta0=theta0),
@@ -205,7 +211,8 @@ PICTURES = (
         "horsley-phase-space",
         "Phase space of the pendulum, l = 1 m, g = 9.8 m/s²",
         "Wished for in Horsley 2025, summary: the orbits of (2) in the plane of θ and θ̇. Blue, the two motions of the "
-        "graphs; red, the separatrix θ̇ = ±2ω₀ cos(θ/2) between librations and rotations; grey, other energies.",
+        "graphs; red and dashed, the separatrix θ̇ = ±2ω₀ cos(θ/2) between librations and rotations; grey, other "
+        "energies.",
         (8.5, 5.4),
         draw_phase_space,
     ),

@@ -12,7 +12,7 @@ import numpy as np
 
 from ... import approx
 from ...pendulum import Pendulum
-from ...plot._style import BLACK, DASHED, DOTTED, angle_ticks
+from ...plot._style import BLACK, DASHED, DOTTED, angle_ticks, logarithmic, sizes, spans_decades
 from .._diagram import angle, arrow, bare, bob, ceiling, letter, path, rod, vertical, write
 from .._exact import salas_23
 from .._picture import BLUE, GREY, RED, Picture, dashed, dotted, exact, named, panels
@@ -103,15 +103,20 @@ def draw_trigonometric(
     exact(upper, t, swing.theta(t))
     approximation = approx.angle(name).of(swing)
     dashed(upper, t, approximation.theta(t), label)
-    lower.plot(t, approximation.difference(t), color=BLUE, lw=1.4, ls=DASHED)
+    differences = [approximation.difference(t)]
     if second:
         other = approx.angle(second[0]).of(swing)
         dotted(upper, t, other.theta(t), second[1])
-        lower.plot(t, other.difference(t), color=RED, lw=1.6, ls=DOTTED)
+        differences.append(other.difference(t))
+    decades = spans_decades(differences)
+    for difference, color, dash in zip(differences, (BLUE, RED), (DASHED, DOTTED), strict=False):
+        lower.plot(t, sizes(difference) if decades else difference, color=color, lw=1.5, ls=dash)
+    if decades:
+        logarithmic(lower, differences)
     lower.set_xlim(0, t[-1])
     angle_ticks(upper.yaxis, *upper.get_ylim())
     named(upper, "", PHI)
-    named(lower, TIME, "difference [rad]")
+    named(lower, TIME, "|difference| [rad]" if decades else "difference [rad]")
 
 
 def told(state: State) -> str:
