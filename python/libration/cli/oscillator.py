@@ -13,14 +13,13 @@ from libration.cli.files import STANDARD_OUTPUT, Column, Parameter, strict, writ
 from libration.cli.help import Topic
 from libration.cli.parameters import keyed
 from libration.cli.parser import Refusal, Value
+from libration.cli.picture import check_plot, draw, picture_look
 from libration.cli.quantities import plain
 from libration.cli.sampling import (
     FILES,
     InstantOptions,
     check_instants,
-    check_plot,
     check_targets,
-    draw,
     instant_options,
     instants,
     nans,
@@ -85,7 +84,7 @@ def solve(
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
     check_instants(options)
     check_targets(options)
-    style = number_style(options)
+    style, look = number_style(options), picture_look(options, options.plot)
     motion = kind(**given)
     with targets(options) as (table, plot):
         check_plot(options)
@@ -97,7 +96,7 @@ def solve(
         if plot and options.plot is not None:
             from libration.plot import plot_oscillator
 
-            draw(plot_oscillator, motion, times, plot, options.plot)
+            draw(plot_oscillator, motion, times, plot, options.plot, look)
     files = written(options)
     if options.json:
         answer = keyed(parameters(given, motion)[1:])
