@@ -42,7 +42,7 @@ def findings(root: Path) -> list[str]:
             places = row.get(field, [])
             missing = [each for each in ([places] if isinstance(places, str) else places) if not stands(root, each)]
             found += [f"{name}: {field} {place} is missing: {STEPS[field]}" for place in missing]
-        command = (root / f"python/libration/cli/{name.removeprefix('libration ')}.py").is_file()
+        command = (root / f"python/libration/cli/{name[10:].replace('-', '_')}.py").is_file()
         named = row.get("members", []) if command or name[-2:] == "pq" else [name, *row.get("members", [])]
         found += [f"functions.toml: {each}: no public member has this name" for each in named if each not in known]
     covered = set(rows).union(*(row.get("members", []) for row in rows.values()))

@@ -30,7 +30,7 @@ def functions(root: Path) -> str:
     ]
     for name, row in rows.items():
         if name.startswith("libration "):
-            run = f"python/libration/cli/{name.partition(' ')[2]}.py::run"
+            run = f"python/libration/cli/{name.partition(' ')[2].replace('-', '_')}.py::run"
             written.append(f"## {name}\n\n`{name} --help` lists its options.\n\n- {places({'Python': run}, row)}\n")
     return "\n" + "\n".join(written) + "\n"
 

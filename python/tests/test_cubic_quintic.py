@@ -1,6 +1,7 @@
-"""The cubic-quintic oscillator through the Python door."""
+"""The cubic-quintic oscillator through the Python door and the command line."""
 
 import csv
+import json
 import math
 import pickle
 from pathlib import Path
@@ -11,6 +12,7 @@ from bits import same
 from test_duffing import error, truth
 
 from libration import CubicQuintic, Duffing
+from libration.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
 with (ROOT / "reference/vectors/cubic_quintic.csv").open(newline="") as file:
@@ -73,3 +75,23 @@ def test_arrays_times_and_identity():
     with pytest.raises(ValueError) as caught:
         CubicQuintic(1.0, alpha=1.0, beta=1.0, gamma=math.inf)
     assert str(caught.value) == "gamma = inf: must be finite"
+
+
+def test_command(capsys, tmp_path):
+    words = "cubic-quintic --alpha 1 --beta -4 --gamma 3 --u0 1.2 --until 3s --samples 31".split()
+    table, picture = tmp_path / "a.csv", tmp_path / "a.png"
+    assert main([*words, "--out", str(table), "--plot", str(picture), "--json"]) == 0
+    spring, answer = CubicQuintic(1.2, alpha=1.0, beta=-4.0, gamma=3.0), json.loads(capsys.readouterr().out)
+    assert (answer["regime"], answer["period_s"], answer["gamma"]) == (spring.regime, spring.period, 3.0)
+    assert picture.read_bytes()[1:4] == b"PNG"
+    rows = [line.split(",") for line in table.read_text().splitlines() if not line.startswith("#")]
+    assert [float(row[1]) for row in rows[1:]] == spring.u(np.linspace(0.0, 3.0, 31)).tolist()
+    assert main(words) == 0
+    assert f"period                 {spring.period:.15g} s" in capsys.readouterr().out
+    for bad, message in [
+        ("--alpha 1", "missing --beta, --gamma, --u0; such as --alpha 1 --beta -0.5 --gamma 0.1 --u0 1"),
+        ("--alpha 1 --beta 1 --gama 1", "unknown option '--gama'; did you mean --gamma?"),
+        ("--alpha 1 --beta 1 --gamma 1m --u0 1", "--gamma = 1m: must be a plain number, without a unit"),
+    ]:
+        assert main(["cubic-quintic", *bad.split()]) == 2
+        assert capsys.readouterr().err == f"libration cubic-quintic: {message}\n"

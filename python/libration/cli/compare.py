@@ -12,8 +12,9 @@ from libration.cli.help import Topic
 from libration.cli.offers import files, solutions
 from libration.cli.parameters import keyed, table_parameters
 from libration.cli.parser import Flag, Refusal, Value, command, refusal
+from libration.cli.picture import check_plot, form, picture_look, picture_options
 from libration.cli.quantities import plain
-from libration.cli.sampling import ResultOptions, check_plot, check_targets, form, targets, written
+from libration.cli.sampling import ResultOptions, check_targets, targets, written
 from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options, upright
 from libration.cli.style import NumberStyle, number_style, style_options
 from libration.cli.summary import angle_text, period_text, print_lines
@@ -93,7 +94,7 @@ def run(options: CompareOptions) -> None:
     wanted = names(options.names)
     periods = span(options.periods)
     check_targets(options)
-    style = number_style(options)
+    style, look = number_style(options), picture_look(options, options.plot)
     motion = moving(options, pendulum(given))
     hint = "; leave out --from-top" if given.from_top else ""
     solutions = different([solution(name, motion, hint) for name in wanted], options.names)
@@ -107,7 +108,7 @@ def run(options: CompareOptions) -> None:
         if plot and options.plot is not None:
             from libration.plot import plot_comparison
 
-            plot_comparison(motion, solutions, plot, periods=periods, form=form(options.plot))
+            plot_comparison(motion, solutions, plot, periods=periods, form=form(options.plot), **look)
     files = written(options)
     if options.json:
         print_json(given, motion, spans, rows, files)
@@ -322,11 +323,9 @@ COMMAND = command(
             "the results",
             offered=files,
         ),
-        Value(
-            "--plot", "FILE", "draw the angles and their errors to a .png or .svg file", "the results", offered=files
-        ),
         Flag("--json", "print the errors as one JSON object", "the results"),
         *style_options("4, of times 5"),
+        *picture_options("the angles and their errors"),
     ],
     usage=["libration compare", "--theta0 ANGLE", "--with NAMES", "[options]"],
     topics=TOPICS,

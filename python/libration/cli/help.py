@@ -4,6 +4,7 @@ Words are never broken, neither at hyphens nor by length, and a long example end
 is read can be copied.
 """
 
+import re
 import shutil
 import textwrap
 from collections.abc import Iterable, Sequence
@@ -13,6 +14,8 @@ from typing import TypeAlias
 import click
 
 WIDEST = 92
+# A blank at which no line is broken.
+NO_BREAK = "\u00a0"
 
 # A command line that runs.
 Example: TypeAlias = str
@@ -43,12 +46,12 @@ class Formatter(click.HelpFormatter):
             break_long_words=False,
             break_on_hyphens=False,
         )
-        self.write("\n".join(lines) + "\n")
+        self.write("\n".join(lines).replace(NO_BREAK, " ") + "\n")
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
         """The usage, in lines that begin below the first word after the prefix."""
         first = f"{prefix or 'usage: '}{prog}"
-        self.filled(args, first, " " * len(first) + "  ")
+        self.filled(args, first, " " * len(first))
 
     def write_text(self, text: str) -> None:
         """Paragraphs, one below the other after a blank line."""
@@ -83,10 +86,16 @@ class Formatter(click.HelpFormatter):
         """Commands to copy: a line that goes on ends with a backslash."""
         with self.section("examples"):
             for example in examples:
+                words = re.sub(r"--\S+ (?!--)\S+", lambda found: together(found[0], self.width - 6), example)
                 lines = textwrap.wrap(
-                    example, self.width - 4, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
+                    words, self.width - 4, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
                 )
-                self.write("  " + " \\\n  ".join(lines) + "\n")
+                self.write("  " + " \\\n  ".join(lines).replace(NO_BREAK, " ") + "\n")
+
+
+def together(text: str, width: int) -> str:
+    """A text that is not parted between lines, if it fits on one."""
+    return text.replace(" ", NO_BREAK) if len(text) <= width else text
 
 
 class Context(click.Context):

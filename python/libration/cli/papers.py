@@ -16,7 +16,7 @@ from libration.cli.files import staged
 from libration.cli.help import Topic
 from libration.cli.offers import folders, words
 from libration.cli.parser import Finding, Options, Refusal, Value, Word, command, refusal
-from libration.cli.sampling import check_matplotlib, check_package
+from libration.cli.picture import check_matplotlib, check_package
 
 if TYPE_CHECKING:
     from libration.papers import Claim

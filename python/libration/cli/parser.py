@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import click
 
-from libration.cli.help import Context, Example, Formatter, Topic
+from libration.cli.help import Context, Example, Formatter, Topic, together
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -147,7 +147,14 @@ class Command(click.Command):
         examples: Sequence[Example] = (),
         callback: Callable[..., Any] | None = None,
     ) -> None:
-        super().__init__(name, params=list(parameters), help=text, callback=callback, context_settings=dict(SETTINGS))
+        super().__init__(
+            name,
+            params=list(parameters),
+            help=text,
+            short_help=short,
+            callback=callback,
+            context_settings=dict(SETTINGS),
+        )
         self.usage, self.topics, self.examples = usage, topics, examples
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -173,7 +180,8 @@ class Command(click.Command):
 
     def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """How to call it."""
-        formatter.write_usage("", " ".join(self.usage), "usage: ")
+        room = formatter.width - len("usage: ")
+        formatter.write_usage("", " ".join(together(piece, room) for piece in self.usage), "usage: ")
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """What it does."""

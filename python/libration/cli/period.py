@@ -14,8 +14,8 @@ from libration.cli.help import Topic
 from libration.cli.offers import files, formulas
 from libration.cli.parameters import given_parameters, keyed
 from libration.cli.parser import Flag, Refusal, Value, command, refusal, shown
+from libration.cli.picture import PICTURES, Look, PictureOptions, check_matplotlib, form, picture_look, picture_options
 from libration.cli.quantities import ANGLE, quantities
-from libration.cli.sampling import PICTURES, check_matplotlib, form
 from libration.cli.state import (
     UNITS,
     State,
@@ -68,11 +68,10 @@ EXAMPLES = (
 EXACT = "exact"
 
 
-class PeriodOptions(StateOptions, StyleOptions):
+class PeriodOptions(StateOptions, StyleOptions, PictureOptions):
     """The options of `libration period`."""
 
     only: str | None
-    plot: str | None
     chart: str | None
     json: bool
 
@@ -116,6 +115,7 @@ def run(options: PeriodOptions) -> None:
     if options.only is not None and EXACT not in options.only.split(","):
         names.remove(EXACT)
     style, picture = number_style(options), picture_name(options)
+    look = picture_look(options, picture and picture[1])
     if options.out == STANDARD_OUTPUT and options.json:
         raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
     with contextlib.ExitStack() as stack:
@@ -123,7 +123,7 @@ def run(options: PeriodOptions) -> None:
             table = stack.enter_context(staged_table(options.out))
             write_table(table, options.out, parameters(swings), columns(swings, names), style)
         if picture is not None:
-            draw(stack, *picture, swings)
+            draw(stack, *picture, swings, look)
     written = [path for path in (options.out, picture and picture[1]) if path not in (None, STANDARD_OUTPUT)]
     if options.json:
         print(strict(one_object(swings[0]) if len(swings) == 1 else several_objects(swings, names, written)))
@@ -192,14 +192,14 @@ def picture_name(options: PeriodOptions) -> tuple[str, str] | None:
     return None if options.chart is None else ("--chart", options.chart)
 
 
-def draw(stack: contextlib.ExitStack, option: str, path: str, swings: Sequence[Swing]) -> None:
+def draw(stack: contextlib.ExitStack, option: str, path: str, swings: Sequence[Swing], look: Look) -> None:
     """Draw the formulas; the turning angle of one swing is marked."""
     file = stack.enter_context(staged(option, path, PICTURES))
     check_matplotlib(option, path, "plot")
     from libration.plot import plot_periods
 
     marked = swings[0].motion.theta_max if len(swings) == 1 and swings[0].compared else None
-    plot_periods(file, theta_max=marked, form=form(path))
+    plot_periods(file, theta_max=marked, form=form(path), **look)
 
 
 def parameters(swings: Sequence[Swing]) -> list[Parameter]:
@@ -341,16 +341,10 @@ COMMAND = command(
             "the results",
             offered=files,
         ),
-        Value(
-            "--plot",
-            "FILE",
-            "draw the formulas against the turning angle to a .png or .svg file",
-            "the results",
-            offered=files,
-        ),
-        Value("--chart", "FILE", "the same as --plot", "the results", hidden=True),
         Flag("--json", "print one JSON object instead of lines", "the results"),
         *style_options("6 in a table, else 15"),
+        *picture_options("the formulas against the turning angle"),
+        Value("--chart", "FILE", "the same as --plot", "the picture", hidden=True),
     ],
     usage=["libration period", "--theta0 ANGLE[,ANGLE...]", "[--length LENGTH | --omega0 OMEGA0]", "[options]"],
     topics=TOPICS,

@@ -1,11 +1,9 @@
 """What the commands that sample a motion share: instants, files and the plot."""
 
 import contextlib
-import importlib
 import os
-import textwrap
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, BinaryIO, Protocol, TypeVar
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, BinaryIO
 
 import click
 
@@ -13,6 +11,7 @@ from libration.cli.files import STANDARD_OUTPUT, staged, staged_table
 from libration.cli.help import Topic
 from libration.cli.offers import files, units
 from libration.cli.parser import Flag, Refusal, Value, quoted, refusal, shown
+from libration.cli.picture import PICTURES, PictureOptions, picture_options
 from libration.cli.quantities import TIME
 from libration.cli.style import PLAIN, NumberStyle, StyleOptions, style_options
 from libration.cli.times import even_times, file_times
@@ -20,7 +19,6 @@ from libration.cli.times import even_times, file_times
 if TYPE_CHECKING:
     from libration._arrays import Floats
 
-PICTURES = (".png", ".svg")
 
 FILES = Topic(
     "files",
@@ -36,19 +34,9 @@ decimal commas, need a header or --column. The unit is that of the header, as in
 )
 
 
-Motion = TypeVar("Motion", contravariant=True)
-
-
-class Plot(Protocol[Motion]):
-    """A function of `libration.plot` that draws a motion at many instants."""
-
-    def __call__(self, motion: Motion, t: "Floats", path: BinaryIO, /, *, form: str | None) -> None: ...
-
-
-class ResultOptions(StyleOptions):
+class ResultOptions(StyleOptions, PictureOptions):
     """The options of the files and the summary, as typed."""
 
-    plot: str | None
     json: bool
     # The file of the instants; None for a command without that option.
     times: str | None = None
@@ -84,9 +72,9 @@ def result_options(columns: str, curve: str) -> list[click.Option]:
     group = "the results"
     return [
         Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file, - to print them", group, offered=files),
-        Value("--plot", "FILE", f"draw {curve} to a .png or .svg file", group, offered=files),
         Flag("--json", "print the summary as one JSON object", group),
         *style_options("15"),
+        *picture_options(curve),
     ]
 
 
@@ -157,42 +145,3 @@ def instants(options: InstantOptions) -> "tuple[Floats, str | None]":
         return even_times(options.until, options.samples), None
     times, column = file_times(options.times, options.column)
     return times, f"column {quoted(column)} of {shown(options.times)}"
-
-
-def check_plot(options: ResultOptions) -> None:
-    """Refuse to draw, before anything is computed, if matplotlib is missing or does not start."""
-    if options.plot is not None:
-        check_matplotlib("--plot", options.plot, "plot")
-
-
-def check_matplotlib(option: str, path: str, extra: str) -> None:
-    """Refuse to draw if matplotlib is missing or does not start; `extra` of libration installs it."""
-    check_package("matplotlib", ("matplotlib.backends.backend_agg", "matplotlib.figure"), option, path, extra)
-
-
-def check_package(package: str, modules: Sequence[str], option: str, path: str, extra: str) -> None:
-    """Refuse an option whose package is missing or does not start."""
-    try:
-        for module in modules:
-            importlib.import_module(module)
-    except ModuleNotFoundError as error:
-        raise refusal(option, path, f"needs {package}: pip install 'libration[{extra}]'") from error
-    except Exception as error:
-        # The import reads the settings of the user, and a bad one may raise any exception.
-        reason = textwrap.shorten(str(error) or type(error).__name__, 160, placeholder=" ...")
-        raise refusal(option, path, f"{package} does not start: {reason}") from error
-
-
-def form(path: str) -> str:
-    """The format of a plot by the ending of its name."""
-    return path.rpartition(".")[2].lower()
-
-
-def draw(plot: Plot[Motion], motion: Motion, times: "Floats", file: BinaryIO, path: str) -> None:
-    """Draw into the staged file; numbers near the largest double do not fit on an axis."""
-    try:
-        plot(motion, times, file, form=form(path))
-    except (ArithmeticError, RuntimeError, ValueError) as error:
-        large = isinstance(error, OverflowError) or any(words in str(error) for words in ("NaN or Inf", "zero-size"))
-        reason = "the motion is too large for an axis" if large else str(error)
-        raise refusal("--plot", path, f"cannot be drawn: {reason}") from error

@@ -9,13 +9,12 @@ from libration.cli.files import STANDARD_OUTPUT, Column, strict, write_table
 from libration.cli.help import Topic
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
 from libration.cli.parser import Refusal, command
+from libration.cli.picture import check_plot, draw, picture_look
 from libration.cli.sampling import (
     FILES,
     InstantOptions,
     check_instants,
-    check_plot,
     check_targets,
-    draw,
     instant_options,
     instants,
     nans,
@@ -67,7 +66,7 @@ def run(options: SolveOptions) -> None:
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
     check_instants(options)
     check_targets(options)
-    style = number_style(options)
+    style, look = number_style(options), picture_look(options, options.plot)
     motion = pendulum(given)
     with targets(options) as (table, plot):
         check_plot(options)
@@ -78,7 +77,7 @@ def run(options: SolveOptions) -> None:
         if plot and options.plot is not None:
             from libration.plot import plot_motion
 
-            draw(plot_motion, motion, times, plot, options.plot)
+            draw(plot_motion, motion, times, plot, options.plot, look)
     files = written(options)
     if options.json:
         answer = keyed(given_parameters(given, motion) + found_parameters(motion))

@@ -2,22 +2,12 @@
 
 import click
 
-from libration.cli import at, compare, completion, duffing, papers, period, solve
+from libration.cli import at, compare, completion, cubic_quintic, duffing, papers, period, solve
 from libration.cli.help import Topic
 from libration.cli.parser import Command, Refusal, nearest, quoted, unknown
 
-COMMANDS: dict[str, click.Command] = {
-    str(each.name): each
-    for each in (
-        solve.COMMAND,
-        at.COMMAND,
-        period.COMMAND,
-        compare.COMMAND,
-        duffing.COMMAND,
-        papers.COMMAND,
-        completion.COMMAND,
-    )
-}
+MODULES = (solve, at, period, compare, duffing, cubic_quintic, papers, completion)
+COMMANDS: dict[str, click.Command] = {str(each.COMMAND.name): each.COMMAND for each in MODULES}
 
 TEXT = """\
 The exact motion of a pendulum, theta'' + omega0^2 sin(theta) = 0, from any start and in every regime: swinging, turning
