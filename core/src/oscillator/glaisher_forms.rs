@@ -315,7 +315,7 @@ struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a DuffingForm, Dd);
 struct HyperbolicFormula<'a>(&'a DuffingForm, Dd);
 
 #[inline(always)]
-fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<L>) -> [L; 2] {
+fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<Dd<L>, L>) -> [L; 2] {
     let [above, below] = form.which.pq();
     let [left, right] = form.others;
     let (above, above_sign) = values.theta(above);
