@@ -177,7 +177,7 @@ impl DuffingForm {
     /// m with its complement.
     #[must_use]
     pub fn parameter(&self) -> Parameter {
-        Parameter::new(self.unit.m, self.unit.mc)
+        self.unit.parameter()
     }
     /// c1.
     #[must_use]

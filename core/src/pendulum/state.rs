@@ -7,6 +7,7 @@
 
 use super::frequency::Frequency;
 use super::regime::Regime;
+use crate::elliptic::parameter::Unit;
 use crate::float::angle_reduction::{self, ReducedAngle};
 use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::series;
@@ -120,6 +121,24 @@ impl State {
             omega: omega.to_dd(),
             omega_power,
         })
+    }
+}
+
+impl State {
+    /// The parameter of the theta functions: kappa^2 in libration, 1/kappa^2 in rotation.
+    pub(crate) fn unit(&self) -> Unit {
+        let State { regime, k, kc, m, mc, power, .. } = *self;
+        if regime == Regime::Rotation {
+            Unit { m: Dd::ONE / m, mc: -mc / m, k: Dd::ONE / k, kc: kc / k }
+        } else {
+            Unit { m: m.ldexp(2 * power), mc, k: k.ldexp(power), kc }
+        }
+    }
+
+    /// sn, cn, dn of that parameter at the phase of the start, counted from the bottom.
+    pub(super) fn jacobi(&self) -> [Dd; 3] {
+        let State { regime, s, c, x, k, .. } = *self;
+        if regime == Regime::Rotation { [s, c, x / k] } else { [s / k, x / k, c] }
     }
 }
 

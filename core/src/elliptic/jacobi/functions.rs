@@ -97,8 +97,8 @@ impl Jacobi {
 
     /// Half periods per unit of u: the factor times 1/2K.
     fn with_range(range: ParameterRange, unit: Unit, factor: Dd) -> Jacobi {
-        let unit = if range == ParameterRange::One { Parameter::from_m(0.0).unit() } else { unit };
-        let neville = NevilleTheta::new(unit.m, unit.mc, unit.k, unit.kc);
+        let unit = if range == ParameterRange::One { Unit::ZERO } else { unit };
+        let neville = NevilleTheta::new(unit);
         let (a, kc) = match range {
             ParameterRange::Negative => (neville.theta1_factor * unit.kc, Dd::ONE / unit.kc),
             _ => (neville.theta1_factor, unit.kc),
