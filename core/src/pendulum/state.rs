@@ -144,9 +144,9 @@ impl State {
 
 fn frame(theta: f64, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Frame {
     let distance = reduced.from_bottom * reduced.side;
-    let base = if reduced.turns == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
+    let base = if reduced.turns.hi == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
     let half_turn = if upside_down { reduced.side } else { 0.0 };
-    Frame { base, turns: reduced.whole_turns(), half_turn, side }
+    Frame { base, turns: reduced.turns, half_turn, side }
 }
 
 /// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.
