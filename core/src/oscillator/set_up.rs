@@ -203,6 +203,6 @@ fn escapes(outline: &Outline, start: Argument, orientation: Orientation) -> [Sca
     let Some(pole) = outline.pole else { return [-infinite, infinite] };
     let ahead = start.pole / outline.omega;
     let (ahead, behind) =
-        if outline.two_sided { (ahead, (pole + start.base) / outline.omega) } else { (infinite, ahead) };
+        if outline.grows { (ahead, (pole + start.base) / outline.omega) } else { (infinite, ahead) };
     if orientation.direction > 0.0 { [-behind, ahead] } else { [-ahead, behind] }
 }

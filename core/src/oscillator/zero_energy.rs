@@ -236,12 +236,10 @@ impl ZeroEnergy {
             SpeedCase::AboveDouble if low.is_positive() => [Scaled::ZERO, at(low)],
             _ => [Scaled::ZERO, infinite],
         };
-        let grows = matches!(self.case, SpeedCase::Cosine | SpeedCase::Below);
         Outline {
             reach,
             crosses: false,
-            grows,
-            two_sided: grows,
+            grows: matches!(self.case, SpeedCase::Cosine | SpeedCase::Below),
             pole: self.pole,
             omega: self.omega,
             periodic: self.circular() && self.pole.is_none(),
