@@ -54,9 +54,9 @@ impl SensitivityLanes {
     /// `None` next to the separatrix, and for orbits of extreme size.
     pub fn new(start: &VariationalSetUp, periodic: &Periodic) -> Option<SensitivityLanes> {
         let &Periodic { rotation, parameter, ref lattice, .. } = periodic;
-        let &VariationalSetUp { k, x, power, stretch, omega, omega_power, .. } = start;
+        let &VariationalSetUp { k, x, power, stretch, omega, .. } = start;
         let Parameter { m, mc, .. } = parameter;
-        let ordinary = power == 0 && omega_power.abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
+        let ordinary = power == 0 && omega.power().abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
         if mc.hi < LEAST_COMPLEMENT || !ordinary {
             return None;
         }
@@ -81,7 +81,7 @@ impl SensitivityLanes {
             last: if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
             m: m.hi,
             mc: mc.hi,
-            inverses: [mc.hi, stretch.hi, omega.ldexp(omega_power).hi].map(|value| 1.0 / value),
+            inverses: [mc.hi, stretch.hi, omega.value()].map(|value| 1.0 / value),
             half_period: quarter.scale(2.0).hi,
             whole: whole.hi,
             near: near.hi,
@@ -92,7 +92,7 @@ impl SensitivityLanes {
             k: k.hi,
             x: x.hi,
             stretch: stretch.hi,
-            omega: omega.ldexp(omega_power).hi,
+            omega: omega.value(),
             side: start.side,
         })
     }
