@@ -30,6 +30,11 @@ impl Scaled {
     /// One.
     pub const ONE: Scaled = Scaled { part: Dd::ONE, power: 0 };
 
+    /// Infinity.
+    pub const INFINITY: Scaled = Scaled { part: Dd::new(f64::INFINITY, 0.0), power: 0 };
+    /// Not a number.
+    pub const NAN: Scaled = Scaled { part: Dd::new(f64::NAN, 0.0), power: 0 };
+
     /// e^y of any y: 0 or infinite far beyond the range of every use.
     pub fn exp(y: Dd) -> Scaled {
         Scaled::exponentials(y)[0]

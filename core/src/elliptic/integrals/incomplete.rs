@@ -51,7 +51,7 @@ fn reduced_integral(integral: Integral, Parameter { m, mc, .. }: Parameter, sine
     let [m, mc, s, c] = [m, mc, sine, cosine].map(Scaled::from);
     let square = delta_square(m, mc, s.square(), c.square());
     match integral {
-        _ if square.is_negative() => Scaled::from(f64::NAN),
+        _ if square.is_negative() => Scaled::NAN,
         Integral::First => s * carlson::rf(c.square(), square, Scaled::ONE),
         Integral::Second => second_kind(m, mc, [s, c, square.sqrt()]),
     }
