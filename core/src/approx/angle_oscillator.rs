@@ -99,7 +99,7 @@ impl Trigonometric {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some((sine, cosine)) = counted(&self.phase, t * orbit.time_scale) else { return f64::NAN };
         let root = (Dd::ONE + self.flattening * sine.square()).sqrt();
-        framed(orbit, self.turning * Scaled::from(cosine / root))
+        framed(&orbit.frame, self.turning * Scaled::from(cosine / root))
     }
 
     pub fn period(&self) -> f64 {

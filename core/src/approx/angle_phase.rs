@@ -5,7 +5,7 @@ use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::series::long_sin_cos;
 use crate::float::{Dd, PI, Scaled, series};
 use crate::pendulum::Orbit;
-use crate::pendulum::state::State;
+use crate::pendulum::state::{Frame, State};
 
 /// Sine and cosine of pi f for |f| <= 1/2.
 pub(super) fn half_turn(f: Dd) -> (Dd, Dd) {
@@ -30,9 +30,8 @@ pub(super) fn counted(phase: &Phase, t: f64) -> Option<(Dd, Dd)> {
     Some((sine.scale(side), cosine.scale(side)))
 }
 
-/// The angle in the frame of the orbit, from the canonical one, which goes upwards through 0 at phase 0.
-pub(super) fn framed(orbit: &Orbit, canonical: Scaled) -> f64 {
-    let frame = &orbit.frame;
+/// The angle in the frame of an orbit, from the canonical one, which goes upwards through 0 at phase 0.
+pub(super) fn framed(frame: &Frame, canonical: Scaled) -> f64 {
     let angle = canonical * frame.side;
     if frame.base.hi == 0.0 && frame.half_turn == 0.0 {
         return angle.value();

@@ -177,7 +177,7 @@ impl Series {
         if matches!(orbit.solution, Solution::Rotation(_)) {
             angle = Scaled::from(TWO_PI * point.n + TWO_PI * point.f) + angle;
         }
-        framed(orbit, angle)
+        framed(&orbit.frame, angle)
     }
 
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
@@ -204,7 +204,7 @@ impl Harmonic {
 
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
-        framed(orbit, self.theta_max * Scaled::from(point.turn.0))
+        framed(&orbit.frame, self.theta_max * Scaled::from(point.turn.0))
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.
@@ -253,7 +253,7 @@ impl Arcsine {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let Some((sine, cosine)) = self.side(&point) else { return f64::NAN };
-        framed(orbit, multiple_of_angle(sine, cosine, 1))
+        framed(&orbit.frame, multiple_of_angle(sine, cosine, 1))
     }
 
     /// tan of a quarter of the difference is (sin a - sin b)/(cos a + cos b) of the halves, and sin a - sin b is what the

@@ -7,7 +7,7 @@
 //! The other one is tan(theta/2) = (s c cn + x dn sn)/(c^2 - x^2 sn^2) (Salas 23 times c^2) with the first harmonics of
 //! sn, cn and dn at the exact phase. Source: Salas 2019, (23), (24) and before fig. 6; DLMF 22.10, 22.11.
 
-use super::angle_phase::counted;
+use super::angle_phase::{counted, framed};
 use crate::elliptic::phase::Phase;
 use crate::float::elementary::arctangent;
 use crate::float::exponent::ldexp;
@@ -38,11 +38,7 @@ fn twice_angle(start: &State, opposite: Dd, adjacent: Dd) -> f64 {
         let size = if adjacent.hi < 0.0 { PI - size } else { size };
         Scaled::from(if opposite.hi < 0.0 { -size } else { size })
     };
-    let angle = half.shift(1) * start.frame.side;
-    if start.frame.base.hi == 0.0 {
-        return angle.value();
-    }
-    (start.frame.base + angle.to_dd()).value()
+    framed(&start.frame, half.shift(1))
 }
 
 /// To first order in m at a fixed time: the argument is omega0 t, and y grows with it.

@@ -5,7 +5,7 @@
 
 use super::constants::{INVERSE_LN_2, LN_2};
 use super::double_double::Dd;
-use super::exponent::{exp2, exponent, ldexp};
+use super::exponent::{carried, exp2, exponent, ldexp};
 use super::series;
 use super::triple_double::Td;
 use crate::lanes::Lane;
@@ -29,6 +29,11 @@ impl Scaled {
     pub const ZERO: Scaled = Scaled { part: Dd::ZERO, power: 0 };
     /// One.
     pub const ONE: Scaled = Scaled { part: Dd::ONE, power: 0 };
+
+    /// Infinity.
+    pub const INFINITY: Scaled = Scaled { part: Dd::new(f64::INFINITY, 0.0), power: 0 };
+    /// Not a number.
+    pub const NAN: Scaled = Scaled { part: Dd::new(f64::NAN, 0.0), power: 0 };
 
     /// e^y of any y: 0 or infinite far beyond the range of every use.
     pub fn exp(y: Dd) -> Scaled {
@@ -76,6 +81,11 @@ impl Scaled {
     /// As a double-double, each word rounded once where it leaves the normal numbers.
     pub fn to_dd(self) -> Dd {
         self.part.ldexp(self.power)
+    }
+    /// A rate in the range that a double-double carries, and the power of two that times take for it.
+    pub fn carried(self) -> (Dd, f64) {
+        let (_, time) = carried(self.power);
+        (self.shift(-time).to_dd(), ldexp(1.0, time))
     }
     /// Times 2^power, exactly.
     pub fn shift(self, power: i32) -> Scaled {

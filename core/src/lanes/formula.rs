@@ -89,9 +89,10 @@ impl<const A: usize, const N: usize, F: Formula<A, N>> Formula<A, N> for Swapped
     type Place = F::Place;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
-        let mut results = self.0.at(arguments);
-        results.swap(0, 1);
-        results
+        let results = self.0.at(arguments);
+        let mut swapped = results;
+        (swapped[0], swapped[1]) = (results[1], results[0]);
+        swapped
     }
 }
 

@@ -2,8 +2,6 @@
 
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
-use crate::float::exponent::{carried, ldexp};
-use crate::float::scaled::Scaled;
 
 /// The poles of an escape: argument to the one ahead at any time, and of both, in half periods.
 #[derive(Clone, Debug)]
@@ -20,10 +18,4 @@ pub(super) struct Clock {
     pub poles: Option<Poles>,
     /// Power of two that times take.
     pub time: f64,
-}
-
-/// A rate in the range that a double-double carries, and the power of two that times take for it.
-pub(super) fn carried_rate(rate: Scaled) -> (Dd, f64) {
-    let (_, time) = carried(rate.power());
-    (rate.shift(-time).to_dd(), ldexp(1.0, time))
 }

@@ -48,6 +48,8 @@ pub struct DuffingForm {
     c2: f64,
     rate: Dd,
     unit: Unit,
+    /// Of u' over c1 and the quotient of theta functions that it is.
+    slope: Dd,
     jacobi: Jacobi,
     /// Omega t + c2.
     argument: Phase,
@@ -159,7 +161,8 @@ impl DuffingForm {
         if !mc.is_zero() {
             jacobi.phase.start = argument.start / jacobi.neville.quarter.scale(2.0);
         }
-        Ok(DuffingForm { which, others: which.others(), c1, c2, rate, unit, jacobi, argument })
+        let slope = slope(which, &unit) * rate;
+        Ok(DuffingForm { which, others: which.others(), c1, c2, rate, unit, slope, jacobi, argument })
     }
 
     /// Which of the twelve.
@@ -189,13 +192,12 @@ impl DuffingForm {
     }
 
     fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
-        let slope = slope(self.which, &self.unit) * self.rate;
         if self.unit.mc.hi == 0.0 {
-            evaluation.of(&HyperbolicFormula(self, slope))
+            evaluation.of(&HyperbolicFormula(self))
         } else if self.jacobi.neville.hyperbolic() {
-            evaluation.of(&ThetaFormula::<true>(self, slope))
+            evaluation.of(&ThetaFormula::<true>(self))
         } else {
-            evaluation.of(&ThetaFormula::<false>(self, slope))
+            evaluation.of(&ThetaFormula::<false>(self))
         }
     }
 
@@ -277,38 +279,32 @@ fn slope(which: Glaisher, unit: &Unit) -> Dd {
     }
 }
 
-struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a DuffingForm, Dd);
+struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a DuffingForm);
 
 /// m = 1.
-struct HyperbolicFormula<'a>(&'a DuffingForm, Dd);
+struct HyperbolicFormula<'a>(&'a DuffingForm);
 
 #[inline(always)]
-fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<Dd<L>, L>) -> [L; 2] {
-    let [above, below] = form.which.pq();
+fn finished<L: Lane>(form: &DuffingForm, values: &NevilleValues<Dd<L>, L>) -> [L; 2] {
     let [left, right] = form.others;
-    let (above, above_sign) = values.theta(above);
-    let (below, below_sign) = values.theta(below);
     let (left, left_sign) = values.theta(left);
     let (right, right_sign) = values.theta(right);
-    let c1 = L::splat(form.c1);
-    let u = quotient(above, below).value();
-    // An exact zero below: the quotient's remainder would be infinity minus infinity.
-    let pole = below.hi.equal(L::splat(0.0));
-    let u = L::select(pole, above.hi / below.hi, u);
-    let product = left * right * Dd::splat(slope);
+    let product = left * right * Dd::splat(form.slope);
+    let (below, _) = values.theta(form.which.pq()[1]);
     let square = below.square();
     let velocity = quotient(product, square).value();
+    let pole = below.hi.equal(L::splat(0.0));
     let velocity = L::select(pole, product.hi / square.hi, velocity);
-    [u * (above_sign * below_sign) * c1, velocity * (left_sign * right_sign) * c1]
+    let c1 = L::splat(form.c1);
+    [values.quotient(form.which.pq()) * c1, velocity * (left_sign * right_sign) * c1]
 }
 
 impl<const HYPERBOLIC: bool> Formula<1, 2> for ThetaFormula<'_, HYPERBOLIC> {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let ThetaFormula(form, slope) = self;
-        let (_, values) = form.jacobi.neville_values::<HYPERBOLIC, L>(t);
-        finished::<L>(form, *slope, &values)
+        let (_, values) = self.0.jacobi.neville_values::<HYPERBOLIC, L>(t);
+        finished::<L>(self.0, &values)
     }
 }
 
@@ -316,13 +312,12 @@ impl Formula<1, 2> for HyperbolicFormula<'_> {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
-        let HyperbolicFormula(form, slope) = self;
-        let y = form.argument.counted(t);
+        let y = self.0.argument.counted(t);
         let one = L::splat(1.0);
         let sign = one.copysign(y.hi);
         let (sinh, cosh) = saturated_sinh_cosh(y.scale(sign));
         let unit = Dd::from_double(one);
         let values = NevilleValues { s: sinh, c: unit, d: unit, n: cosh, signs: [sign, one, one] };
-        finished::<L>(form, *slope, &values)
+        finished::<L>(self.0, &values)
     }
 }

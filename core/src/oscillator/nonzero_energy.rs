@@ -142,7 +142,7 @@ impl NonzeroEnergy {
                     (false, true) => RootCase::Outside,
                 };
                 if total.is_zero() {
-                    found.mc = Scaled::from(f64::NAN);
+                    found.mc = Scaled::NAN;
                 } else {
                     found.mc = if positive { upper } else { lower } / total;
                     found.omega = speed * total.sqrt();
@@ -209,8 +209,7 @@ impl NonzeroEnergy {
 
     pub fn outline(&self) -> Outline {
         let hyperbolic = !self.mc.is_positive();
-        let infinite = Scaled::from(f64::INFINITY);
-        let outer = if self.end().is_positive() { inverse_root(self.end()) } else { infinite };
+        let outer = if self.end().is_positive() { inverse_root(self.end()) } else { Scaled::INFINITY };
         let inner = match (self.case, self.roots) {
             (RootCase::Inside | RootCase::InsideDouble, Distances::Three(v)) => inverse_root(v[1]),
             (RootCase::Between, Distances::Three(v)) => inverse_root(v[0]),

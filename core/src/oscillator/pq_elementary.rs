@@ -4,7 +4,6 @@
 //! straight line u0 + velocity0 t. They are what M = l C^2 + m S^2 (elementary.rs) leaves where v = 0 is a root of C(v).
 //! Source: DLMF 4.34.
 
-use super::clock::carried_rate;
 use super::elementary::{Elementary, Functions, Sum};
 use crate::elliptic::phase::Phase;
 use crate::float::Dd;
@@ -81,7 +80,7 @@ impl PqElementary {
         let [start, rate] = given.base;
         let ([u], u_scale) = over_common_power([amplitude]);
         let ([velocity], velocity_scale) = over_common_power([amplitude * rate]);
-        let (rate, time) = carried_rate(rate);
+        let (rate, time) = rate.carried();
         let phase = Phase { rate, start: start.to_dd() };
         Some(PqElementary { function, phase, u, velocity, scales: [u_scale, velocity_scale], time })
     }

@@ -183,7 +183,7 @@ fn period(solution: &Solution, outline: &Outline) -> Scaled {
             let half = motion.half_period() / outline.omega;
             if outline.crosses { half.shift(1) } else { half }
         }
-        _ => Scaled::from(f64::INFINITY),
+        _ => Scaled::INFINITY,
     }
 }
 
@@ -199,10 +199,9 @@ fn range(outline: &Outline, sign: f64) -> [Scaled; 2] {
 
 /// Times of the escapes backward and forward.
 fn escapes(outline: &Outline, start: Argument, orientation: Orientation) -> [Scaled; 2] {
-    let infinite = Scaled::from(f64::INFINITY);
-    let Some(pole) = outline.pole else { return [-infinite, infinite] };
+    let Some(pole) = outline.pole else { return [-Scaled::INFINITY, Scaled::INFINITY] };
     let ahead = start.pole / outline.omega;
     let (ahead, behind) =
-        if outline.grows { (ahead, (pole + start.base) / outline.omega) } else { (infinite, ahead) };
+        if outline.grows { (ahead, (pole + start.base) / outline.omega) } else { (Scaled::INFINITY, ahead) };
     if orientation.direction > 0.0 { [-behind, ahead] } else { [-ahead, behind] }
 }

@@ -1,6 +1,6 @@
 //! A motion by theta functions: its phase, its poles, and the quotient that u is.
 
-use super::clock::{Clock, Poles, carried_rate};
+use super::clock::{Clock, Poles};
 use super::energy::{Orientation, Outline};
 use super::nonzero_energy::Argument;
 use super::pq_quotient::PqQuotient;
@@ -46,7 +46,7 @@ impl Quotient {
         Orientation { direction, .. }: Orientation,
     ) -> Escape {
         let whole = pole.shift(1);
-        let (rate, time) = carried_rate(omega / whole);
+        let (rate, time) = (omega / whole).carried();
         let from_pole = (base - rest).is_positive();
         let (start, direction) = if from_pole { (rest, -direction) } else { (base, direction) };
         let phase = Phase { rate: rate * direction, start: (start / whole).to_dd() };
@@ -87,7 +87,7 @@ impl ThetaMotion {
         let [m, mc] = factors.parameter();
         let neville = NevilleTheta::of_scaled(m, mc);
         let half = Scaled::from(neville.quarter).shift(1);
-        let (rate, time) = carried_rate(outline.omega / half);
+        let (rate, time) = (outline.omega / half).carried();
         let rate = rate * orientation.direction;
         let phase = Phase { rate, start: (start.base / half).to_dd() };
         let quotient = match factors {

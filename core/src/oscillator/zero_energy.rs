@@ -226,15 +226,14 @@ impl ZeroEnergy {
     }
 
     pub fn outline(&self) -> Outline {
-        let infinite = Scaled::from(f64::INFINITY);
         let at = |v: Scaled| Scaled::ONE / v.sqrt();
         let [low, high] = self.roots;
         let reach = match self.case {
-            SpeedCase::Cosine => [at(high), if low.is_positive() { at(low) } else { infinite }],
+            SpeedCase::Cosine => [at(high), if low.is_positive() { at(low) } else { Scaled::INFINITY }],
             SpeedCase::Above => [Scaled::ZERO, at(high)],
-            SpeedCase::Below | SpeedCase::BelowDouble => [at(low), infinite],
+            SpeedCase::Below | SpeedCase::BelowDouble => [at(low), Scaled::INFINITY],
             SpeedCase::AboveDouble if low.is_positive() => [Scaled::ZERO, at(low)],
-            _ => [Scaled::ZERO, infinite],
+            _ => [Scaled::ZERO, Scaled::INFINITY],
         };
         Outline {
             reach,

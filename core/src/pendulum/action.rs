@@ -11,6 +11,7 @@ use super::frequency::Frequency;
 use super::orbit::{Orbit, Solution};
 use super::state::State;
 use crate::domain::Domain;
+use crate::elliptic::amplitude::ReducedAmplitude;
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd, complete_k_dd};
 use crate::elliptic::parameter::{Parameter, Unit};
 use crate::elliptic::phase::ReducedPhase;
@@ -227,10 +228,8 @@ const FREE: f64 = 1.3e30;
 
 /// A phase in half periods of a libration, pi each.
 fn half_periods(phase: f64) -> ReducedPhase<f64> {
-    let angle_reduction::ReducedAngle { side, from_bottom, from_top, .. } = angle_reduction::reduce(phase);
-    let beyond = from_top.hi < from_bottom.hi;
-    let (rest, sign, parity) = if beyond { (from_top, -side, -1.0) } else { (from_bottom, side, 1.0) };
-    ReducedPhase { n: Dd::ZERO, sign, f: rest.to_dd() / PI, parity }
+    let ReducedAmplitude { odd, side, r, .. } = ReducedAmplitude::new(phase);
+    ReducedPhase { n: Dd::ZERO, sign: side, f: r.to_dd() / PI, parity: if odd { -1.0 } else { 1.0 } }
 }
 
 /// A phase in half periods of a rotation, 2 pi each, counted from its stable equilibrium: what its angle counts from.

@@ -13,8 +13,8 @@ use super::state::State;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::{arctangent, saturated_sinh_cosh, sech};
-use crate::float::exponent::{carried, ldexp};
-use crate::float::{Dd, PI, TWO_PI};
+use crate::float::exponent::ldexp;
+use crate::float::{Dd, PI, Scaled, TWO_PI};
 
 /// (theta, velocity) a time dt after the state (theta, velocity); theta is continuous with the input.
 ///
@@ -89,9 +89,8 @@ fn accurate(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f
 
 fn step(state: &State, dt: f64) -> Step {
     let State { c, x, k, omega, omega_power, regime, .. } = *state;
-    let (rate_power, time_power) = carried(omega_power);
-    let dt = ldexp(dt, time_power);
-    let omega = omega.ldexp(rate_power);
+    let (omega, time_scale) = Scaled::new(omega, omega_power).carried();
+    let dt = dt * time_scale;
     if regime == Regime::Separatrix {
         let bounded = if c.hi == 0.0 && x.hi == 0.0 {
             Dd::ZERO

@@ -16,7 +16,7 @@ use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
 use crate::float::exponent::{carried, exponent, ldexp, mantissa};
-use crate::float::{Dd, TWO_PI};
+use crate::float::{Dd, Scaled, TWO_PI};
 use crate::motion::interpolant::ConformalMap;
 use crate::motion::samples::LazyInterpolant;
 
@@ -119,9 +119,8 @@ impl Orbit {
 
     fn shaped(theta0: f64, velocity0: f64, frequency: Frequency, state: State) -> Orbit {
         let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = state;
-        let (rate_power, time_power) = carried(omega_power);
+        let (rate, time_scale) = Scaled::new(omega, omega_power).carried();
         let (speed_power, velocity_power) = carried(power + omega_power);
-        let rate = omega.ldexp(rate_power);
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
         let start = || (s / k) * rf_of_roots(x / k, c);
         let (solution, period, theta_max) = match regime {
@@ -183,7 +182,7 @@ impl Orbit {
             solution,
             interpolant: LazyInterpolant::new(map),
             state: Some(state),
-            time_scale: ldexp(1.0, time_power),
+            time_scale,
             velocity_scale: ldexp(frame.side, velocity_power),
             regime,
             period,

@@ -17,7 +17,6 @@ use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd
 use crate::elliptic::parameter::{Parameter, Unit};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::exponent::{carried, ldexp};
 use crate::float::{Dd, PI, Scaled};
 use crate::lanes::{Columns, Once};
 
@@ -84,8 +83,7 @@ impl Sensitivity {
             k: Dd::ZERO,
             x: Dd::ZERO,
             power: 0,
-            omega: Dd::ONE,
-            omega_power: 0,
+            omega: Scaled::ONE,
             side: 1.0,
         };
         let (closed_form, start) = match orbit.state {
@@ -143,13 +141,13 @@ impl Sensitivity {
             ClosedForm::UpperEquilibrium => self.at_upper_equilibrium(bounded(phase.rate, passed)),
             ClosedForm::Separatrix => {
                 let y = bounded(phase.rate, passed) + phase.start;
-                self.assembled(passed, &on_separatrix(y))
+                self.assembled(t, &on_separatrix(y))
             }
             ClosedForm::Periodic(periodic) => {
                 let at = phase.reduce(passed);
                 let half_periods = if periodic.rotation { 2.0 * at.n.hi } else { at.n.hi };
                 if half_periods.abs() < LAST_HALF_PERIOD {
-                    self.assembled(passed, &periodic.at(at))
+                    self.assembled(t, &periodic.at(at))
                 } else {
                     Jacobian::UNDEFINED
                 }
@@ -157,12 +155,11 @@ impl Sensitivity {
         }
     }
 
-    fn assembled(&self, passed: f64, now: &Solutions) -> Jacobian {
-        let VariationalSetUp { solutions: start, k, x, stretch, omega, power, omega_power, side, .. } =
-            &self.start;
-        let turned = Scaled::from(omega.ldexp(carried(*omega_power).0)) * passed;
-        let [k, x, stretch, omega] = [k, x, stretch, omega].map(|value| Scaled::from(*value));
-        let (k, x, omega) = (k.shift(*power), x.shift(*power), omega.shift(*omega_power));
+    fn assembled(&self, t: f64, now: &Solutions) -> Jacobian {
+        let VariationalSetUp { solutions: start, k, x, stretch, omega, power, side, .. } = &self.start;
+        let [k, x, stretch] = [k, x, stretch].map(|value| Scaled::from(*value));
+        let (k, x, omega) = (k.shift(*power), x.shift(*power), *omega);
+        let turned = omega * t;
         let by_velocity = (start.a * now.p - start.p * now.a) / stretch;
         let rate_by_velocity = start.a * now.q + start.p * now.b;
         let by_force = k * now.a * turned - x * by_velocity;
@@ -176,7 +173,7 @@ impl Sensitivity {
 
     /// cosh y, and sinh y over and times omega0.
     fn at_upper_equilibrium(&self, y: Dd) -> Jacobian {
-        let omega = Scaled::from(self.start.omega).shift(self.start.omega_power);
+        let omega = self.start.omega;
         let (sinh, cosh) = Scaled::from(y).sinh_cosh();
         Jacobian::of([cosh, sinh / omega, Scaled::ZERO, sinh * omega, cosh, Scaled::ZERO].map(Scaled::value))
     }
@@ -187,23 +184,24 @@ fn not_shaped(orbit: &Orbit, start: VariationalSetUp) -> (ClosedForm, Variationa
     let Some((root, omega_power)) = orbit.force.root().filter(|_| orbit.regime() == Regime::Rest) else {
         return (ClosedForm::ForceFree, start);
     };
-    let (inside, outside) = carried(omega_power);
-    let omega = root.to_dd();
+    let omega = Scaled::new(root.to_dd(), omega_power);
+    let (rate, time_scale) = omega.carried();
     let periodic = Periodic {
         rotation: false,
         parameter: Parameter::new(Dd::ZERO, Dd::ONE),
         lattice: NevilleTheta::new(Unit::ZERO),
         shift: Scaled::ZERO,
     };
-    let phase = Phase { rate: omega.ldexp(inside) / PI, start: Dd::ZERO };
-    let start = VariationalSetUp { phase, time_scale: ldexp(1.0, outside), omega, omega_power, ..start };
+    let phase = Phase { rate: rate / PI, start: Dd::ZERO };
+    let start = VariationalSetUp { phase, time_scale, omega, ..start };
     (ClosedForm::Periodic(Box::new(periodic)), start)
 }
 
 /// Of a motion that the force shapes.
 fn along(orbit: &Orbit, state: &State, start: VariationalSetUp) -> (ClosedForm, VariationalSetUp) {
     let State { s, c, x, k, power, omega, omega_power, frame, .. } = *state;
-    let start = VariationalSetUp { k, x, power, omega, omega_power, side: frame.side, ..start };
+    let omega = Scaled::new(omega, omega_power);
+    let start = VariationalSetUp { k, x, power, omega, side: frame.side, ..start };
     match &orbit.solution {
         Solution::Libration(elliptic) | Solution::Rotation(elliptic) => {
             let rotation = orbit.regime() == Regime::Rotation;
@@ -225,12 +223,9 @@ fn along(orbit: &Orbit, state: &State, start: VariationalSetUp) -> (ClosedForm, 
             (ClosedForm::Separatrix, VariationalSetUp { phase: *phase, solutions, ..start })
         }
         Solution::Equilibrium | Solution::ForceFree => {
-            let (inside, outside) = carried(omega_power);
-            let phase = Phase { rate: omega.ldexp(inside), start: Dd::ZERO };
-            (
-                ClosedForm::UpperEquilibrium,
-                VariationalSetUp { phase, time_scale: ldexp(1.0, outside), ..start },
-            )
+            let (rate, time_scale) = omega.carried();
+            let phase = Phase { rate, start: Dd::ZERO };
+            (ClosedForm::UpperEquilibrium, VariationalSetUp { phase, time_scale, ..start })
         }
     }
 }

@@ -54,9 +54,9 @@ impl SensitivityLanes {
     /// `None` next to the separatrix, and for orbits of extreme size.
     pub fn new(start: &VariationalSetUp, periodic: &Periodic) -> Option<SensitivityLanes> {
         let &Periodic { rotation, parameter, ref lattice, .. } = periodic;
-        let &VariationalSetUp { k, x, power, stretch, omega, omega_power, .. } = start;
+        let &VariationalSetUp { k, x, power, stretch, omega, .. } = start;
         let Parameter { m, mc, .. } = parameter;
-        let ordinary = power == 0 && omega_power.abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
+        let ordinary = power == 0 && omega.power().abs() <= ORDINARY && k.hi <= ORDINARY_RATIO;
         if mc.hi < LEAST_COMPLEMENT || !ordinary {
             return None;
         }
@@ -81,7 +81,7 @@ impl SensitivityLanes {
             last: if rotation { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD },
             m: m.hi,
             mc: mc.hi,
-            inverses: [mc.hi, stretch.hi, omega.ldexp(omega_power).hi].map(|value| 1.0 / value),
+            inverses: [mc.hi, stretch.hi, omega.value()].map(|value| 1.0 / value),
             half_period: quarter.scale(2.0).hi,
             whole: whole.hi,
             near: near.hi,
@@ -92,7 +92,7 @@ impl SensitivityLanes {
             k: k.hi,
             x: x.hi,
             stretch: stretch.hi,
-            omega: omega.ldexp(omega_power).hi,
+            omega: omega.value(),
             side: start.side,
         })
     }
@@ -106,23 +106,30 @@ impl SensitivityLanes {
             (true, true) => evaluation.of(&Derivatives::<true, true>(self)),
         }
     }
+}
 
+/// The derivatives of a libration or a rotation, on the circular or the hyperbolic side of the theta functions.
+struct Derivatives<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a SensitivityLanes);
+
+impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<1, 6> for Derivatives<'_, ROTATION, HYPERBOLIC> {
+    type Place = Self;
     #[inline(always)]
-    fn at<const ROTATION: bool, const HYPERBOLIC: bool, L: Lane>(&self, t: L) -> [L; 6] {
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 6] {
+        let set = self.0;
         let constant = |value: f64| L::splat(value);
-        let passed = t * constant(self.time_scale);
-        let (n, f) = self.phase.spread::<L>().count(passed, self.last);
+        let passed = t * constant(set.time_scale);
+        let (n, f) = set.phase.spread::<L>().count(passed, set.last);
         let sign = constant(1.0).copysign(f.hi);
         let f = f.scale(sign);
-        let ([sn, cn, dn], folded, slope) = self.lattice.short_values::<HYPERBOLIC, L>(f);
-        let u = f.hi * constant(self.half_period);
-        let from_top = (constant(0.5) - f.hi) * constant(self.half_period);
-        let zeta = slope * constant(self.zeta);
-        let near = u.mul_add(constant(self.near), zeta);
-        let far = from_top.mul_add(constant(self.far), constant(self.whole)) - zeta;
+        let ([sn, cn, dn], folded, slope) = set.lattice.short_values::<HYPERBOLIC, L>(f);
+        let u = f.hi * constant(set.half_period);
+        let from_top = (constant(0.5) - f.hi) * constant(set.half_period);
+        let zeta = slope * constant(set.zeta);
+        let near = u.mul_add(constant(set.near), zeta);
+        let far = from_top.mul_add(constant(set.far), constant(set.whole)) - zeta;
         let g = L::select(folded, far, near);
-        let [over, per_stretch, per_omega] = self.inverses;
-        let (m, mc, over) = (constant(self.m), constant(self.mc), constant(over));
+        let [over, per_stretch, per_omega] = set.inverses;
+        let (m, mc, over) = (constant(set.m), constant(set.mc), constant(over));
         let (a, b, p, q) = if ROTATION {
             let (a, b) = (dn, m * sn * cn);
             let p = (dn * mc.mul_add(u, g) - b) * over;
@@ -132,7 +139,7 @@ impl SensitivityLanes {
             (cn, b, (b - cn * g) * over, b.mul_add(g, cn * (mc - m * sn * sn)) * over)
         };
         let (b, p) = (b * sign, p * sign);
-        let shift = n * constant(self.shift);
+        let shift = n * constant(set.shift);
         let (p, q) = (shift.mul_add(a, p), q - shift * b);
         let (a, b, p, q) = if ROTATION {
             (a, b, p, q)
@@ -141,14 +148,14 @@ impl SensitivityLanes {
             (a * parity, b * parity, p * parity, q * parity)
         };
         // Not by `map`, which would be compiled without the instruction set.
-        let [a0, b0, p0, q0] = self.start;
+        let [a0, b0, p0, q0] = set.start;
         let (a0, b0, p0, q0) = (constant(a0), constant(b0), constant(p0), constant(q0));
         let (k, x, stretch, omega) =
-            (constant(self.k), constant(self.x), constant(self.stretch), constant(self.omega));
+            (constant(set.k), constant(set.x), constant(set.stretch), constant(set.omega));
         let by_velocity = (a0 * p - p0 * a) * constant(per_stretch);
         let rate_by_velocity = a0.mul_add(q, p0 * b);
         let turned = omega * passed;
-        let twice = constant(2.0 * self.side);
+        let twice = constant(2.0 * set.side);
         let ka = k * a;
         let values = [
             a.mul_add(q0, p * b0),
@@ -164,16 +171,5 @@ impl SensitivityLanes {
             *derivative = L::select(start, constant(if i == 0 || i == 4 { 1.0 } else { 0.0 }), value);
         }
         derivatives
-    }
-}
-
-/// The derivatives of a libration or a rotation, on the circular or the hyperbolic side of the theta functions.
-struct Derivatives<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a SensitivityLanes);
-
-impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<1, 6> for Derivatives<'_, ROTATION, HYPERBOLIC> {
-    type Place = Self;
-    #[inline(always)]
-    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 6] {
-        self.0.at::<ROTATION, HYPERBOLIC, L>(t)
     }
 }

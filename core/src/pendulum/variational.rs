@@ -45,8 +45,7 @@ pub(super) struct VariationalSetUp {
     pub k: Dd,
     pub x: Dd,
     pub power: i32,
-    pub omega: Dd,
-    pub omega_power: i32,
+    pub omega: Scaled,
     pub side: f64,
 }
 

@@ -54,30 +54,28 @@ fn brought_near<const N: usize>(
     None
 }
 
-fn nan() -> Scaled {
-    Scaled::from(f64::NAN)
-}
-
 /// R_F of arguments >= 0.
 pub(crate) fn rf(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
     let at = [x, y, z];
     if at.iter().filter(|x| x.is_zero()).count() > 1 {
-        return Scaled::from(f64::INFINITY);
+        return Scaled::INFINITY;
     }
-    brought_near(at, STEPS, |_, _, _, _| ())
-        .map_or(nan(), |([x, y, z], top, _)| Scaled::from(carlson_duplication::rf(x, y, z)).shift(-top / 2))
+    brought_near(at, STEPS, |_, _, _, _| ()).map_or(Scaled::NAN, |([x, y, z], top, _)| {
+        Scaled::from(carlson_duplication::rf(x, y, z)).shift(-top / 2)
+    })
 }
 
 /// R_C of x >= 0, y > 0.
 pub(crate) fn rc(x: Scaled, y: Scaled) -> Scaled {
-    brought_near([x, y, y], STEPS, |_, _, _, _| ())
-        .map_or(nan(), |([x, y, _], top, _)| Scaled::from(carlson_duplication::rc(x, y)).shift(-top / 2))
+    brought_near([x, y, y], STEPS, |_, _, _, _| ()).map_or(Scaled::NAN, |([x, y, _], top, _)| {
+        Scaled::from(carlson_duplication::rc(x, y)).shift(-top / 2)
+    })
 }
 
 /// R_C of x >= 0 and any y: for y < 0 Cauchy's principal value.
 pub(crate) fn rc_principal(x: Scaled, y: Scaled) -> Scaled {
     if y.is_zero() {
-        return Scaled::from(f64::INFINITY);
+        return Scaled::INFINITY;
     }
     if y.is_positive() {
         return rc(x, y);
@@ -91,13 +89,13 @@ pub(crate) fn rc_principal(x: Scaled, y: Scaled) -> Scaled {
 /// R_D of x, y >= 0, z > 0.
 pub(crate) fn rd(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
     if z.is_zero() || (x.is_zero() && y.is_zero()) {
-        return Scaled::from(f64::INFINITY);
+        return Scaled::INFINITY;
     }
     let mut sum = Scaled::ZERO;
     let near = brought_near([x, y, z], STEPS, |at, roots, shift, power| {
         sum = sum + (Scaled::from(3.0) / (roots[2] * (at[2] + shift))).shift(power);
     });
-    near.map_or(nan(), |([x, y, z], top, power)| {
+    near.map_or(Scaled::NAN, |([x, y, z], top, power)| {
         sum + Scaled::from(carlson_duplication::rd(x, y, z)).shift(power - top / 2 * 3)
     })
 }
@@ -105,7 +103,7 @@ pub(crate) fn rd(x: Scaled, y: Scaled, z: Scaled) -> Scaled {
 /// R_J of x, y, z >= 0, p > 0.
 pub(crate) fn rj(x: Scaled, y: Scaled, z: Scaled, p: Scaled) -> Scaled {
     if p.is_zero() || [x, y, z].iter().filter(|x| x.is_zero()).count() > 1 {
-        return Scaled::from(f64::INFINITY);
+        return Scaled::INFINITY;
     }
     let mut sum = Scaled::ZERO;
     let near = brought_near([x, y, z, p], STEPS_OF_RJ, |&[_, _, _, p], &[x, y, z, _], shift, power| {
@@ -113,7 +111,7 @@ pub(crate) fn rj(x: Scaled, y: Scaled, z: Scaled, p: Scaled) -> Scaled {
         let b_square = p * (p + shift).square();
         sum = sum + (rc(a.square(), b_square) * 3.0).shift(power);
     });
-    near.map_or(nan(), |([x, y, z, p], top, power)| {
+    near.map_or(Scaled::NAN, |([x, y, z, p], top, power)| {
         sum + Scaled::from(carlson_duplication::rj(x, y, z, p)).shift(power - top / 2 * 3)
     })
 }

@@ -5,6 +5,7 @@
 //! terms are all positive for the given m. Added are 2 n K or 2 n E.
 
 use super::carlson;
+use super::carlson_duplication::THIRD;
 use super::complete::{complete_e_dd, complete_k_dd};
 use crate::elliptic::amplitude::{ReducedAmplitude, sines};
 use crate::elliptic::parameter::Parameter;
@@ -13,7 +14,7 @@ use crate::float::{Dd, Scaled};
 /// 1 - m s^2 from mc = 1 - m and the squares of the sine s and the cosine. It subtracts only for m > 1, and then the smaller
 /// terms: next to m = 1 those of c^2 + mc s^2.
 pub(crate) fn delta_square(m: Scaled, mc: Scaled, sine_square: Scaled, cosine_square: Scaled) -> Scaled {
-    if (mc.abs() - Scaled::ONE).is_positive() {
+    if !mc.is_zero() && mc.power() >= 0 {
         Scaled::ONE - m * sine_square
     } else {
         cosine_square + mc * sine_square
@@ -23,7 +24,7 @@ pub(crate) fn delta_square(m: Scaled, mc: Scaled, sine_square: Scaled, cosine_sq
 /// E of the reduced amplitude from s = sin r, c = cos r and d = sqrt(1 - m s^2), for any m, into the ends of the range.
 pub(crate) fn second_kind(m: Scaled, mc: Scaled, [s, c, d]: [Scaled; 3]) -> Scaled {
     let (square, c2, d2) = (s.square(), c.square(), d.square());
-    let third = s * square / Scaled::from(3.0);
+    let third = s * square * Scaled::from(THIRD);
     if mc.is_zero() {
         s
     } else if mc.is_negative() {
@@ -51,7 +52,7 @@ fn reduced_integral(integral: Integral, Parameter { m, mc, .. }: Parameter, sine
     let [m, mc, s, c] = [m, mc, sine, cosine].map(Scaled::from);
     let square = delta_square(m, mc, s.square(), c.square());
     match integral {
-        _ if square.is_negative() => Scaled::from(f64::NAN),
+        _ if square.is_negative() => Scaled::NAN,
         Integral::First => s * carlson::rf(c.square(), square, Scaled::ONE),
         Integral::Second => second_kind(m, mc, [s, c, square.sqrt()]),
     }
@@ -70,7 +71,7 @@ fn incomplete(integral: Integral, phi: f64, parameter: Parameter) -> f64 {
     }
     let ReducedAmplitude { n, side, r, rest, .. } = ReducedAmplitude::new(phi);
     let (sine, cosine) = sines(r, rest);
-    let within = reduced_integral(integral, parameter, sine, cosine) * side;
+    let within = reduced_integral(integral, parameter, sine, cosine).signed(side);
     if n.hi == 0.0 {
         return within.value();
     }

@@ -80,6 +80,15 @@ impl<L: Lane> NevilleValues<Dd<L>, L> {
             NevilleIndex::N => (self.n, L::splat(1.0)),
         }
     }
+    /// pq = theta_p/theta_q.
+    #[inline(always)]
+    pub fn quotient(&self, [p, q]: [NevilleIndex; 2]) -> L {
+        let ((above, above_sign), (below, below_sign)) = (self.theta(p), self.theta(q));
+        let value = quotient(above, below).value();
+        // An exact zero below: the quotient's remainder would be infinity minus infinity.
+        let value = L::select(below.hi.equal(L::splat(0.0)), above.hi / below.hi, value);
+        value * (above_sign * below_sign)
+    }
 }
 
 impl Jacobi {
@@ -146,23 +155,6 @@ impl Jacobi {
         }
     }
 
-    #[inline(always)]
-    fn doubly_periodic<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> [L; 4] {
-        let (half_periods, NevilleValues { s, c, d, n, signs }) = self.neville_values::<HYPERBOLIC, L>(u);
-        let am = if self.range == ParameterRange::AboveOne {
-            arctangent(s, c).value() * signs[0]
-        } else {
-            // The sign of the rest: that of sn without the parity, which is the sign of cn.
-            let within = arctangent(s, c).scale(signs[0] * signs[1]);
-            let turned = half_periods * Dd::splat(PI);
-            (turned + within).value()
-        };
-        let sn = quotient(s, n).value() * signs[0];
-        let cn = quotient(c, n).value() * signs[1];
-        let dn = quotient(d, n).value() * signs[2];
-        [sn, cn, dn, am]
-    }
-
     /// The nearest whole number of half periods, and Neville's theta functions at u.
     #[inline(always)]
     pub(crate) fn neville_values<const HYPERBOLIC: bool, L: Lane>(
@@ -198,8 +190,8 @@ impl Jacobi {
     }
 }
 
-/// Where e^-2u no longer counts beside 1.
-const TANH_IS_ONE: f64 = 40.0;
+/// Where e^-2u no longer counts beside 1 in a double-double: tanh is 1, and sinh is cosh.
+pub(super) const TANH_IS_ONE: f64 = 40.0;
 
 impl Jacobi {
     /// The nearest whole number of half periods, and Neville's theta functions at u to 2^-60 and of any size, for what must not
@@ -259,7 +251,20 @@ impl<const HYPERBOLIC: bool> Formula<1, 4> for DoublyPeriodic<'_, HYPERBOLIC> {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 4] {
-        odd(u, self.0.doubly_periodic::<HYPERBOLIC, L>(u))
+        let jacobi = self.0;
+        let (half_periods, NevilleValues { s, c, d, n, signs }) = jacobi.neville_values::<HYPERBOLIC, L>(u);
+        let am = if jacobi.range == ParameterRange::AboveOne {
+            arctangent(s, c).value() * signs[0]
+        } else {
+            // The sign of the rest: that of sn without the parity, which is the sign of cn.
+            let within = arctangent(s, c).scale(signs[0] * signs[1]);
+            let turned = half_periods * Dd::splat(PI);
+            (turned + within).value()
+        };
+        let sn = quotient(s, n).value() * signs[0];
+        let cn = quotient(c, n).value() * signs[1];
+        let dn = quotient(d, n).value() * signs[2];
+        odd(u, [sn, cn, dn, am])
     }
 }
 

@@ -4,7 +4,7 @@
 //! to a zero or a pole the digits are those of the reduced argument. At m = 1 all are hyperbolic functions.
 //! Source: DLMF 22.2.10, 22.2.11; A&S 16.36.
 
-use super::functions::{Jacobi, NevilleIndex, TINY};
+use super::functions::{Jacobi, NevilleIndex, TANH_IS_ONE, TINY};
 use crate::elliptic::parameter::ParameterRange;
 use crate::float::Dd;
 use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
@@ -156,20 +156,12 @@ impl<const HYPERBOLIC: bool> Formula<1, 1> for NevilleQuotient<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
         let (_, values) = self.0.neville_values::<HYPERBOLIC, L>(u);
-        let (above, above_sign) = values.theta(self.1[0]);
-        let (below, below_sign) = values.theta(self.1[1]);
-        let value = quotient(above, below).value();
-        // An exact zero below: the quotient's remainder would be infinity minus infinity.
-        let value = L::select(below.hi.equal(L::splat(0.0)), above.hi / below.hi, value);
-        [odd(self.1, u, value * (above_sign * below_sign))]
+        [odd(self.1, u, values.quotient(self.1))]
     }
 }
 
 /// m = 1.
 struct HyperbolicQuotient([NevilleIndex; 2]);
-
-/// Where tanh is 1 to a double-double, and sinh is cosh.
-const TANH_IS_ONE: f64 = 40.0;
 
 impl Formula<1, 1> for HyperbolicQuotient {
     type Place = Self;

@@ -46,10 +46,6 @@ fn others(index: NevilleIndex) -> [NevilleIndex; 2] {
     }
 }
 
-fn outside() -> Scaled {
-    Scaled::from(f64::NAN)
-}
-
 /// For sp(u) = x (`zero`): u/x. For ps(u) = x (else): u >= 0. p is `index`, and `square` is x^2, x >= 0.
 fn odd(index: NevilleIndex, zero: bool, square: Scaled, parameter: Parameter) -> Scaled {
     let (base, factor) = if zero { (Scaled::ONE, square) } else { (square, Scaled::ONE) };
@@ -65,7 +61,7 @@ fn odd(index: NevilleIndex, zero: bool, square: Scaled, parameter: Parameter) ->
     } else {
         base + delta(p, index, parameter) * factor
     };
-    if lower.is_negative() { outside() } else { rf(base, lower, upper) }
+    if lower.is_negative() { Scaled::NAN } else { rf(base, lower, upper) }
 }
 
 /// The u >= 0 of an even pq at |x|.
@@ -81,7 +77,7 @@ fn even(p: NevilleIndex, q: NevilleIndex, x: f64, parameter: Parameter) -> Scale
     let distance = delta(q, p, parameter);
     let w = Scaled::from(Dd::sum(1.0, -x)) * Scaled::from(Dd::sum(1.0, x)) / distance;
     if distance.is_zero() || w.is_negative() {
-        return outside();
+        return Scaled::NAN;
     }
     // 1 + Delta(r, q) w, which is also (Delta(r, p) - Delta(r, q) x^2)/Delta(q, p): the one that does not subtract. Where
     // both do, the second, which is exactly 0 at an exact end of the range, unless its terms are much larger.
@@ -93,7 +89,7 @@ fn even(p: NevilleIndex, q: NevilleIndex, x: f64, parameter: Parameter) -> Scale
     } else {
         (offset - ratio * square) / distance
     };
-    if last.is_negative() { outside() } else { w.sqrt() * rf(square, Scaled::ONE, last) }
+    if last.is_negative() { Scaled::NAN } else { w.sqrt() * rf(square, Scaled::ONE, last) }
 }
 
 /// arcpq(x | m): the u with pq(u | m) = x on the principal branch.

@@ -149,7 +149,7 @@ impl Theta {
                 };
                 *lead * value
             }
-            Expansion::None => Scaled::from(f64::NAN),
+            Expansion::None => Scaled::NAN,
         };
         (value * sign).value()
     }

@@ -219,8 +219,7 @@ impl NevilleTheta {
 
     /// [`NevilleTheta::thetas_on`] good to 2^-64: for steps that are repeated, whose errors would add up.
     pub fn long_thetas(&self, f: Dd) -> Thetas<f64> {
-        let folded = f.hi > 0.25;
-        let v = if folded { Dd::from(0.5) - f } else { f };
+        let (folded, v) = fold(f);
         let angle = v * self.angle;
         let (leads, x) = match self.side {
             Side::Circular => {
