@@ -11,7 +11,9 @@ const ROWS: usize = 31 + 23 + 21;
 fn all_rows() -> Vec<Row<'static>> {
     let formulas = VECTORS.lines().skip(1).step_by(ROWS).count();
     let rows = rows(VECTORS, formulas * ROWS);
-    assert!(rows.chunks(ROWS).all(|rows| rows.iter().all(|row| row.text("formula") == rows[0].text("formula"))));
+    assert!(
+        rows.chunks(ROWS).all(|rows| rows.iter().all(|row| row.text("formula") == rows[0].text("formula")))
+    );
     rows
 }
 
