@@ -51,7 +51,7 @@ def _time(name: str, value: Any) -> str:
     """Differences of times, and dates."""
     if isinstance(value, type):
         return ""
-    kind = _kind(value)
+    kind = element_kind(value)
     if kind == "m":
         return f"{name} / np.timedelta64(1, 's')"
     if kind == "M":
@@ -66,7 +66,7 @@ def _time(name: str, value: Any) -> str:
 
 def _array(name: str, value: Any) -> str:
     """Arrays of other numbers, or of what can be made numbers."""
-    kind = _kind(value)
+    kind = element_kind(value)
     if kind == "c":
         return f"np.real({name})"
     if kind == "f" and value.dtype.itemsize > 8:
@@ -79,7 +79,7 @@ def _array(name: str, value: Any) -> str:
             return f"[each.total_seconds() for each in {name}]"
         try:
             np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             return ""
         return f"np.asarray({name}, dtype=float)"
     return ""
@@ -115,7 +115,7 @@ def _number(name: str, value: Any) -> str:
     return ""
 
 
-def _kind(value: Any) -> str:
+def element_kind(value: Any) -> str:
     """The letter of NumPy for the kind of an array's elements; empty for what has none."""
     kind = getattr(getattr(value, "dtype", None), "kind", "")
     return kind if isinstance(kind, str) else ""

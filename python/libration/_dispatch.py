@@ -191,8 +191,10 @@ def _stack(library: str | None, part: list[Any], axis: int, name: str, labels: t
 
         stack: Any = dask_array.stack
         return stack(part, axis=axis, allow_unknown_chunksizes=True)
-    masked = any(isinstance(each, np.ma.MaskedArray) for each in part)
-    return (np.ma.stack if masked else np.stack)(part, axis=axis)
+    if any(isinstance(each, np.ma.MaskedArray) for each in part):
+        return np.ma.stack(part, axis=axis)
+    # NumPy's stack of np.matrix, which has never more than two dimensions, writes beyond its memory.
+    return np.stack([np.asarray(each) for each in part], axis=axis)
 
 
 def unindexed(argument: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import Any, NoReturn, TypeVar, cast
 
 import numpy as np
 
-from ._advice import advice, has_units
+from ._advice import advice, element_kind, has_units
 from ._scalars import shown
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -65,6 +65,8 @@ FUNCTIONS = {
     "elliprj": "carlson_rj",
     "jtheta": "theta1",
 }
+# What Python and NumPy raise for an argument that they do not take.
+REFUSALS = (TypeError, ValueError, OverflowError)
 # The arguments that are no numbers.
 OTHERS = {"self", "cls", "out", "where", "form", "formula", "name", "pendulum"}
 PARAMETER = {"m": "the parameter", "mc": "its complement 1 - m", "k": "the modulus", "q": "the nome"}
@@ -77,7 +79,7 @@ def explained(function: Function) -> Function:
     def call(*arguments: Any, **keywords: Any) -> Any:
         try:
             return function(*arguments, **keywords)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, function, arguments, keywords)
 
     return cast(Function, call)
@@ -103,8 +105,10 @@ def _explanation(
     except TypeError:
         return TypeError(f"{name}() {_misplaced(signature, arguments, keywords)}")
     numbers = {each: value for each, value in _single(signature, given) if each not in OTHERS}
-    if isinstance(error, TypeError):
+    if isinstance(error, TypeError | OverflowError):
         for each, value in numbers.items():
+            if _beyond_doubles(value):
+                return ValueError(f"{each} = an integer beyond the doubles: must be finite")
             if reason := _not_real(name, each, value):
                 return TypeError(f"{each} = {shown(value)}: {reason}")
         return _about_out(given.get("out"), error)
@@ -180,6 +184,19 @@ def no_member(module: str, name: str) -> AttributeError:
     )
 
 
+def _beyond_doubles(value: Any) -> bool:
+    """Whether an argument has a whole number that no double is near to."""
+    if not isinstance(value, int | list | tuple) and getattr(getattr(value, "dtype", None), "kind", None) != "O":
+        return False
+    try:
+        np.asarray(value, dtype=float)
+    except OverflowError:
+        return True
+    except (TypeError, ValueError):
+        return False
+    return False
+
+
 def _not_real(function: str, name: str, value: Any) -> str:
     """Why an argument is not an array of real numbers; empty if it is one, or nothing is known of it."""
     array = value
@@ -188,20 +205,32 @@ def _not_real(function: str, name: str, value: Any) -> str:
             array = np.asarray(value)
         except ValueError:
             return "has rows of different lengths: must be one length, NaN where there is nothing"
-    dtype = getattr(array, "dtype", None)
+    kind = element_kind(array)
     complex_too = name == "u" and function == "jacobi_complex"
-    if dtype is None:
+    if not kind:
         plain = isinstance(array, int | float | range) or (complex_too and isinstance(array, complex))
         known = plain or hasattr(array, "__array__") or hasattr(array, "iloc")
+        if text := _column_of_text(array):
+            return f"must be real numbers, not {text}"
     else:
-        known = dtype.kind in ("biuc" if complex_too else "biu") or (dtype.kind == "f" and dtype.itemsize <= 8)
+        known = kind in ("biuc" if complex_too else "biu") or (kind == "f" and array.dtype.itemsize <= 8)
     if known and not has_units(array):
         return ""
     if name == "u" and np.iscomplexobj(array):
         return "must be real numbers; jacobi_complex takes a complex u"
     numbers = ("complex numbers" if complex_too else "real numbers") + (" without units" if has_units(array) else "")
-    other = f", not {dtype}" if dtype is not None and not known and getattr(value, "ndim", None) else ""
+    other = f", not {array.dtype}" if kind and not known and getattr(value, "ndim", None) else ""
     return f"must be {numbers}{other}{advice(name, array)}"
+
+
+def _column_of_text(table: Any) -> str:
+    """The first column of a table of pandas, or variable of a data set of xarray, that holds no numbers."""
+    columns = getattr(table, "data_vars", table) if hasattr(table, "data_vars") or hasattr(table, "columns") else {}
+    for column in columns:
+        dtype = table[column].dtype
+        if element_kind(table[column]) not in "biuf":
+            return f"{dtype} in {column!r}"
+    return ""
 
 
 def _about_out(out: Any, error: Exception) -> Exception | None:
@@ -209,11 +238,11 @@ def _about_out(out: Any, error: Exception) -> Exception | None:
     if out is None:
         return None
     for each in out if isinstance(out, tuple) else (out,):
-        if each is not None and not hasattr(each, "dtype"):
+        if "ArrayType" in str(error) and each is not None and not hasattr(each, "dtype"):
             return TypeError(f"out = {shown(out)}: must be an array of float64, or a tuple of one for each result")
         if each is not None and "cast" in str(error):
             return TypeError(f"out is an array of {each.dtype}: must be one of float64")
-    if "tuple" in str(error):
+    if "'out'" in str(error):
         given = f"a tuple of {len(out)}" if isinstance(out, tuple) else "one array"
         return type(error)(
             f"out is {given}: must be an array where there is one result, a tuple of one for each result"

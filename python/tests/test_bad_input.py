@@ -1,8 +1,11 @@
 """Constructors refuse in one line that names argument, value and what is allowed; arrays give NaN for one element."""
 
+import datetime
+import inspect
 import math
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import libration
@@ -178,3 +181,37 @@ def test_arrays_that_are_not_real_numbers_are_numpys_to_refuse():
             Pendulum(1.0).theta(bad)
         with pytest.raises(TypeError):
             libration.theta(1.0, bad)
+
+
+ODD = {
+    "object": object(),
+    "class": Pendulum,
+    "pendulum": Pendulum(1.0),
+    "date": datetime.date(2026, 1, 1),
+    "dictionary": {"a": 1.0},
+    "bytes": b"1",
+    "fields": np.zeros(2, [("a", float), ("b", int)]),
+    "objects": np.array([object()]),
+    "series of text": pd.Series(["a"]),
+    "table of text": pd.DataFrame({"a": ["x"]}),
+    "large integers": [10**400],
+    "slice": slice(1),
+    "ragged": [[1.0], [1.0, 2.0]],
+}
+
+
+@pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
+@pytest.mark.parametrize("function", [getattr(libration, name) for name in libration.__all__ if name[0].islower()])
+def test_no_message_names_what_is_inside(function, odd):
+    """Each argument of each function in turn is something odd: the answer is one short line that names the argument."""
+    names = [each for each in inspect.signature(function).parameters if each not in ("out", "where")]
+    needed = [name for name in names if inspect.signature(function).parameters[name].default is inspect.Parameter.empty]
+    good = dict.fromkeys(needed, 0.5) | ({"m": 0.5} if "mc" in names else {})
+    for name in names:
+        if name in ("mc", "k", "q"):
+            good.pop("m", None)
+        with pytest.raises((TypeError, ValueError)) as caught:
+            function(**good | {name: odd})
+        message = str(caught.value)
+        assert message.startswith(f"{name} = ") and len(message) < 250
+        assert "ufunc" not in message and "\n" not in message

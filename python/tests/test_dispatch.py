@@ -172,3 +172,12 @@ def test_neither_library_is_imported_for_numpy():
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "set()"
+
+
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+def test_a_matrix_of_numpy_gives_an_array_with_further_axes():
+    t = np.matrix([[0.5, 1.5], [2.5, 3.5]])
+    found = libration.sensitivities(t, 1.0)
+    assert type(found) is np.ndarray
+    assert all_same(found, libration.sensitivities(np.asarray(t), 1.0))
+    assert PENDULUM.second_sensitivities(t).shape == (2, 2, 2, 3, 3)

@@ -92,6 +92,8 @@ NO_ARRAYS = {"sensitivities", "claims", "errata", "limits", "pictures"}
 OTHERS = {
     "Pendulum": {
         "degrees",
+        "plot",
+        "plot_phase",
         "times",
         "turning_times",
         "fourier",

@@ -169,6 +169,16 @@ p.theta(t3, out=[0.0, 0.0, 0.0])
     TypeError: out = [0.0, 0.0, 0.0]: must be an array of float64, or a tuple of one for each result
 p.theta(p)
     TypeError: t = Pendulum(theta0=1.0, velocity0=0.0, omega0=1.0): must be real numbers
+p.theta([10**400])
+    ValueError: t = an integer beyond the doubles: must be finite
+p.theta(pd.DataFrame({"a": [1.0], "b": [1j]}))
+    TypeError: t = an array of shape (1, 2): must be real numbers, not complex128 in 'b'
+Duffing.of_pendulum(1.0)
+    ValueError: pendulum = 1.0: must be a Pendulum
+DuffingForm(t3, 1.0, p=1, q=1)
+    ValueError: form = an array of shape (3,): must be one of sn, cn, dn, ns, nc, nd, sc, cs, sd, ds, cd, dc
+libration.jacobi_complex(t3, m=0.5, out=t3)
+    TypeError: out = an array of shape (3,): must be a tuple of three arrays of complex128
 p.motion(None)
     TypeError: t = None: must be real numbers
 p.turns("1")

@@ -11,6 +11,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 
 import libration
 from libration import Duffing, Pendulum, approx, plot
@@ -262,6 +263,42 @@ def test_every_picture_in_every_language(name, lang):
     assert "sans-serif" in svg
     words = {"motion": "exact", "comparison": "exact", "oscillator": "separatrix", "periods": "logarithms"}
     assert f">{Language(lang).word(words[name])}<" in svg
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """The figures that are saved, kept as they are."""
+    figures = []
+    monkeypatch.setattr(Figure, "savefig", lambda figure, *args, **given: figures.append(figure))
+    return figures
+
+
+LONG = (
+    "Uma oscilação de grande amplitude, medida na sala de aula com um pêndulo de um metro, e a solução exata ao lado. "
+)
+
+
+CUT = [(name, lang, None) for name in SAVED for lang in LANGUAGES]
+CUT += [("comparison", "en", title) for title in (LONG, 3 * LONG, "W" * 60 + " " + "W" * 60)]
+
+
+@pytest.mark.parametrize(("name", "lang", "title"), CUT)
+def test_no_text_is_cut(name, lang, title, drawn):
+    SAVED[name](io.BytesIO(), form="png", lang=lang, title=title)
+    [figure] = drawn
+    figure.draw_without_rendering()
+    legends = [
+        legend for each in (figure, *figure.axes) for legend in each.get_children() if isinstance(legend, Legend)
+    ]
+    texts = [text for axes in figure.axes for text in (*axes.texts, axes.title, axes.xaxis.label, axes.yaxis.label)]
+    texts += [*figure.texts, *(text for legend in legends for text in legend.get_texts())]
+    boxes = [text.get_window_extent() for text in texts if text.get_text()]
+    assert len(boxes) > 5
+    # With the labels of the ticks.
+    boxes += [axes.get_tightbbox() for axes in figure.axes]
+    for box in boxes:
+        assert -1 <= box.x0 <= box.x1 <= figure.bbox.width + 1
+        assert -1 <= box.y0 <= box.y1 <= figure.bbox.height + 1
 
 
 def test_ticks_have_a_decimal_comma(ax):

@@ -1,7 +1,5 @@
 """The picture of the formulas of the period: every formula is a curve of its own, and a turning angle is marked."""
 
-import math
-
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -17,7 +15,7 @@ def curves(axes):
     return {line.get_label().partition(" = ")[0]: line for line in axes.lines if line.get_label()[0] != "_"}
 
 
-@pytest.mark.parametrize("theta_max", [None, 2.6])
+@pytest.mark.parametrize("theta_max", [None, 2.6, [0.5, 1.0, 2.6]])
 def test_every_formula_is_drawn_once(theta_max):
     figure = Figure()
     draw_periods(figure, theta_max)
@@ -29,7 +27,9 @@ def test_every_formula_is_drawn_once(theta_max):
     degrees, error = curves(errors[2])["lima-arun"].get_data()
     assert np.array_equal(error, np.abs(approx.period("lima-arun").error(np.radians(degrees))))
     marks = [[line.get_xdata()[0] for line in axes.lines if len(line.get_xdata()) == 2] for axes in figure.axes]
-    assert marks == [[] if theta_max is None else [math.degrees(theta_max)]] * len(figure.axes)
+    marked = [] if theta_max is None else np.degrees(np.atleast_1d(theta_max)).tolist()
+    assert marks == [marked] * len(figure.axes)
+    assert [text.get_text() for text in ratios.texts][1:] == [f"{degrees:.4g}°" for degrees in marked]
 
 
 def test_no_two_curves_of_a_panel_look_alike():

@@ -55,14 +55,6 @@ pub(super) enum Shape {
     Polynomial(Polynomial),
 }
 
-/// The regimes that a formula is written for.
-#[derive(Clone, Copy, PartialEq)]
-enum Serves {
-    All,
-    Periodic,
-    Libration,
-}
-
 impl AngleFormula {
     /// Finds `linear`, `fourier:4` and so on; the error names the nearest entries first.
     pub fn named(name: &str) -> Result<AngleFormula, Domain> {
@@ -91,23 +83,18 @@ impl AngleFormula {
 
     /// Refuses what the formula is not written for.
     fn refuse(&self, orbit: &Orbit) -> Result<(), Domain> {
-        let (serves, about_bottom) = match self.kind {
-            AngleRule::Linear | AngleRule::SmallM | AngleRule::Cubic | AngleRule::CubicQuintic => {
-                (Serves::All, true)
-            }
-            AngleRule::SmallMBounded | AngleRule::Trigonometric => (Serves::Libration, true),
-            AngleRule::Harmonic | AngleRule::Fourier => (Serves::Libration, false),
-            AngleRule::FourierTheta => (Serves::Periodic, false),
-            AngleRule::Taylor => (Serves::All, false),
-        };
         let regime = orbit.regime();
-        let served = match serves {
-            Serves::All => true,
-            Serves::Periodic => regime != Regime::Separatrix,
-            Serves::Libration => matches!(regime, Regime::Libration | Regime::Rest),
+        let periodic = (regime != Regime::Separatrix, "libration or rotation");
+        let libration = (matches!(regime, Regime::Libration | Regime::Rest), "libration");
+        let all = (true, "");
+        let ((served, needs), about_bottom) = match self.kind {
+            AngleRule::Linear | AngleRule::SmallM | AngleRule::Cubic | AngleRule::CubicQuintic => (all, true),
+            AngleRule::SmallMBounded | AngleRule::Trigonometric => (libration, true),
+            AngleRule::Harmonic | AngleRule::Fourier => (libration, false),
+            AngleRule::FourierTheta => (periodic, false),
+            AngleRule::Taylor => (all, false),
         };
         if !served {
-            let needs = if serves == Serves::Periodic { "libration or rotation" } else { "libration" };
             return Err(self.regime_refused(orbit, needs));
         }
         if about_bottom && orbit.force.upside_down() {

@@ -13,55 +13,42 @@ use crate::float::elementary::arctangent;
 use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, Scaled};
 use crate::pendulum::Orbit;
-use crate::pendulum::state::{Frame, State};
+use crate::pendulum::state::State;
 use crate::pendulum::theta_quotients::Elliptic;
 
-/// The start in units of omega0 = 1, with the velocity upwards: s and x are over 2^power.
-#[derive(Clone, Debug)]
-struct Start {
-    s: Dd,
-    c: Dd,
-    x: Dd,
-    m: Dd,
-    power: i32,
-    frame: Frame,
+/// The start in units of omega0 = 1, with m itself.
+fn start_of(orbit: &Orbit) -> Option<State> {
+    orbit.state.map(|state| State { m: state.m.ldexp(2 * state.power), ..state })
 }
 
-impl Start {
-    fn new(orbit: &Orbit) -> Option<Start> {
-        let State { s, c, x, m, power, frame, .. } = orbit.state?;
-        Some(Start { s, c, x, m: m.ldexp(2 * power), power, frame })
-    }
+/// The square of a velocity.
+fn square_of(start: &State, x: Dd) -> Dd {
+    if start.power == 0 { x.square() } else { Dd::ZERO }
+}
 
-    /// The square of a velocity.
-    fn square(&self, x: Dd) -> Dd {
-        if self.power == 0 { x.square() } else { Dd::ZERO }
+/// Twice the angle of a point, in the frame of the orbit.
+fn twice_angle(start: &State, opposite: Dd, adjacent: Dd) -> f64 {
+    if opposite.hi.is_nan() || adjacent.hi.is_nan() || (opposite.hi == 0.0 && adjacent.hi == 0.0) {
+        return f64::NAN;
     }
-
-    /// Twice the angle of the point, in the frame of the orbit.
-    fn angle(&self, opposite: Dd, adjacent: Dd) -> f64 {
-        if opposite.hi.is_nan() || adjacent.hi.is_nan() || (opposite.hi == 0.0 && adjacent.hi == 0.0) {
-            return f64::NAN;
-        }
-        let half = if self.power != 0 {
-            Scaled::new(opposite / adjacent, self.power)
-        } else {
-            let size = arctangent(opposite.abs(), adjacent.abs());
-            let size = if adjacent.hi < 0.0 { PI - size } else { size };
-            Scaled::from(if opposite.hi < 0.0 { -size } else { size })
-        };
-        let angle = half.shift(1) * self.frame.side;
-        if self.frame.base.hi == 0.0 {
-            return angle.value();
-        }
-        (self.frame.base + angle.to_dd()).value()
+    let half = if start.power != 0 {
+        Scaled::new(opposite / adjacent, start.power)
+    } else {
+        let size = arctangent(opposite.abs(), adjacent.abs());
+        let size = if adjacent.hi < 0.0 { PI - size } else { size };
+        Scaled::from(if opposite.hi < 0.0 { -size } else { size })
+    };
+    let angle = half.shift(1) * start.frame.side;
+    if start.frame.base.hi == 0.0 {
+        return angle.value();
     }
+    (start.frame.base + angle.to_dd()).value()
 }
 
 /// To first order in m at a fixed time: the argument is omega0 t, and y grows with it.
 #[derive(Clone, Debug)]
 pub(super) struct Secular {
-    start: Start,
+    start: State,
     phase: Phase,
     power: i32,
 }
@@ -70,7 +57,7 @@ impl Secular {
     pub fn new(orbit: &Orbit) -> Option<Secular> {
         let (root, power) = orbit.force.root()?;
         let phase = Phase { rate: root.to_dd() / PI, start: Dd::ZERO };
-        Some(Secular { start: Start::new(orbit)?, phase, power })
+        Some(Secular { start: start_of(orbit)?, phase, power })
     }
 
     pub fn theta(&self, t: f64) -> f64 {
@@ -83,26 +70,26 @@ impl Secular {
     /// times the sum of the largest sizes of their derivatives. Near a turn, where the numerator crosses zero, the time is
     /// a part of that to the crossing, and in its middle a part of the width of the turn.
     pub fn theta_and_stride(&self, t: f64) -> (f64, f64) {
-        let Start { s, c, x, m, .. } = self.start;
+        let State { s, c, x, m, .. } = self.start;
         let passed = ldexp(t, self.power);
         let Some((sine, cosine)) = counted(&self.phase, passed) else { return (f64::NAN, f64::INFINITY) };
         let y = self.phase.rate * PI * passed - sine * cosine;
         let n0 = s * c * cosine + x * sine;
         let n1 = s * c * y * sine - x * (sine * sine.square() * 2.0 + y * cosine);
-        let square = self.start.square(x);
+        let square = square_of(&self.start, x);
         let d0 = c.square() - square * sine.square();
         let d1 = (square * y * sine * cosine).scale(2.0);
         let (above, below) = (n0 * d0 + m.scale(0.25) * (n1 * d0 - n0 * d1), d0.square());
         let part = PART * (above.hi.abs() + below.hi) / self.steepest(y.hi.abs());
         let stride = ldexp(part / (self.phase.rate.hi * PI.hi), -self.power);
-        (self.start.angle(above, below), if self.start.power == 0 { stride } else { f64::INFINITY })
+        (twice_angle(&self.start, above, below), if self.start.power == 0 { stride } else { f64::INFINITY })
     }
 
     /// A bound of the derivatives of numerator and denominator by u where |y| is this large, from |sin|, |cos| <= 1,
     /// |y'| <= 2: |n0|, |n0'| <= a = |s c| + |x|; d0 <= b = c^2 + x^2 and |d0'| <= x^2; |n1| <= a (|y| + 2) and
     /// |n1'| <= a (|y| + 8); |d1| <= x^2 |y| and |d1'| <= 2 x^2 (|y| + 1).
     fn steepest(&self, y: f64) -> f64 {
-        let Start { s, c, x, m, .. } = &self.start;
+        let State { s, c, x, m, .. } = &self.start;
         let (a, square) = ((s.hi * c.hi).abs() + x.hi.abs(), x.hi * x.hi);
         let b = c.hi * c.hi + square;
         let first = 0.25 * m.hi * (b * (y + 8.0) + square * (4.0 * y + 4.0));
@@ -116,7 +103,7 @@ const PART: f64 = 0.25;
 /// To first order in m at a fixed phase.
 #[derive(Clone, Debug)]
 pub(super) struct Bounded {
-    start: Start,
+    start: State,
     phase: Phase,
     time_scale: f64,
 }
@@ -124,11 +111,11 @@ pub(super) struct Bounded {
 impl Bounded {
     pub fn new(orbit: &Orbit, elliptic: &Elliptic) -> Option<Bounded> {
         let phase = Phase { rate: elliptic.phase.rate, start: Dd::ZERO };
-        Some(Bounded { start: Start::new(orbit)?, phase, time_scale: orbit.time_scale })
+        Some(Bounded { start: start_of(orbit)?, phase, time_scale: orbit.time_scale })
     }
 
     pub fn theta(&self, t: f64) -> f64 {
-        let Start { s, c, x, m, .. } = self.start;
+        let State { s, c, x, m, .. } = self.start;
         let Some((sine, cosine)) = counted(&self.phase, t * self.time_scale) else { return f64::NAN };
         // sin 3z = sin z (3 - 4 sin^2 z), cos 3z = cos z (1 - 4 sin^2 z), 1 - cos 2z = 2 sin^2 z.
         let square = sine.square();
@@ -137,6 +124,6 @@ impl Bounded {
         let cn = cosine * (Dd::ONE - (m * square).scale(0.25));
         let dn = Dd::ONE - (m * square).scale(0.5);
         let opposite = s * c * cn + x * dn * sn;
-        self.start.angle(opposite, c.square() - self.start.square(x) * sn.square())
+        twice_angle(&self.start, opposite, c.square() - square_of(&self.start, x) * sn.square())
     }
 }

@@ -20,7 +20,7 @@ impl ReducedAmplitude {
     pub fn new(phi: f64) -> ReducedAmplitude {
         let full = angle_reduction::reduce(phi);
         let odd = full.from_top.hi < full.from_bottom.hi;
-        let even_half_turns = full.whole_turns().scale(2.0);
+        let even_half_turns = full.turns.scale(2.0);
         let (n, side, r, other) = if odd {
             (even_half_turns + Dd::from(full.side), -full.side, full.from_top, full.from_bottom)
         } else {

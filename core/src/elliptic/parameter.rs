@@ -128,3 +128,13 @@ pub(crate) struct Unit {
     pub k: Dd,
     pub kc: Dd,
 }
+
+impl Unit {
+    /// m = 0: sine and cosine.
+    pub const ZERO: Unit = Unit { m: Dd::ZERO, mc: Dd::ONE, k: Dd::ZERO, kc: Dd::ONE };
+
+    /// As a parameter.
+    pub fn parameter(self) -> Parameter {
+        Parameter::new(self.m, self.mc)
+    }
+}

@@ -9,13 +9,11 @@ use super::exponent::exp2;
 use super::triple_double::Td;
 use crate::lanes::Lane;
 
-/// theta = 2 pi (turns + turns_rest) + side * from_bottom, side = +1 or -1, from_bottom in [0, pi].
+/// theta = 2 pi turns + side * from_bottom, side = +1 or -1, from_bottom in [0, pi].
 #[derive(Clone, Copy, Debug)]
 pub struct ReducedAngle {
-    /// Nearest whole number of turns, rounded to double beyond 2^53.
-    pub turns: f64,
-    /// What that rounding lost: together the number of turns to 2^-106 of itself.
-    pub turns_rest: f64,
+    /// The nearest whole number of turns: exact up to 2^106, beyond to 2^-106 of itself.
+    pub turns: Dd,
     /// Which side of the bottom: the sign of the remainder.
     pub side: f64,
     /// Distance from the bottom, in [0, pi].
@@ -54,13 +52,6 @@ pub fn half_turns<L: Lane>(theta: L) -> (L, Dd<L>) {
     (j, Dd::ordered_sum(hi, hi_error + rest))
 }
 
-impl ReducedAngle {
-    /// The nearest whole number of turns: exact up to 2^106, beyond to 2^-106 of itself.
-    pub fn whole_turns(&self) -> Dd {
-        Dd::new(self.turns, self.turns_rest)
-    }
-}
-
 /// theta modulo 2 pi, for every finite theta.
 pub fn reduce(theta: f64) -> ReducedAngle {
     let side = if theta < 0.0 { -1.0 } else { 1.0 };
@@ -73,7 +64,7 @@ pub fn reduce(theta: f64) -> ReducedAngle {
         let (mid, rest) = two_sum(mid, error);
         let (mid, lo) = two_sum(mid, -2.9947698097183397e-33);
         let from_top = Td::normalised(hi, mid, lo + rest + 1.1124542208633653e-49);
-        return ReducedAngle { turns: 0.0, turns_rest: 0.0, side, from_bottom, from_top };
+        return ReducedAngle { turns: Dd::ZERO, side, from_bottom, from_top };
     }
     let exponent = ((size.to_bits() >> 52) as i32) - 1075;
     let mantissa = (size.to_bits() & ((1 << 52) - 1)) | (1 << 52);
@@ -103,8 +94,7 @@ pub fn reduce(theta: f64) -> ReducedAngle {
     from_top[(point - 1) / 64] = 1 << ((point - 1) % 64);
     let from_top = subtract(&from_top, &fraction);
     ReducedAngle {
-        turns: turns.hi,
-        turns_rest: turns.lo,
+        turns,
         side: remainder_side,
         from_bottom: to_td(&fraction, point) * TWO_PI_LONG,
         from_top: to_td(&from_top, point) * TWO_PI_LONG,
@@ -191,9 +181,9 @@ mod tests {
             (-f64::MAX, -2.861117485757028e307, -4.431116688417145e289, -3.1366306784390060),
         ] {
             let reduced = reduce(theta);
-            assert_eq!(reduced.turns, turns, "{theta:e}");
+            assert_eq!(reduced.turns.hi, turns, "{theta:e}");
             let allowed = turns.abs() * exp2(-105);
-            assert!((reduced.turns_rest - rest).abs() <= allowed, "{theta:e} {}", reduced.turns_rest);
+            assert!((reduced.turns.lo - rest).abs() <= allowed, "{theta:e} {}", reduced.turns.lo);
             assert!((reduced.side * reduced.from_bottom.hi - remainder).abs() <= 4e-16, "{theta:e}");
         }
     }

@@ -23,6 +23,9 @@ pub fn exp2(power: i32) -> f64 {
 
 /// value * 2^power with one rounding.
 pub fn ldexp(value: f64, power: i32) -> f64 {
+    if (-1022..=1023).contains(&power) {
+        return value * exp2(power);
+    }
     if value == 0.0 || !value.is_finite() {
         return value;
     }

@@ -32,12 +32,17 @@ impl Scaled {
 
     /// e^y of any y: 0 or infinite far beyond the range of every use.
     pub fn exp(y: Dd) -> Scaled {
+        Scaled::exponentials(y)[0]
+    }
+    /// e^y and e^-y.
+    fn exponentials(y: Dd) -> [Scaled; 2] {
         if y.hi.abs() >= END || y.hi.is_nan() {
-            return Scaled::from(if y.hi > 0.0 { f64::INFINITY } else { y.hi * 0.0 });
+            let beyond = |y: f64| if y > 0.0 { f64::INFINITY } else { y * 0.0 };
+            return [y.hi, -y.hi].map(|y| Scaled::from(beyond(y)));
         }
         let k = Lane::round(y.hi * INVERSE_LN_2);
         let (sine, cosine) = series::sinh_cosh(Td::from(y) - LN_2 * k);
-        Scaled::new((cosine + sine).to_dd(), k as i32)
+        [Scaled::new((cosine + sine).to_dd(), k as i32), Scaled::new((cosine - sine).to_dd(), -k as i32)]
     }
     /// sinh and cosh.
     pub fn sinh_cosh(self) -> (Scaled, Scaled) {
@@ -49,7 +54,7 @@ impl Scaled {
             let (sine, cosine) = series::sinh_cosh(Td::from(size.to_dd()));
             (Scaled::from(sine.to_dd()), Scaled::from(cosine.to_dd()))
         } else {
-            let (grown, shrunk) = (Scaled::exp(size.to_dd()), Scaled::exp(-size.to_dd()));
+            let [grown, shrunk] = Scaled::exponentials(size.to_dd());
             ((grown - shrunk).shift(-1), (grown + shrunk).shift(-1))
         };
         (sine.signed(self.sign()), cosine)

@@ -5,9 +5,9 @@
 //! where v is infinite. All signs that decide the regime are exact (float/dyadic.rs).
 //! Source: derived; Belendez et al., J. Vib. Control 22 (2016) 2914, for motions released at rest about u = 0.
 
-use super::energy::{EnergyPolynomial, Orientation};
+use super::energy::EnergyPolynomial;
 use super::regime::OscillatorRegime;
-use super::set_up::{EnergyCase, SetUp, Solution};
+use super::set_up::SetUp;
 use crate::domain::Domain;
 use crate::float::scaled::Scaled;
 
@@ -26,13 +26,7 @@ pub struct CubicQuintic {
     pub(super) velocity0: f64,
     force: [f64; 3],
     pub(super) energy: EnergyPolynomial,
-    pub(super) solution: Solution,
-    pub(super) energy_case: Option<EnergyCase>,
-    pub(super) orientation: Orientation,
-    regime: OscillatorRegime,
-    period: f64,
-    range: (f64, f64),
-    escapes: (f64, f64),
+    pub(super) set_up: SetUp,
 }
 
 impl CubicQuintic {
@@ -53,21 +47,8 @@ impl CubicQuintic {
         }
         let force = [alpha, beta, gamma];
         let energy = EnergyPolynomial::new(u0, velocity0, force);
-        let SetUp { solution, energy_case, regime, period, range, escapes, orientation } =
-            SetUp::new(&energy, u0, velocity0, force);
-        Ok(CubicQuintic {
-            u0,
-            velocity0,
-            force,
-            energy,
-            solution,
-            energy_case,
-            orientation,
-            regime,
-            period: period.value(),
-            range: (range[0].value(), range[1].value()),
-            escapes: (escapes[0].value(), escapes[1].value()),
-        })
+        let set_up = SetUp::new(&energy, u0, velocity0, force);
+        Ok(CubicQuintic { u0, velocity0, force, energy, set_up })
     }
 
     /// Regime. Exact signs decide it, so it is right for the numbers that were passed.
@@ -80,7 +61,7 @@ impl CubicQuintic {
     /// ```
     #[must_use]
     pub fn regime(&self) -> OscillatorRegime {
-        self.regime
+        self.set_up.regime
     }
     /// Period of a libration, of a well and of a harmonic oscillator; at rest that of small oscillations about a stable
     /// equilibrium; else infinite.
@@ -88,14 +69,14 @@ impl CubicQuintic {
     /// **Error** at most 4 ulp, plus 2^-100 of its condition. **Source** DLMF 19.8.5.
     #[must_use]
     pub fn period(&self) -> f64 {
-        self.period
+        self.set_up.period
     }
     /// Lowest and highest u over the whole motion, limits included; infinite where it escapes.
     ///
     /// **Error** at most 4 ulp. **Source** the roots of C(v), DLMF 1.11(iii).
     #[must_use]
     pub fn range(&self) -> (f64, f64) {
-        self.range
+        self.set_up.range.into()
     }
     /// Energy u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6, from a sum without rounding; infinite beyond the range of
     /// doubles.
@@ -114,12 +95,12 @@ impl CubicQuintic {
     /// ```
     #[must_use]
     pub fn escape_time(&self) -> f64 {
-        self.escapes.1
+        self.set_up.escapes[1]
     }
     /// When u came from infinity: below 0, or minus infinity if it never did. Error as for [`Self::escape_time`].
     #[must_use]
     pub fn escape_time_backward(&self) -> f64 {
-        self.escapes.0
+        self.set_up.escapes[0]
     }
     /// u at t = 0, as given.
     #[must_use]

@@ -29,10 +29,8 @@ pub(super) struct Outline {
     pub reach: [Scaled; 2],
     /// Whether the motion passes u = 0.
     pub crosses: bool,
-    /// Whether |u| grows with the argument.
+    /// Whether |u| grows with the argument; those that do and have a pole have one on both sides of their base.
     pub grows: bool,
-    /// Whether the motion has a pole on both sides of its base, for those that have one.
-    pub two_sided: bool,
     /// Argument of the pole, if there is one.
     pub pole: Option<Scaled>,
     /// Argument per unit of time.

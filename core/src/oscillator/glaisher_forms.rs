@@ -19,6 +19,7 @@
 //! Sums are formed without rounding, m and 1 - m each by its own quotient.
 //! Source: Salas 2019 gives the first nine (his sd cancels for small p, and is 0/0 at p = 0); ns, cs and ds are ours.
 
+use super::duffing::Duffing;
 use super::regime::OscillatorRegime;
 use crate::domain::Domain;
 use crate::elliptic::jacobi::functions::{Jacobi, NevilleIndex, NevilleValues};
@@ -61,10 +62,9 @@ struct Coefficients {
 
 impl Coefficients {
     fn new(which: Glaisher, p: f64, q: f64, c1: f64) -> Coefficients {
-        let force: [&[f64]; 1] = [&[q, c1, c1]];
         // a Q + b p.
         let sum = |a: f64, b: f64| sum_of_products(&[&[a, q, c1, c1], &[b, p]]);
-        let force = sum_of_products(&force);
+        let force = sum(1.0, 0.0);
         let half = |value: Scaled| value.shift(-1);
         let (square, m, mc) = match which {
             Glaisher::Sn | Glaisher::Cd => {
@@ -144,14 +144,12 @@ impl DuffingForm {
         for (name, value) in [("p", p), ("q", q), ("c1", c1), ("c2", c2)] {
             Domain::check(name, value, value.is_finite(), "finite")?;
         }
-        let Coefficients { square, m, mc } = {
-            let coefficients = Coefficients::new(which, p, q, c1);
-            if !coefficients.real() {
-                let given = format!("{}, p = {p:?}, q = {q:?}, c1 = {c1:?}", which.name());
-                return Err(Domain::new("form", given, real_where(which)));
-            }
-            coefficients
-        };
+        let coefficients = Coefficients::new(which, p, q, c1);
+        if !coefficients.real() {
+            let given = format!("{}, p = {p:?}, q = {q:?}, c1 = {c1:?}", which.name());
+            return Err(Domain::new("form", given, real_where(which)));
+        }
+        let Coefficients { square, m, mc } = coefficients;
         let rate = square.sqrt().to_dd();
         let allowed = "of a rate between 1e-150 and 1e150";
         Domain::check("Omega", rate.value(), (1e-150..1e150).contains(&rate.hi), allowed)?;
@@ -177,7 +175,7 @@ impl DuffingForm {
     /// m with its complement.
     #[must_use]
     pub fn parameter(&self) -> Parameter {
-        Parameter::new(self.unit.m, self.unit.mc)
+        self.unit.parameter()
     }
     /// c1.
     #[must_use]
@@ -238,7 +236,7 @@ impl DuffingForm {
                 if !coefficients.real() {
                     continue;
                 }
-                let regime = regime(which, p, force, &coefficients);
+                let regime = regime(which, p, force, coefficients.mc.is_zero());
                 if !found.contains(&regime) {
                     found.push(regime);
                 }
@@ -254,46 +252,16 @@ impl DuffingForm {
     }
 }
 
-/// The regime of a real form with c1 = 1.
-fn regime(
-    which: Glaisher,
-    p: f64,
-    force: f64,
-    Coefficients { square, m, mc }: &Coefficients,
-) -> OscillatorRegime {
-    let [above, below] = which.pq();
-    let pole = matches!(below, NevilleIndex::S | NevilleIndex::C);
-    // dn and nd at m = 0 and cd at m = 1 are constant; so is dc = 1 there, which has no pole then.
-    let flat = m.is_zero()
-        && (above == NevilleIndex::D || below == NevilleIndex::D)
-        && !matches!(above, NevilleIndex::S | NevilleIndex::C)
-        && !matches!(below, NevilleIndex::S | NevilleIndex::C);
-    let one = mc.is_zero() && matches!(which, Glaisher::Cd | Glaisher::Dc);
-    if flat || one {
-        return OscillatorRegime::Rest;
-    }
-    if force == 0.0 {
-        return OscillatorRegime::Linear;
-    }
-    if pole && !(mc.is_zero() && matches!(below, NevilleIndex::C)) {
-        return OscillatorRegime::Escape;
-    }
-    if force < 0.0 {
-        return if mc.is_zero() && !pole {
-            OscillatorRegime::Heteroclinic
-        } else {
-            OscillatorRegime::Libration
-        };
-    }
-    // 4 E: 2p + Q at a turning point c1, 2 Omega^2 at the zero of sd.
-    let energy =
-        if which == Glaisher::Sd { square.shift(1) } else { sum_of_products(&[&[2.0, p], &[force]]) };
-    if energy.is_zero() {
-        OscillatorRegime::Homoclinic
-    } else if energy.is_negative() {
-        OscillatorRegime::Well
-    } else {
-        OscillatorRegime::Libration
+/// The regime of a real form with c1 = 1; `asymptotic` where m = 1.
+fn regime(which: Glaisher, p: f64, force: f64, asymptotic: bool) -> OscillatorRegime {
+    match which {
+        Glaisher::Sd | Glaisher::Sc if force == 0.0 => OscillatorRegime::Linear,
+        Glaisher::Sd => OscillatorRegime::Libration,
+        Glaisher::Sc | Glaisher::Cs | Glaisher::Ds => OscillatorRegime::Escape,
+        Glaisher::Ns if asymptotic => OscillatorRegime::Escape,
+        Glaisher::Sn if asymptotic => OscillatorRegime::Heteroclinic,
+        // These turn at 1, or stay there.
+        _ => Duffing::new(1.0, 0.0, p, force).map_or(OscillatorRegime::Rest, |turning| turning.regime()),
     }
 }
 
@@ -315,7 +283,7 @@ struct ThetaFormula<'a, const HYPERBOLIC: bool>(&'a DuffingForm, Dd);
 struct HyperbolicFormula<'a>(&'a DuffingForm, Dd);
 
 #[inline(always)]
-fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<L>) -> [L; 2] {
+fn finished<L: Lane>(form: &DuffingForm, slope: Dd, values: &NevilleValues<Dd<L>, L>) -> [L; 2] {
     let [above, below] = form.which.pq();
     let [left, right] = form.others;
     let (above, above_sign) = values.theta(above);

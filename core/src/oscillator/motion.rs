@@ -30,7 +30,7 @@ impl<F: Fn(f64) -> (f64, f64)> Formula<1, 2> for OneByOne<F> {
 impl CubicQuintic {
     /// The evaluation of the formula that serves this orbit.
     fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
-        match &self.solution {
+        match &self.set_up.solution {
             Solution::Equilibrium => self.line(evaluation, false),
             Solution::Line(_) => self.line(evaluation, true),
             Solution::Theta(motion) => match &motion.scaled {

@@ -224,7 +224,6 @@ impl NonzeroEnergy {
             reach: [inner, outer],
             crosses,
             grows: !one_sided,
-            two_sided: !one_sided,
             pole: self.pole,
             omega: self.omega,
             periodic: self.pole.is_none() && !hyperbolic,

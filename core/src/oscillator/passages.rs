@@ -18,7 +18,7 @@ impl CubicQuintic {
     fn argument_of(&self, u: f64) -> Option<(Argument, bool)> {
         let y = Dyadic::from(u).square();
         let (low, high) = self.range();
-        let turns = match &self.solution {
+        let turns = match &self.set_up.solution {
             Solution::Theta(_) => u == low || u == high,
             Solution::Elementary(given, _) => given.turn() == Some(u.abs()),
             Solution::Line(_) | Solution::Equilibrium => false,
@@ -33,7 +33,7 @@ impl CubicQuintic {
         if square_speed.sign() < 0 || !(low <= u && u <= high) {
             return None;
         }
-        let energy_case = self.energy_case.as_ref()?;
+        let energy_case = self.set_up.energy_case.as_ref()?;
         Some((energy_case.argument(&y, &square_speed), turns || square_speed.sign() == 0))
     }
 
@@ -71,8 +71,8 @@ impl CubicQuintic {
         let interval = Interval::new(start, stop, ended)?;
         let Some((argument, turns)) = self.argument_of(u) else { return Ok(Vec::new()) };
         let crosses = self.range().0 < 0.0 && self.range().1 > 0.0;
-        let mirrored = u != 0.0 && (u < 0.0) != (self.orientation.sign < 0.0);
-        let mut times = match &self.solution {
+        let mirrored = u != 0.0 && (u < 0.0) != (self.set_up.orientation.sign < 0.0);
+        let mut times = match &self.set_up.solution {
             Solution::Equilibrium => Vec::new(),
             Solution::Theta(theta) if theta.repeats() => {
                 let at = theta.in_half_periods(argument).base.to_dd();

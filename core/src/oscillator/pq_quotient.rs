@@ -20,7 +20,7 @@ use super::energy::Orientation;
 use super::nonzero_energy::{NonzeroEnergy, RootCase};
 use super::roots::Distances;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
-use crate::elliptic::theta::neville::NevilleTheta;
+use crate::elliptic::theta::neville::{NevilleTheta, Thetas};
 use crate::float::Dd;
 use crate::float::elementary::quotient;
 use crate::float::scaled::{Scaled, over_common_power};
@@ -74,6 +74,15 @@ impl Pq {
         matches!(self, Pq::Sn | Pq::Sd | Pq::Sc | Pq::SnDnOverCn)
     }
 
+    /// pq' over r s/q^2.
+    pub fn slope(self, m: Scaled, mc: Scaled) -> Scaled {
+        match self {
+            Pq::Nd => m,
+            Pq::Dc => mc,
+            _ => Scaled::ONE,
+        }
+    }
+
     /// p, q, r and s, from the values that belong to the letters s, c, d and n.
     #[inline(always)]
     pub fn letters<T: Copy>(self, [s, c, d, n]: [T; 4]) -> [T; 4] {
@@ -101,11 +110,7 @@ impl PqQuotient {
         let (one, kc) = (Scaled::ONE, mc.sqrt());
         // Of s, c, d and n, counted from 0 and from K.
         let [p, q, r, s] = pq.letters([[t, one], [one, kc * t], [one, kc], [one, one]]);
-        let slope = match pq {
-            Pq::Nd => m,
-            Pq::Dc => mc,
-            _ => one,
-        };
+        let slope = pq.slope(m, mc);
         let speed = amplitude * omega;
         let (u, velocity, other, slope) = if pq == Pq::SnDnOverCn {
             // Roots of what d^4 and s^4 take: the fourth powers themselves may leave the range.
@@ -146,17 +151,8 @@ impl PqQuotient {
         f: Dd<L>,
         from_pole: bool,
     ) -> [[Dd<L>; 2]; 2] {
-        let thetas = neville.thetas_on::<HYPERBOLIC, L>(f);
-        let folded = thetas.folded;
-        let [s, c, d, n] = thetas.theta;
-        let (from_0, from_k) = ([s, c, d, n], [c, s, n, d]);
-        let (near, far) = if from_pole { (from_k, from_0) } else { (from_0, from_k) };
-        let at = [
-            Dd::select(folded, far[0], near[0]),
-            Dd::select(folded, far[1], near[1]),
-            Dd::select(folded, far[2], near[2]),
-            Dd::select(folded, far[3], near[3]),
-        ];
+        let Thetas { theta, folded } = neville.thetas_on::<HYPERBOLIC, L>(f);
+        let at = unfolded(theta, folded, from_pole);
         let near = usize::from(from_pole);
         if self.pq == Pq::SnDnOverCn {
             let [s, c, d, n] = at;
@@ -169,6 +165,19 @@ impl PqQuotient {
         let [p, q, r, s] = self.pq.letters(at);
         [[p * pick(folded, &self.u, near), q], [r * s * pick(folded, &self.velocity, near), q.square()]]
     }
+}
+
+/// s, c, d and n counted from 0 or, with `from_pole`, from K, whichever the theta functions were counted from.
+#[inline(always)]
+fn unfolded<L: Lane>([s, c, d, n]: [Dd<L>; 4], folded: L::Mask, from_pole: bool) -> [Dd<L>; 4] {
+    let (from_0, from_k) = ([s, c, d, n], [c, s, n, d]);
+    let (near, far) = if from_pole { (from_k, from_0) } else { (from_0, from_k) };
+    [
+        Dd::select(folded, far[0], near[0]),
+        Dd::select(folded, far[1], near[1]),
+        Dd::select(folded, far[2], near[2]),
+        Dd::select(folded, far[3], near[3]),
+    ]
 }
 
 /// The factor that belongs to the way of counting: the one of `near`, or the other where the phase is folded.
@@ -206,15 +215,8 @@ impl<const HYPERBOLIC: bool> Formula<1, 2> for BoundedFormula<'_, HYPERBOLIC> {
         let (n, f) = clock.phase.spread::<L>().count(t * L::splat(clock.time), LAST_HALF_PERIOD);
         let one = L::splat(1.0);
         let sign = one.copysign(f.hi);
-        let thetas = neville.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
-        let folded = thetas.folded;
-        let [s, c, d, n_theta] = thetas.theta;
-        let [p, q, r, s] = quotient.pq.letters([
-            Dd::select(folded, c, s),
-            Dd::select(folded, s, c),
-            Dd::select(folded, n_theta, d),
-            Dd::select(folded, d, n_theta),
-        ]);
+        let Thetas { theta, folded } = neville.thetas_on::<HYPERBOLIC, L>(f.scale(sign));
+        let [p, q, r, s] = quotient.pq.letters(unfolded(theta, folded, false));
         // One division for both.
         let inverse = one / q.hi;
         let (back, error) = inverse.two_product(q.hi);

@@ -125,11 +125,7 @@ impl ScaledTheta {
         let (odd, u, velocity) = match &self.factors {
             QuotientFactors::Pq((pq, amplitude), [m, mc]) => {
                 let [p, q, r, s] = pq.letters([sn, cn, dn, Scaled::ONE]);
-                let slope = match pq {
-                    Pq::Nd => *m,
-                    Pq::Dc => *mc,
-                    _ => Scaled::ONE,
-                };
+                let slope = pq.slope(*m, *mc);
                 let (u, slope) = if *pq == Pq::SnDnOverCn {
                     let rising = dn.square().square() + *m * self.mc * sn.square().square();
                     (sn * dn / cn, rising / cn.square())

@@ -41,14 +41,15 @@ pub(super) enum Solution {
 }
 
 /// All that does not depend on time.
+#[derive(Clone, Debug)]
 pub(super) struct SetUp {
     pub solution: Solution,
     pub energy_case: Option<EnergyCase>,
     pub regime: OscillatorRegime,
-    pub period: Scaled,
-    pub range: [Scaled; 2],
+    pub period: f64,
+    pub range: [f64; 2],
     /// Backward and forward.
-    pub escapes: [Scaled; 2],
+    pub escapes: [f64; 2],
     pub orientation: Orientation,
 }
 
@@ -70,18 +71,20 @@ impl EnergyCase {
 }
 
 fn equilibrium(u: f64, y: &Dyadic, force: [f64; 3]) -> SetUp {
-    let infinite = Scaled::from(f64::INFINITY);
     let [alpha, beta, gamma] = force.map(Dyadic::from);
     let stiffness = alpha + y * (beta * 3.0 + y * gamma * 5.0);
-    let period =
-        if stiffness.sign() > 0 { Scaled::from(TWO_PI) / stiffness.to_scaled().sqrt() } else { infinite };
+    let period = if stiffness.sign() > 0 {
+        (Scaled::from(TWO_PI) / stiffness.to_scaled().sqrt()).value()
+    } else {
+        f64::INFINITY
+    };
     SetUp {
         solution: Solution::Equilibrium,
         energy_case: None,
         regime: OscillatorRegime::Rest,
         period,
-        range: [Scaled::from(u); 2],
-        escapes: [-infinite, infinite],
+        range: [u; 2],
+        escapes: [f64::NEG_INFINITY, f64::INFINITY],
         orientation: Orientation { sign: 1.0, direction: 1.0 },
     }
 }
@@ -117,9 +120,9 @@ impl SetUp {
         let solution = solution(energy, &energy_case, &outline, start, orientation);
         SetUp {
             regime: regime(energy, &outline),
-            period: period(&solution, &outline),
-            range: range(&outline, sign),
-            escapes: escapes(&outline, start, orientation),
+            period: period(&solution, &outline).value(),
+            range: range(&outline, sign).map(Scaled::value),
+            escapes: escapes(&outline, start, orientation).map(Scaled::value),
             solution,
             energy_case: Some(energy_case),
             orientation,
@@ -200,6 +203,6 @@ fn escapes(outline: &Outline, start: Argument, orientation: Orientation) -> [Sca
     let Some(pole) = outline.pole else { return [-infinite, infinite] };
     let ahead = start.pole / outline.omega;
     let (ahead, behind) =
-        if outline.two_sided { (ahead, (pole + start.base) / outline.omega) } else { (infinite, ahead) };
+        if outline.grows { (ahead, (pole + start.base) / outline.omega) } else { (infinite, ahead) };
     if orientation.direction > 0.0 { [-behind, ahead] } else { [-ahead, behind] }
 }

@@ -174,12 +174,9 @@ impl ZeroEnergy {
         let exact_y = y;
         let y = y.to_scaled();
         let u = y.sqrt();
-        let pole = if self.pole.is_some() {
-            self.omega * self.until_pole(exact_y, y, u, speed)
-        } else {
-            Scaled::ZERO
-        };
+        let pole = self.pole.map_or(Scaled::ZERO, |_| self.omega * self.until_pole(exact_y, y, u, speed));
         let half_rate = speed / (y * u);
+        let offset = || above_centre(&self.energy, exact_y).to_scaled() / (self.alpha.abs() * y * 24.0);
         let base = match self.case {
             SpeedCase::Cosine => {
                 // High y - 1 and 1 - low y, whose product is u'^2/(alpha y).
@@ -196,13 +193,9 @@ impl ZeroEnergy {
             SpeedCase::Above | SpeedCase::AbovePole | SpeedCase::Below => {
                 asinh(half_rate / (self.omega * self.half)).shift(-1)
             }
-            SpeedCase::NoRoot => {
-                let offset = above_centre(&self.energy, exact_y).to_scaled() / (self.alpha.abs() * y * 24.0);
-                asinh(offset / self.half).shift(-1)
-            }
+            SpeedCase::NoRoot => asinh(offset() / self.half).shift(-1),
             SpeedCase::AboveDouble => {
-                let offset = above_centre(&self.energy, exact_y).to_scaled() / (self.alpha.abs() * y * 24.0);
-                let ratio = offset / self.offset;
+                let ratio = offset() / self.offset;
                 // ln of the ratio.
                 asinh((ratio - Scaled::ONE / ratio).shift(-1)).shift(-1)
             }
@@ -243,12 +236,10 @@ impl ZeroEnergy {
             SpeedCase::AboveDouble if low.is_positive() => [Scaled::ZERO, at(low)],
             _ => [Scaled::ZERO, infinite],
         };
-        let grows = matches!(self.case, SpeedCase::Cosine | SpeedCase::Below);
         Outline {
             reach,
             crosses: false,
-            grows,
-            two_sided: grows,
+            grows: matches!(self.case, SpeedCase::Cosine | SpeedCase::Below),
             pole: self.pole,
             omega: self.omega,
             periodic: self.circular() && self.pole.is_none(),

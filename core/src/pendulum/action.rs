@@ -12,7 +12,7 @@ use super::orbit::{Orbit, Solution};
 use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd, complete_k_dd};
-use crate::elliptic::parameter::Parameter;
+use crate::elliptic::parameter::{Parameter, Unit};
 use crate::elliptic::phase::ReducedPhase;
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
@@ -36,17 +36,13 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn action(&self) -> f64 {
-        let Some(State { k, m, mc, power, omega, omega_power, .. }) = self.state else {
-            return self.velocity0.abs();
-        };
+        let Some(state) = self.state else { return self.velocity0.abs() };
+        let State { k, m, power, omega, omega_power, .. } = state;
         let (ratio, more) = match self.solution {
             // E - (1 - m) K = pi m/4 (1 + m/8 + ...), and m is too small here for the second term to count.
             Solution::Libration(_) if power != 0 => (m * PI.scale(0.25), 2 * power),
-            Solution::Libration(_) => (complete_difference_dd(Parameter::new(m, mc)), 0),
-            Solution::Rotation(_) => {
-                let inner = Parameter::new(Dd::ONE / m, -mc / m);
-                ((k * complete_e_dd(inner)).scale(0.5), 0)
-            }
+            Solution::Libration(_) => (complete_difference_dd(state.unit().parameter()), 0),
+            Solution::Rotation(_) => ((k * complete_e_dd(state.unit().parameter())).scale(0.5), 0),
             _ => (Dd::ONE, 0),
         };
         ldexp((omega * ratio / EIGHTH_PI).value(), omega_power + more)
@@ -208,20 +204,19 @@ fn libration_state(share: Dd, ratio: Dd, power: i32, at: ReducedPhase<f64>) -> (
         let odd = power.rem_euclid(2);
         let k = ratio.scale(if odd == 1 { 1.0 } else { 0.5 }).sqrt();
         let power = (power - odd) / 2;
-        let lattice = NevilleTheta::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE);
+        let lattice = NevilleTheta::new(Unit::ZERO);
         let [sine, cosine, _] = lattice.long_values(&at);
         return ((k * sine).scale(2.0).ldexp(power), k * cosine, power);
     }
-    let Parameter { m, mc, .. } = parameter_of_libration(share);
-    let k = m.sqrt();
-    let [sn, cn, dn] = NevilleTheta::new(m, mc, k, mc.sqrt()).long_values(&at);
-    (arctangent((k * sn).abs(), dn).scale(2f64.copysign(sn.hi)), k * cn, 0)
+    let unit = parameter_of_libration(share).unit();
+    let [sn, cn, dn] = NevilleTheta::new(unit).long_values(&at);
+    (arctangent((unit.k * sn).abs(), dn).scale(2f64.copysign(sn.hi)), unit.k * cn, 0)
 }
 
 /// Angle and |velocity|/2 omega0 of a rotation with J pi/4 omega0 = `share`.
 fn rotation_state(share: Dd, at: ReducedPhase<f64>) -> (Dd, Dd) {
-    let (m, Parameter { m: inner, mc, .. }) = parameter_of_rotation(share);
-    let [sn, cn, dn] = NevilleTheta::new(inner, mc, inner.sqrt(), mc.sqrt()).long_values(&at);
+    let (m, inner) = parameter_of_rotation(share);
+    let [sn, cn, dn] = NevilleTheta::new(inner.unit()).long_values(&at);
     (arctangent(sn.abs(), cn).scale(2f64.copysign(sn.hi)), m.sqrt() * dn)
 }
 

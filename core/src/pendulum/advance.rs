@@ -88,7 +88,7 @@ fn accurate(theta: f64, velocity: f64, dt: f64, frequency: Frequency) -> (f64, f
 }
 
 fn step(state: &State, dt: f64) -> Step {
-    let State { c, x, k, kc, m, mc, power, omega, omega_power, regime, .. } = *state;
+    let State { c, x, k, omega, omega_power, regime, .. } = *state;
     let (rate_power, time_power) = carried(omega_power);
     let dt = ldexp(dt, time_power);
     let omega = omega.ldexp(rate_power);
@@ -107,21 +107,14 @@ fn step(state: &State, dt: f64) -> Step {
         return Step { sn: (sinh / cosh).scale(sign), cn: falling, dn: falling, turns: 0.0 };
     }
     let rotation = regime == Regime::Rotation;
-    let (lattice, stretch) = if rotation {
-        (NevilleTheta::new(Dd::ONE / m, -mc / m, Dd::ONE / k, kc / k), omega * k)
-    } else {
-        (NevilleTheta::new(m.ldexp(2 * power), mc, k.ldexp(power), kc), omega)
-    };
+    let lattice = NevilleTheta::new(state.unit());
+    let stretch = if rotation { omega * k } else { omega };
     let phase = Phase { rate: stretch / lattice.quarter.scale(2.0), start: Dd::ZERO };
     let at = phase.reduce(dt);
     let half_periods = if rotation { 2.0 * at.n.hi } else { at.n.hi };
     if half_periods.abs() >= LAST_HALF_PERIOD {
-        return Step {
-            sn: Dd::from(f64::NAN),
-            cn: Dd::from(f64::NAN),
-            dn: Dd::from(f64::NAN),
-            turns: f64::NAN,
-        };
+        let nan = Dd::from(f64::NAN);
+        return Step { sn: nan, cn: nan, dn: nan, turns: f64::NAN };
     }
     let [sn, cn, dn] = lattice.long_values(&at);
     if rotation {

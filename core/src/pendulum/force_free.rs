@@ -6,34 +6,22 @@ use crate::float::Dd;
 use crate::lanes::{Formula, Lane};
 
 /// At an equilibrium: the start for ever.
-pub(super) struct AtEquilibrium {
-    theta0: f64,
-    velocity0: f64,
-}
+pub(super) struct AtEquilibrium<'a>(pub &'a Orbit);
 
-impl AtEquilibrium {
-    pub fn new(orbit: &Orbit) -> Self {
-        AtEquilibrium { theta0: orbit.theta0, velocity0: orbit.velocity0 }
-    }
-}
-
-impl Formula<1, RESULTS> for AtEquilibrium {
+impl Formula<1, RESULTS> for AtEquilibrium<'_> {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let zero = L::splat(0.0);
         // NaN for NaN, and zero for every other time.
         let nothing = L::select(t.equal(t), zero, t);
-        let theta = nothing + L::splat(self.theta0);
-        [theta, nothing + L::splat(self.velocity0), zero, theta, zero]
+        let theta = nothing + L::splat(self.0.theta0);
+        [theta, nothing + L::splat(self.0.velocity0), zero, theta, zero]
     }
 }
 
 /// No force, or a velocity 2^100 times what the force could change: theta0 + velocity0 t.
-pub(super) struct ForceFree {
-    theta0: f64,
-    velocity0: f64,
-}
+pub(super) struct ForceFree<'a>(pub &'a Orbit);
 
 /// 2^900: a product beyond is formed of factors that are DOWN times as large.
 const LARGE: f64 = f64::from_bits((1023 + 900) << 52);
@@ -42,18 +30,12 @@ const DOWN: f64 = f64::from_bits((1023 - 520) << 52);
 /// 2^520.
 const UP: f64 = f64::from_bits((1023 + 520) << 52);
 
-impl ForceFree {
-    pub fn new(orbit: &Orbit) -> Self {
-        ForceFree { theta0: orbit.theta0, velocity0: orbit.velocity0 }
-    }
-}
-
-impl Formula<1, RESULTS> for ForceFree {
+impl Formula<1, RESULTS> for ForceFree<'_> {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let (theta0, velocity0) = (L::splat(self.theta0), L::splat(self.velocity0));
+        let (theta0, velocity0) = (L::splat(self.0.theta0), L::splat(self.0.velocity0));
         // The sum may be in range where the product is not. Powers of two are exact here, but for digits of theta0 below
         // 2^-900 of the product.
         let ordinary = (t * velocity0).abs().less(L::splat(LARGE));

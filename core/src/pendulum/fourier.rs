@@ -8,11 +8,12 @@
 
 use super::frequency::Frequency;
 use super::orbit::{Orbit, Solution};
-use super::state::State;
 use crate::domain::Domain;
 use crate::elliptic::agm::agm;
+use crate::elliptic::nome::minus_log_nome;
+use crate::elliptic::parameter::Unit;
 use crate::float::elementary::sech;
-use crate::float::{Dd, HALF_PI, PI, Scaled};
+use crate::float::{Dd, HALF_PI, Scaled};
 
 /// Amplitudes of the harmonics j = 1, 2, ... of angle and velocity.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,10 +65,11 @@ impl Orbit {
     /// pi K'/2K of a libration and pi K'/K of a rotation, of its inner parameter, where the motion has a series that is not
     /// a straight line or a single term; and which harmonics it has, every second one or all.
     pub(crate) fn decay(&self) -> Option<(Dd, u32)> {
-        let State { k, kc, power, .. } = self.state?;
+        let state = self.state?;
+        let Unit { k, kc, .. } = state.unit();
         match self.solution {
-            Solution::Libration(_) if power == 0 => Some((HALF_PI * agm(kc) / agm(k), 2)),
-            Solution::Rotation(_) => Some((PI * agm(kc / k) / agm(Dd::ONE / k), 1)),
+            Solution::Libration(_) if state.power == 0 => Some((HALF_PI * agm(kc) / agm(k), 2)),
+            Solution::Rotation(_) => Some((minus_log_nome(k, kc), 1)),
             _ => None,
         }
     }

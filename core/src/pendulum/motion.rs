@@ -66,8 +66,8 @@ impl Orbit {
         evaluation: E,
     ) -> E::Output {
         match &self.solution {
-            Solution::Equilibrium => evaluation.of(&AtEquilibrium::new(self)),
-            Solution::ForceFree => evaluation.of(&ForceFree::new(self)),
+            Solution::Equilibrium => evaluation.of(&AtEquilibrium(self)),
+            Solution::ForceFree => evaluation.of(&ForceFree(self)),
             Solution::Libration(elliptic) => self.elliptic::<false, ANGLE, VELOCITY, E>(elliptic, evaluation),
             Solution::Rotation(elliptic) => self.elliptic::<true, ANGLE, VELOCITY, E>(elliptic, evaluation),
             Solution::Separatrix(separatrix) => self.framed::<ANGLE, VELOCITY, _, E>(separatrix, evaluation),

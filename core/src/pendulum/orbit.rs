@@ -126,7 +126,7 @@ impl Orbit {
         let start = || (s / k) * rf_of_roots(x / k, c);
         let (solution, period, theta_max) = match regime {
             Regime::Libration => {
-                let lattice = NevilleTheta::new(m.ldexp(2 * power), mc, k.ldexp(power), kc);
+                let lattice = NevilleTheta::new(state.unit());
                 let halves = lattice.quarter.scale(2.0);
                 let start = if x.hi == 0.0 { Dd::from(f64::copysign(0.5, s.hi)) } else { start() / halves };
                 let rate = rate / halves;
@@ -143,16 +143,14 @@ impl Orbit {
                 (Solution::Libration(elliptic), period, theta_max)
             }
             Regime::Rotation => {
-                // The parameter is 1/m, its modulus 1/k, its complementary modulus kc/k.
-                let (inner, inner_c) = (Dd::ONE / k, kc / k);
-                let lattice = NevilleTheta::new(Dd::ONE / m, -mc / m, inner, inner_c);
+                let lattice = NevilleTheta::new(state.unit());
                 let halves = lattice.quarter.scale(2.0);
                 let rate = rate * k / halves;
                 let speed = (omega * k).scale(2.0);
                 let elliptic = Elliptic {
                     phase: Phase { rate, start: k * start() / halves },
-                    tangent: [lattice.theta1_factor, Dd::ONE / (divisor(inner_c) * lattice.theta1_factor)],
-                    velocity: [speed, speed * inner_c].map(|v| v.ldexp(speed_power)),
+                    tangent: [lattice.theta1_factor, Dd::ONE / (divisor(lattice.kc) * lattice.theta1_factor)],
+                    velocity: [speed, speed * lattice.kc].map(|v| v.ldexp(speed_power)),
                     lattice,
                 };
                 let period = ldexp((halves / (omega * k)).value(), -omega_power);

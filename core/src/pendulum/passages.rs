@@ -69,7 +69,7 @@ impl Orbit {
         let sine = scaled(sine, own_power - power);
         let side = frame.side * if upside_down { -reduced.side } else { reduced.side };
         let half_turns = if upside_down { 0.5 * (reduced.side - frame.half_turn) } else { 0.0 };
-        let turns = frame.side * (reduced.whole_turns() - frame.turns + Dd::from(half_turns)).value();
+        let turns = frame.side * (reduced.turns - frame.turns + Dd::from(half_turns)).value();
         let libration = mc.hi > 0.0;
         let half_cosine = cosine.to_dd();
         let (sine, cosine) = if libration && self.turns_at(theta, &reduced) {

@@ -9,6 +9,7 @@
 //! Source: DLMF 22.13(i), 22.16(ii), 19.4(ii) for the derivatives of am and of the integral by the parameter.
 
 use super::orbit::{Orbit, Solution};
+use super::regime::Regime;
 use super::state::State;
 use super::theta_quotients::Elliptic;
 use super::variational::cosine_integral;
@@ -165,23 +166,17 @@ impl Orbit {
     #[must_use]
     pub fn second_sensitivities(&self, t: f64) -> Hessians {
         let Some(state) = self.state else { return Hessians::UNDEFINED };
-        let State { s, c, x, k, m, mc, omega, omega_power, frame, power, .. } = state;
+        let State { x, k, m, mc, omega, omega_power, frame, power, .. } = state;
         let lost = !(LEAST_RATIO..MOST_RATIO).contains(&m.hi) || mc.hi.abs() < LEAST_COMPLEMENT;
         if lost || power != 0 || omega_power.abs() > 332 || !t.is_finite() {
             return Hessians::UNDEFINED;
         }
         let omega = omega.ldexp(omega_power);
-        let (set, start) = match &self.solution {
-            Solution::Libration(elliptic) => {
-                let set = SetUp { elliptic, rotation: false, k, parameter: Parameter::new(m, mc) };
-                (set, [s / k, x / k, c])
-            }
-            Solution::Rotation(elliptic) => {
-                let parameter = Parameter::new(Dd::ONE / m, -mc / m);
-                (SetUp { elliptic, rotation: true, k, parameter }, [s, c, x / k])
-            }
-            _ => return Hessians::UNDEFINED,
+        let (Solution::Libration(elliptic) | Solution::Rotation(elliptic)) = &self.solution else {
+            return Hessians::UNDEFINED;
         };
+        let rotation = self.regime() == Regime::Rotation;
+        let set = SetUp { elliptic, rotation, k, parameter: state.unit().parameter() };
         let phase = &set.elliptic.phase;
         let at = phase.reduce(t);
         let half_periods = if set.rotation { 2.0 * at.n.hi } else { at.n.hi };
@@ -192,7 +187,7 @@ impl Orbit {
             return Hessians::filled(0.0);
         }
         let began = phase.start * set.elliptic.lattice.quarter.scale(2.0);
-        let from = set.jet(&set.functions(start, Dd::ZERO, began));
+        let from = set.jet(&set.functions(state.jacobi(), Dd::ZERO, began));
         let at = if set.rotation { ReducedPhase { parity: 1.0, ..at } } else { at };
         let to = set.jet(&set.at(&at));
         assembled(&from, &to, omega, x.scale(2.0), omega * t, frame.side)

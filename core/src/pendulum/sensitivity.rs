@@ -14,7 +14,7 @@ use super::separatrix::Separatrix;
 use super::state::State;
 use super::variational::{Periodic, Solutions, VariationalSetUp, bounded, on_separatrix};
 use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
-use crate::elliptic::parameter::Parameter;
+use crate::elliptic::parameter::{Parameter, Unit};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::exponent::{carried, ldexp};
@@ -192,7 +192,7 @@ fn not_shaped(orbit: &Orbit, start: VariationalSetUp) -> (ClosedForm, Variationa
     let periodic = Periodic {
         rotation: false,
         parameter: Parameter::new(Dd::ZERO, Dd::ONE),
-        lattice: NevilleTheta::new(Dd::ZERO, Dd::ONE, Dd::ZERO, Dd::ONE),
+        lattice: NevilleTheta::new(Unit::ZERO),
         shift: Scaled::ZERO,
     };
     let phase = Phase { rate: omega.ldexp(inside) / PI, start: Dd::ZERO };
@@ -202,26 +202,19 @@ fn not_shaped(orbit: &Orbit, start: VariationalSetUp) -> (ClosedForm, Variationa
 
 /// Of a motion that the force shapes.
 fn along(orbit: &Orbit, state: &State, start: VariationalSetUp) -> (ClosedForm, VariationalSetUp) {
-    let State { s, c, x, k, kc, m, mc, power, omega, omega_power, frame, .. } = *state;
+    let State { s, c, x, k, power, omega, omega_power, frame, .. } = *state;
     let start = VariationalSetUp { k, x, power, omega, omega_power, side: frame.side, ..start };
     match &orbit.solution {
-        Solution::Libration(elliptic) => {
-            let parameter = Parameter::new(m.ldexp(2 * power), mc);
-            let shift =
-                Scaled::from(complete_difference_dd(parameter).scale(-2.0)) / Scaled::from(kc).square();
-            let lattice = elliptic.lattice.clone();
-            let periodic = Periodic { rotation: false, parameter, lattice, shift };
-            let solutions = periodic.solutions([s / k, x / k, c]);
-            let start = VariationalSetUp { phase: elliptic.phase, solutions, ..start };
-            (ClosedForm::Periodic(Box::new(periodic)), start)
-        }
-        Solution::Rotation(elliptic) => {
-            let parameter = Parameter::new(Dd::ONE / m, -mc / m);
-            let shift = Scaled::from(complete_e_dd(parameter).scale(2.0)) / Scaled::from(kc / k).square();
-            let lattice = elliptic.lattice.clone();
-            let periodic = Periodic { rotation: true, parameter, lattice, shift };
-            let solutions = periodic.solutions([s, c, x / k]);
-            let start = VariationalSetUp { phase: elliptic.phase, solutions, stretch: k, ..start };
+        Solution::Libration(elliptic) | Solution::Rotation(elliptic) => {
+            let rotation = orbit.regime() == Regime::Rotation;
+            let unit = state.unit();
+            let parameter = unit.parameter();
+            let half = if rotation { complete_e_dd(parameter) } else { -complete_difference_dd(parameter) };
+            let shift = Scaled::from(half.scale(2.0)) / Scaled::from(unit.kc).square();
+            let periodic = Periodic { rotation, parameter, lattice: elliptic.lattice.clone(), shift };
+            let solutions = periodic.solutions(state.jacobi());
+            let stretch = if rotation { k } else { Dd::ONE };
+            let start = VariationalSetUp { phase: elliptic.phase, solutions, stretch, ..start };
             (ClosedForm::Periodic(Box::new(periodic)), start)
         }
         Solution::Separatrix(Separatrix { phase, .. }) => {

@@ -7,7 +7,7 @@
 //! What cancels is 1/mc times larger than the result, so mc is bounded below. Source: DLMF 22.16(ii), 22.16.32, 20.2.
 
 use super::variational::{Periodic, Solutions, VariationalSetUp};
-use crate::elliptic::integrals::complete::{complete_difference_dd, complete_e_dd};
+use crate::elliptic::integrals::complete::complete_difference_dd;
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::elliptic::theta::neville::NevilleTheta;
@@ -72,7 +72,6 @@ impl SensitivityLanes {
             let mean = e / quarter - mc;
             (mean, -mean, HALF_PI / quarter)
         };
-        let shift = if rotation { complete_e_dd(parameter) } else { -whole }.scale(2.0) / mc;
         let Solutions { a, b, p, q } = start.solutions;
         Some(SensitivityLanes {
             rotation,
@@ -88,7 +87,7 @@ impl SensitivityLanes {
             near: near.hi,
             far: far.hi,
             zeta: zeta.hi,
-            shift: shift.hi,
+            shift: periodic.shift.value(),
             start: [a, b, p, q].map(Scaled::value),
             k: k.hi,
             x: x.hi,

@@ -7,6 +7,7 @@
 
 use super::frequency::Frequency;
 use super::regime::Regime;
+use crate::elliptic::parameter::Unit;
 use crate::float::angle_reduction::{self, ReducedAngle};
 use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::series;
@@ -123,11 +124,29 @@ impl State {
     }
 }
 
+impl State {
+    /// The parameter of the theta functions: kappa^2 in libration, 1/kappa^2 in rotation.
+    pub(crate) fn unit(&self) -> Unit {
+        let State { regime, k, kc, m, mc, power, .. } = *self;
+        if regime == Regime::Rotation {
+            Unit { m: Dd::ONE / m, mc: -mc / m, k: Dd::ONE / k, kc: kc / k }
+        } else {
+            Unit { m: m.ldexp(2 * power), mc, k: k.ldexp(power), kc }
+        }
+    }
+
+    /// sn, cn, dn of that parameter at the phase of the start, counted from the bottom.
+    pub(super) fn jacobi(&self) -> [Dd; 3] {
+        let State { regime, s, c, x, k, .. } = *self;
+        if regime == Regime::Rotation { [s, c, x / k] } else { [s / k, x / k, c] }
+    }
+}
+
 fn frame(theta: f64, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Frame {
     let distance = reduced.from_bottom * reduced.side;
-    let base = if reduced.turns == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
+    let base = if reduced.turns.hi == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
     let half_turn = if upside_down { reduced.side } else { 0.0 };
-    Frame { base, turns: reduced.whole_turns(), half_turn, side }
+    Frame { base, turns: reduced.turns, half_turn, side }
 }
 
 /// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.

@@ -44,7 +44,7 @@ impl Orbit {
                 let [hi, lo] = [local.hi, local.lo].map(angle_reduction::reduce);
                 let rest = (hi.from_bottom * hi.side + lo.from_bottom * lo.side).to_dd();
                 let shift = (rest.hi / TWO_PI.hi).round();
-                (hi.whole_turns() + lo.whole_turns() + Dd::from(shift), rest - TWO_PI * shift)
+                (hi.turns + lo.turns + Dd::from(shift), rest - TWO_PI * shift)
             }
             // Two whole numbers, but for starts of 2^53 turns and more.
             _ if self.frame.turns.lo == 0.0 => (Dd::sum(self.frame.turns.hi, turns), local),

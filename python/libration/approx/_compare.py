@@ -42,7 +42,7 @@ class Comparison:
     >>> from libration import Pendulum, approx
     >>> print(approx.compare(Pendulum(1.5), ["harmonic", "fourier:2"]))
     libration, T = 7.30086 s, theta_max = 1.5 rad
-    over 1 period  largest error [rad]  [% of theta_max]  at t/T
+    over 1 period  largest error [rad]  [% of theta_max]   at t/T
     harmonic                   0.03135              2.09  0.15439
     fourier:2                 0.002714            0.1809        0
     """

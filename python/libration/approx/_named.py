@@ -3,6 +3,7 @@
 from typing import Any, Protocol
 
 from .._immutable import Immutable
+from .._scalars import shown
 from ..pendulum import Pendulum
 
 
@@ -64,5 +65,5 @@ class Named(Immutable):
 def moving(pendulum: Any) -> Pendulum:
     """A pendulum, or the refusal of anything else."""
     if not isinstance(pendulum, Pendulum):
-        raise ValueError(f"pendulum = {pendulum!r}: must be a Pendulum")
+        raise ValueError(f"pendulum = {shown(pendulum)}: must be a Pendulum")
     return pendulum

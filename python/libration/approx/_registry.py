@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, Generic, TypeVar
 
 from .._immutable import public_names
+from .._scalars import shown
 
 Formula = TypeVar("Formula")
 
@@ -44,7 +45,7 @@ class Registry(Generic[Formula]):
 
     def __call__(self, name: str, **options: Any) -> Formula:
         if not isinstance(name, str):
-            raise ValueError(f"name = {name!r}: must be one of {', '.join(self._patterns)}")
+            raise ValueError(f"name = {shown(name)}: must be one of {', '.join(self._patterns)}")
         # What is no Unicode is shown, like any other name that is not known.
         return self._make(name.encode("utf-8", "backslashreplace").decode(), **options)
 

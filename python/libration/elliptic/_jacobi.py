@@ -13,6 +13,7 @@ import numpy as np
 from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._labels import Result, like
 from .._messages import explained
+from .._scalars import shown
 from ._parameter import Function
 
 Value = TypeVar("Value")
@@ -144,6 +145,8 @@ class _Joined:
         if out is None:
             parts = self.ufunc(*operands, where=where)
             return tuple(_join(*parts[i : i + 2]) for i in (0, 2, 4))
+        if not isinstance(out, tuple) or [getattr(each, "dtype", None) for each in out] != 3 * [np.complex128]:
+            raise TypeError(f"out = {shown(out)}: must be a tuple of three arrays of complex128")
         self.ufunc(*operands, out=tuple(part for whole in out for part in (whole.real, whole.imag)), where=where)
         return out
 

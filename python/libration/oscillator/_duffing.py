@@ -18,7 +18,7 @@ from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
 from .._immutable import Elsewhere
 from .._messages import explained
-from .._scalars import real
+from .._scalars import real, shown
 from ..pendulum import Pendulum
 from ._oscillator import MOTION, Oscillator
 
@@ -108,6 +108,8 @@ class Duffing(Oscillator):
         >>> f"{2 * math.atan(spring.u(1.0)):.6f} {libration.Pendulum(2.0).theta(1.0):.6f}"
         '1.532728 1.532728'
         """
+        if not isinstance(pendulum, Pendulum):
+            raise ValueError(f"pendulum = {shown(pendulum)}: must be a Pendulum")
         start = pendulum.theta0, pendulum.velocity0
         u0, velocity0, p, q = _core.duffing_of_pendulum(*start, **pendulum._frequency)
         return cls(u0, velocity0, p=p, q=q)

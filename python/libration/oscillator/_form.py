@@ -11,7 +11,7 @@ from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import Elementwise, apply
 from .._immutable import Immutable
 from .._messages import explained
-from .._scalars import real
+from .._scalars import real, shown
 from ._oscillator import MOTION, VELOCITY, OscillatorRegime, U
 
 
@@ -57,9 +57,10 @@ class DuffingForm(Immutable):
     @explained
     def __new__(cls, form: str, c1: float, c2: float = 0.0, *, p: float, q: float) -> Self:
         numbers = real("p", p), real("q", q), real("c1", c1), real("c2", c2)
+        form = str(form) if isinstance(form, str) else shown(form)
         self = super().__new__(cls)
-        object.__setattr__(self, "_form", _core.DuffingForm(str(form), *numbers))
-        object.__setattr__(self, "_given", (str(form), *numbers))
+        object.__setattr__(self, "_form", _core.DuffingForm(form, *numbers))
+        object.__setattr__(self, "_given", (form, *numbers))
         return self
 
     @overload

@@ -12,7 +12,7 @@ from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import apply
 from .._immutable import Elsewhere, Immutable
 from .._labels import Result
-from .._messages import explained, refuse
+from .._messages import REFUSALS, explained, refuse
 from .._scalars import real
 
 # Displacements are in the user's units.
@@ -109,7 +109,7 @@ class Oscillator(Immutable):
             return self._oscillator.u(t)
         try:
             return apply(self._kernels[0], t, *self._operands, results=(U,), out=out)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Oscillator.u, (self, t, out))
 
     @overload
@@ -150,7 +150,7 @@ class Oscillator(Immutable):
             return self._oscillator.velocity(t)
         try:
             return apply(self._kernels[1], t, *self._operands, results=(VELOCITY,), out=out)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Oscillator.velocity, (self, t, out))
 
     @overload
@@ -187,7 +187,7 @@ class Oscillator(Immutable):
             return self._oscillator.motion(t)
         try:
             return apply(self._kernels[2], t, *self._operands, results=MOTION)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Oscillator.motion, (self, t))
 
     @explained

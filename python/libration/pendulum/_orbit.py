@@ -115,7 +115,7 @@ class Orbit(Immutable):
 
         Notes
         -----
-        Error promised: 0.5 ulp of each of the two; `math.radians`, which rounds twice, is often an ulp off. Source: pi to 60
+        Error promised: 0.5 ulp of each of the two; `math.radians`, which rounds twice, is often an ulp off. Source: pi to 76
         digits, OEIS A000796.
 
         Examples
@@ -123,7 +123,7 @@ class Orbit(Immutable):
         >>> import libration
         >>> pendulum = libration.Pendulum.degrees(120, length=0.8)
         >>> f"{pendulum.theta0:.6f} rad, period {pendulum.period:.6f} s"
-        '2.094395 rad, period 2.463746 s'
+        '2.094395 rad, period 2.463754 s'
         """
         state = radians(real("theta0", theta0)), radians(real("velocity0", velocity0))
         return cls(*state, **_frequency(omega0, omega2, length, gravity))

@@ -15,7 +15,7 @@ from .. import _core
 from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import apply, tensor, unindexed
 from .._immutable import Elsewhere
-from .._messages import explained, refuse
+from .._messages import REFUSALS, explained, refuse
 from ._plots import Plots
 from ._results import MOTION, PHASE, SECOND_SENSITIVITIES, SENSITIVITIES, THETA, TURNS, VELOCITY
 from ._sensitivities import FIRST, SECOND, SYMMETRIC
@@ -133,7 +133,7 @@ class Pendulum(Plots):
             if type(t) is np.ndarray:
                 return _core.orbit_theta(t, *self._operands, out)
             return apply(_core.orbit_theta, t, *self._operands, results=(THETA,), out=out)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Pendulum.theta, (self, t, out))
 
     @overload
@@ -179,7 +179,7 @@ class Pendulum(Plots):
             if type(t) is np.ndarray:
                 return _core.orbit_velocity(t, *self._operands, out)
             return apply(_core.orbit_velocity, t, *self._operands, results=(VELOCITY,), out=out)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Pendulum.velocity, (self, t, out))
 
     @overload
@@ -218,7 +218,7 @@ class Pendulum(Plots):
             return self._orbit.motion(t)
         try:
             return apply(_core.orbit_motion, t, *self._operands, results=MOTION)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Pendulum.motion, (self, t))
 
     @overload
@@ -259,7 +259,7 @@ class Pendulum(Plots):
             return self._orbit.turns(t)
         try:
             return apply(_core.turns, t, *self._operands, results=TURNS)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Pendulum.turns, (self, t))
 
     @overload
@@ -302,7 +302,7 @@ class Pendulum(Plots):
         """
         try:
             return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
-        except (TypeError, ValueError) as error:
+        except REFUSALS as error:
             refuse(error, Pendulum.phase, (self, t, out))
 
     @overload

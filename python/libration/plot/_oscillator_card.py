@@ -9,24 +9,22 @@ import numpy as np
 
 from .._number_text import number_text as number
 from ._card import SIDE, page, svg
-from ._potential import equilibria, potential, reach, scaled
+from ._potential import coefficients, equilibria, potential, reach, scaled
 
 BOTTOM, MARGIN = 112.0, 12.0
 EQUATIONS = {
     ("p", "q"): ("Duffing oscillator", "u″ + p u + q u³ = 0"),
     ("alpha", "beta", "gamma"): ("Cubic-quintic oscillator", "u″ + α u + β u³ + γ u⁵ = 0"),
 }
-LETTERS = {"alpha": "α", "beta": "β", "gamma": "γ"}
 
 
 def oscillator_card(oscillator: Any) -> str:
     """The HTML of an oscillator."""
     name, equation = EQUATIONS[oscillator._names]
     heading = f"{name}: {oscillator.regime}"
-    given = [(LETTERS.get(letter, letter), getattr(oscillator, letter)) for letter in oscillator._names]
     start = f"u(0) = {number(oscillator.u0)}, u′(0) = {number(oscillator.velocity0)}"
-    coefficients = ", ".join(f"{letter} = {number(value)}" for letter, value in given)
-    lines = [heading, equation, coefficients, start, *ends(oscillator)]
+    given = ", ".join(f"{letter} = {number(value)}" for letter, value in coefficients(oscillator))
+    lines = [heading, equation, given, start, *ends(oscillator)]
     return page(drawing(oscillator, heading), lines)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,6 +28,7 @@ from ._style import (
     look,
     quiet,
     save_figure,
+    sizes,
 )
 
 if TYPE_CHECKING:
@@ -69,7 +71,7 @@ def plot_period(
     *,
     formulas: Iterable[str] = CHOSEN,
     error: bool = False,
-    theta_max: float | None = None,
+    theta_max: float | Iterable[float] | None = None,
     lang: str = "en",
 ) -> Axes:
     """Draw the period over that of small swings against the turning angle, exact and by chosen formulas.
@@ -82,8 +84,8 @@ def plot_period(
         Names of `libration.approx.period`; by default one formula of each kind.
     error : bool, default False
         Whether to draw the size of the relative error instead, on a logarithmic axis.
-    theta_max : float, optional
-        A turning angle in rad to be marked.
+    theta_max : float or iterable of float, optional
+        A turning angle in rad to be marked, or several.
     lang : str, default "en"
         `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
 
@@ -116,7 +118,7 @@ def plot_period(
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         draw(axes, made, say)
     axes.set_xlabel(say.word("turning angle θmax [degrees]").replace("θmax", TURNING))
-    mark(axes, theta_max)
+    mark(axes, theta_max, say)
     say.ticks(axes)
     named(axes, new)
     return axes
@@ -125,7 +127,7 @@ def plot_period(
 def plot_periods(
     path: Any,
     *,
-    theta_max: float | None = None,
+    theta_max: float | Iterable[float] | None = None,
     form: str | None = None,
     title: str | None = None,
     dpi: float = 100,
@@ -139,8 +141,8 @@ def plot_periods(
     ----------
     path : str, path or binary file
         Where to save.
-    theta_max : float, optional
-        A turning angle in rad to be marked.
+    theta_max : float or iterable of float, optional
+        A turning angle in rad to be marked, or several.
     form : str, optional
         `png` or `svg`; by default the ending of `path`. The text of an SVG is text.
     title : str, optional
@@ -182,7 +184,7 @@ def families() -> dict[str, list[PeriodFormula]]:
     return found | ({OTHERS: list(shown.values())} if shown else {})
 
 
-def draw_periods(figure: Any, theta_max: float | None, say: Language = ENGLISH) -> None:
+def draw_periods(figure: Any, theta_max: Any, say: Language = ENGLISH) -> None:
     """The ratios, and a panel of errors for each family over the others in grey."""
     groups = families()
     panels = figure.subplots(math.ceil((1 + len(groups)) / 3), 3, sharex=True).flatten()
@@ -201,7 +203,7 @@ def draw_periods(figure: Any, theta_max: float | None, say: Language = ENGLISH) 
         draw_errors(axes, group, say, [formula for formula in every if formula not in group])
         label_curves(axes)
     for number_of, axes in enumerate((first, *rest)):
-        mark(axes, theta_max)
+        mark(axes, theta_max, say if axes is first else None)
         say.ticks(axes)
         if number_of > 1 and number_of % 3:
             axes.set_ylabel("")
@@ -218,25 +220,25 @@ def angles() -> tuple[np.ndarray, np.ndarray]:
 
 def draw_ratios(axes: Any, formulas: list[PeriodFormula], say: Language, faint: Any = ()) -> None:
     """T/T0, exact and by formulas; those that are faint are the background."""
-    degrees, theta_max = angles()
+    degrees, _ = angles()
     for formula in faint:
-        axes.plot(degrees, formula.ratio(theta_max), color=FAINT, lw=0.9, zorder=1.5)
+        axes.plot(degrees, curve(formula.name, error=False), color=FAINT, lw=0.9, zorder=1.5)
     exact = say.word("exact")
-    axes.plot(degrees, period("exact").ratio(theta_max), color=BLACK, lw=2.2, label=exact, zorder=3)
+    axes.plot(degrees, curve("exact", error=False), color=BLACK, lw=2.2, label=exact, zorder=3)
     for number_of, formula in enumerate(formulas):
         color, dash = look(STYLES, number_of)
-        axes.plot(degrees, formula.ratio(theta_max), color=color, ls=dash, lw=1.5, label=formula.name)
+        axes.plot(degrees, curve(formula.name, error=False), color=color, ls=dash, lw=1.5, label=formula.name)
     axes.set(xlim=(0, 180), ylim=(0.8, HIGHEST), ylabel=RATIO)
 
 
 def draw_errors(axes: Any, formulas: list[PeriodFormula], say: Language, faint: Any = ()) -> None:
     """The size of the relative errors on a logarithmic axis."""
-    degrees, theta_max = angles()
+    degrees, _ = angles()
     for formula in faint:
-        axes.plot(degrees, size(formula, theta_max), color=FAINT, lw=0.9, zorder=1.5)
+        axes.plot(degrees, curve(formula.name, error=True), color=FAINT, lw=0.9, zorder=1.5)
     for number_of, formula in enumerate(formulas):
         color, dash = look(STYLES, number_of)
-        error = size(formula, theta_max)
+        error = curve(formula.name, error=True)
         axes.plot(degrees, error, color=color, ls=dash, lw=1.6, label=SAME.get(formula.name, formula.name))
         if formula.stated_range:
             low, high = np.degrees(formula.stated_range)
@@ -245,16 +247,24 @@ def draw_errors(axes: Any, formulas: list[PeriodFormula], say: Language, faint: 
     axes.set(yscale="log", ylim=(LEAST, 10.0), xlim=(0, 180), ylabel=say.word("|relative error|"))
 
 
-def size(formula: PeriodFormula, theta_max: np.ndarray) -> np.ndarray:
-    """The size of the error, without the zeros that a logarithm has not."""
-    error = np.abs(formula.error(theta_max))
-    return np.where(error > 0, error, np.nan)
+@lru_cache(maxsize=64)
+def curve(name: str, *, error: bool) -> np.ndarray:
+    """The ratio of a formula, or the size of its error, over the angles: every panel shows every formula."""
+    formula = period(name)
+    found: np.ndarray = sizes(formula.error(angles()[1])) if error else formula.ratio(angles()[1])
+    return found
 
 
-def mark(axes: Any, theta_max: float | None) -> None:
-    """A turning angle, marked."""
-    if theta_max is not None:
-        axes.axvline(math.degrees(theta_max), color=LINEAR, lw=1, ls=(0, (2, 2)), zorder=1.7)
+def mark(axes: Any, theta_max: Any, say: Language | None = None) -> None:
+    """Turning angles, marked; with a language, each with its degrees at the top."""
+    angles = [] if theta_max is None else np.degrees(np.atleast_1d(np.asarray(theta_max, dtype=float)))
+    for degrees in angles:
+        axes.axvline(degrees, color=LINEAR, lw=1, ls=(0, (2, 2)), zorder=1.7)
+        if say:
+            near = {"textcoords": "offset points", "ha": "right", "va": "top", "fontsize": "small", "color": "#555555"}
+            axes.annotate(
+                f"{say.number(degrees, 4)}°", (degrees, 1.0), (-3, -2), xycoords=axes.get_xaxis_transform(), **near
+            )
 
 
 def label_curves(axes: Any) -> None:

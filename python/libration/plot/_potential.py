@@ -9,6 +9,12 @@ import numpy as np
 
 # Displacements of an escape are drawn up to this multiple of where it starts or turns.
 FAR = 4.0
+LETTERS = {"alpha": "α", "beta": "β", "gamma": "γ"}
+
+
+def coefficients(oscillator: Any) -> list[tuple[str, float]]:
+    """The coefficients of the force by their letters."""
+    return [(LETTERS.get(name, name), getattr(oscillator, name)) for name in oscillator._names]
 
 
 def reach(oscillator: Any) -> float:

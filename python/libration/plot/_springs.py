@@ -10,7 +10,7 @@ import numpy as np
 from ..oscillator._oscillator import Oscillator
 from ._axes import named
 from ._language import ENGLISH, Language
-from ._potential import FAR, barriers, equilibria, potential, reach, scaled
+from ._potential import FAR, barriers, coefficients, equilibria, potential, reach, scaled
 from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, part_of, quiet, save
 
 
@@ -74,8 +74,8 @@ def plot_oscillator(
 
 def headline(oscillator: Oscillator, say: Language = ENGLISH) -> str:
     """Equation, regime and what goes with it in one line."""
-    coefficients = ", ".join(f"{name} = {say.number(getattr(oscillator, name))}" for name in oscillator._names)
-    start = f"{coefficients}, u(0) = {say.number(oscillator.u0)}, u′(0) = {say.number(oscillator.velocity0)}"
+    given = ", ".join(f"{letter} = {say.number(value)}" for letter, value in coefficients(oscillator))
+    start = f"{given}, u(0) = {say.number(oscillator.u0)}, u′(0) = {say.number(oscillator.velocity0)}"
     regime = say.word(str(oscillator.regime))
     if math.isfinite(oscillator.period):
         words = "{start}: {regime}, period {period} s"

@@ -8,6 +8,7 @@ a word of that colour would be pale on white; no two lines of a panel differ by 
 from __future__ import annotations
 
 import re
+import textwrap
 from io import BytesIO
 from typing import Any
 
@@ -26,6 +27,8 @@ FONTS = ("DejaVu Sans", "Verdana", "Segoe UI", "Roboto", "Helvetica Neue", "Aria
 # The largest errors of a panel differ by more than this factor: its axis is logarithmic, and ends so many decades below
 # the smallest of them.
 WIDE, DECADES = 50.0, 2.0
+# In points: the first of them in which the title fits into a line.
+TITLE_SIZES = (13, 12, 11, 10)
 LEAST_DPI, MOST_DPI = 20, 1200
 MISSING = "a picture needs matplotlib: pip install 'libration[plot]'"
 # Of more than MANY swings or turns, only the first SHOWN are drawn over t.
@@ -59,17 +62,17 @@ def head(figure: Any, title: str) -> None:
     """The line above a picture; a title too long for one line is smaller, then broken."""
     if not title:
         return
-    room = int(9.2 * figure.get_size_inches()[0])
-    size = 13 if len(title) <= room else max(10.0, 13 * room / len(title))
-    wide = int(room * 13 / size)
-    figure.suptitle(wrapped(title, wide), x=0.012, ha="left", fontsize=size)
-
-
-def wrapped(text: str, wide: int) -> str:
-    """A text in lines of a number of characters; lines of its own are kept."""
-    import textwrap
-
-    return "\n".join(textwrap.fill(line, wide, break_long_words=False) for line in text.splitlines())
+    room = 0.976 * figure.bbox.width
+    text = figure.suptitle(title, x=0.012, ha="left")
+    for size in TITLE_SIZES:
+        text.set_fontsize(size)
+        wide = text.get_window_extent().width
+        if wide <= room:
+            return
+    # A formula is not broken.
+    if "$" not in title:
+        characters = int(0.95 * room / wide * max(map(len, title.splitlines())))
+        text.set_text("\n".join(textwrap.fill(line, characters) for line in title.splitlines()))
 
 
 def save_figure(

@@ -14,7 +14,7 @@
 //! Every part is one product over a sum of positive terms, so none loses a digit. For m > 1 the parameter is 1/m; cn and dn
 //! change places. Source: DLMF 22.6.22, 22.8.1 to 22.8.3, 22.17.
 
-use super::functions::{Jacobi, ScaledNevilleValues};
+use super::functions::{Jacobi, NevilleValues};
 use crate::elliptic::parameter::{Parameter, ParameterRange, Unit};
 use crate::float::Scaled;
 
@@ -96,9 +96,9 @@ impl JacobiComplex {
 
     /// sn, cn and dn.
     fn parts(&self, re: f64, im: f64) -> [Complex; 3] {
-        let ScaledNevilleValues { s, c, d, n, signs, .. } = self.real.scaled_neville_values(re);
+        let (_, NevilleValues { s, c, d, n, signs }) = self.real.scaled_neville_values(re);
         let (s, c, d) = (s * signs[0], c * signs[1], d * signs[2]);
-        let ScaledNevilleValues { s: s1, c: c1, d: d1, n: n1, signs, .. } =
+        let (_, NevilleValues { s: s1, c: c1, d: d1, n: n1, signs }) =
             self.imaginary.scaled_neville_values(im);
         let (s1, c1, d1) = (s1 * signs[0], c1 * signs[1], d1 * signs[2]);
         let (m, mc) = (self.m, self.mc);

@@ -5,7 +5,7 @@
 //!   zeta = m/(3 K) sn cn dn R_J(0, mc, 1, dn^2), one product: nothing is subtracted from epsilon.
 //! Source: DLMF 22.16.17, 22.16.20, 22.16.32, 19.25.9 to 19.25.11; Carlson, Numer. Math. 33 (1979) 1.
 
-use super::functions::{Jacobi, ScaledNevilleValues};
+use super::functions::{Jacobi, NevilleValues};
 use super::inverse::real_quarter;
 use crate::elliptic::integrals::carlson::rj;
 use crate::elliptic::integrals::complete::{complete_e_dd, complete_k_dd};
@@ -59,7 +59,7 @@ impl SecondKind {
         if u == 0.0 && !self.m.is_nan() {
             return u;
         }
-        let ScaledNevilleValues { half_periods, s, c, d, n, signs } = self.jacobi.scaled_neville_values(u);
+        let (half_periods, NevilleValues { s, c, d, n, signs }) = self.jacobi.scaled_neville_values(u);
         let inverse = Scaled::ONE / n;
         let values = [s, c, d].map(|theta| theta * inverse);
         let rest = second_kind(self.m, self.mc, values) * (signs[0] * signs[1] * signs[2]);
@@ -84,7 +84,7 @@ impl SecondKind {
         if u == 0.0 || (self.m.is_zero() && u.is_finite()) {
             return f64::copysign(0.0, u);
         }
-        let ScaledNevilleValues { s, c, d, n, signs, .. } = self.jacobi.scaled_neville_values(u);
+        let (_, NevilleValues { s, c, d, n, signs }) = self.jacobi.scaled_neville_values(u);
         if self.mc.is_zero() {
             return (s / n * signs[0]).value();
         }

@@ -11,6 +11,7 @@ use crate::float::elementary::{arctangent, quotient, saturated_sinh_cosh, sech};
 use crate::float::series::long_sinh_cosh;
 use crate::float::{Dd, PI, Scaled};
 use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
+use core::ops::Mul;
 
 /// sn, cn, dn, am of one parameter, set up once.
 ///
@@ -60,15 +61,15 @@ pub(crate) enum NevilleIndex {
 
 /// Neville's theta functions at one argument up to a common factor: |sn| : |cn| : |dn| : 1 = s : c : d : n. The signs of
 /// the first three stand apart.
-pub(crate) struct NevilleValues<L: Lane> {
-    pub s: Dd<L>,
-    pub c: Dd<L>,
-    pub d: Dd<L>,
-    pub n: Dd<L>,
-    pub signs: [L; 3],
+pub(crate) struct NevilleValues<T, S> {
+    pub s: T,
+    pub c: T,
+    pub d: T,
+    pub n: T,
+    pub signs: [S; 3],
 }
 
-impl<L: Lane> NevilleValues<L> {
+impl<L: Lane> NevilleValues<Dd<L>, L> {
     /// One of them and its sign.
     #[inline(always)]
     pub fn theta(&self, index: NevilleIndex) -> (Dd<L>, L) {
@@ -96,8 +97,8 @@ impl Jacobi {
 
     /// Half periods per unit of u: the factor times 1/2K.
     fn with_range(range: ParameterRange, unit: Unit, factor: Dd) -> Jacobi {
-        let unit = if range == ParameterRange::One { Parameter::from_m(0.0).unit() } else { unit };
-        let neville = NevilleTheta::new(unit.m, unit.mc, unit.k, unit.kc);
+        let unit = if range == ParameterRange::One { Unit::ZERO } else { unit };
+        let neville = NevilleTheta::new(unit);
         let (a, kc) = match range {
             ParameterRange::Negative => (neville.theta1_factor * unit.kc, Dd::ONE / unit.kc),
             _ => (neville.theta1_factor, unit.kc),
@@ -164,7 +165,10 @@ impl Jacobi {
 
     /// The nearest whole number of half periods, and Neville's theta functions at u.
     #[inline(always)]
-    pub(crate) fn neville_values<const HYPERBOLIC: bool, L: Lane>(&self, u: L) -> (Dd<L>, NevilleValues<L>) {
+    pub(crate) fn neville_values<const HYPERBOLIC: bool, L: Lane>(
+        &self,
+        u: L,
+    ) -> (Dd<L>, NevilleValues<Dd<L>, L>) {
         let at = self.phase.spread::<L>().reduce(u);
         let thetas = self.neville.thetas_on::<HYPERBOLIC, L>(at.f);
         let folded = thetas.folded;
@@ -174,46 +178,38 @@ impl Jacobi {
         let c = Dd::select(folded, t1 * Dd::splat(self.theta1_factors[1]), t2);
         let d = Dd::select(folded, t4 * Dd::splat(self.kc), t3);
         let n = Dd::select(folded, t3, t4);
-        let odd = at.parity * at.sign;
-        let positive = L::splat(1.0);
-        let values = if self.range == ParameterRange::AboveOne {
-            let s = s * Dd::splat(self.unit_modulus);
-            NevilleValues { s, c: d, d: c, n, signs: [odd, positive, at.parity] }
-        } else {
-            NevilleValues { s, c, d, n, signs: [odd, at.parity, positive] }
-        };
-        (at.n, values)
+        let signs = [at.parity * at.sign, at.parity, L::splat(1.0)];
+        (at.n, self.arranged([s, c, d, n], Dd::splat(self.unit_modulus), signs))
     }
-}
 
-/// [`NevilleValues`] to 2^-60, of any size, and the nearest whole number of half periods.
-pub(super) struct ScaledNevilleValues {
-    pub half_periods: Dd,
-    pub s: Scaled,
-    pub c: Scaled,
-    pub d: Scaled,
-    pub n: Scaled,
-    pub signs: [f64; 3],
+    /// Theta functions of the parameter in [0, 1], with the modulus of that, as those of the given one.
+    #[inline(always)]
+    fn arranged<T: Mul<Output = T>, S>(
+        &self,
+        [s, c, d, n]: [T; 4],
+        unit_modulus: T,
+        [odd, parity, positive]: [S; 3],
+    ) -> NevilleValues<T, S> {
+        if self.range == ParameterRange::AboveOne {
+            NevilleValues { s: s * unit_modulus, c: d, d: c, n, signs: [odd, positive, parity] }
+        } else {
+            NevilleValues { s, c, d, n, signs: [odd, parity, positive] }
+        }
+    }
 }
 
 /// Where e^-2u no longer counts beside 1.
 const TANH_IS_ONE: f64 = 40.0;
 
 impl Jacobi {
-    /// Neville's theta functions at u, for what must not round on the way.
-    pub(super) fn scaled_neville_values(&self, u: f64) -> ScaledNevilleValues {
+    /// The nearest whole number of half periods, and Neville's theta functions at u to 2^-60 and of any size, for what must not
+    /// round on the way.
+    pub(super) fn scaled_neville_values(&self, u: f64) -> (Dd, NevilleValues<Scaled, f64>) {
         let sign = f64::copysign(1.0, u);
         if u.abs() < TINY {
             let s = Scaled::from(self.slope) * u.abs();
             let one = Scaled::ONE;
-            return ScaledNevilleValues {
-                half_periods: Dd::ZERO,
-                s,
-                c: one,
-                d: one,
-                n: one,
-                signs: [sign, 1.0, 1.0],
-            };
+            return (Dd::ZERO, NevilleValues { s, c: one, d: one, n: one, signs: [sign, 1.0, 1.0] });
         }
         if self.range == ParameterRange::One {
             let y = self.slope * u.abs();
@@ -223,7 +219,7 @@ impl Jacobi {
             } else {
                 (Scaled::ONE, Scaled::exp(-y).shift(1), Scaled::ONE)
             };
-            return ScaledNevilleValues { half_periods: Dd::ZERO, s, c, d: c, n, signs: [sign, 1.0, 1.0] };
+            return (Dd::ZERO, NevilleValues { s, c, d: c, n, signs: [sign, 1.0, 1.0] });
         }
         let mut at = self.phase.reduce(u);
         let beyond = at.f - Dd::from(0.5);
@@ -240,15 +236,8 @@ impl Jacobi {
         } else {
             [t1 * self.theta1_factors[0], t2, t3, t4]
         };
-        let [s, c, d, n] = theta.map(Scaled::from);
-        let half_periods = at.n;
-        let odd = at.parity * at.sign;
-        if self.range == ParameterRange::AboveOne {
-            let s = s * Scaled::from(self.unit_modulus);
-            ScaledNevilleValues { half_periods, s, c: d, d: c, n, signs: [odd, 1.0, at.parity] }
-        } else {
-            ScaledNevilleValues { half_periods, s, c, d, n, signs: [odd, at.parity, 1.0] }
-        }
+        let signs = [at.parity * at.sign, at.parity, 1.0];
+        (at.n, self.arranged(theta.map(Scaled::from), self.unit_modulus.into(), signs))
     }
 }
 

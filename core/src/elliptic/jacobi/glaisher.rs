@@ -39,57 +39,41 @@ pub enum Glaisher {
     Dc,
 }
 
+/// Each with its name, and p and q of pq = theta_p/theta_q.
+const TABLE: [(Glaisher, &str, [NevilleIndex; 2]); 12] = [
+    (Glaisher::Sn, "sn", [NevilleIndex::S, NevilleIndex::N]),
+    (Glaisher::Cn, "cn", [NevilleIndex::C, NevilleIndex::N]),
+    (Glaisher::Dn, "dn", [NevilleIndex::D, NevilleIndex::N]),
+    (Glaisher::Ns, "ns", [NevilleIndex::N, NevilleIndex::S]),
+    (Glaisher::Nc, "nc", [NevilleIndex::N, NevilleIndex::C]),
+    (Glaisher::Nd, "nd", [NevilleIndex::N, NevilleIndex::D]),
+    (Glaisher::Sc, "sc", [NevilleIndex::S, NevilleIndex::C]),
+    (Glaisher::Cs, "cs", [NevilleIndex::C, NevilleIndex::S]),
+    (Glaisher::Sd, "sd", [NevilleIndex::S, NevilleIndex::D]),
+    (Glaisher::Ds, "ds", [NevilleIndex::D, NevilleIndex::S]),
+    (Glaisher::Cd, "cd", [NevilleIndex::C, NevilleIndex::D]),
+    (Glaisher::Dc, "dc", [NevilleIndex::D, NevilleIndex::C]),
+];
+
 impl Glaisher {
     /// All of them.
-    pub const ALL: [Glaisher; 12] = [
-        Glaisher::Sn,
-        Glaisher::Cn,
-        Glaisher::Dn,
-        Glaisher::Ns,
-        Glaisher::Nc,
-        Glaisher::Nd,
-        Glaisher::Sc,
-        Glaisher::Cs,
-        Glaisher::Sd,
-        Glaisher::Ds,
-        Glaisher::Cd,
-        Glaisher::Dc,
-    ];
+    pub const ALL: [Glaisher; 12] = {
+        let mut all = [Glaisher::Sn; 12];
+        let mut i = 0;
+        while i < all.len() {
+            all[i] = TABLE[i].0;
+            i += 1;
+        }
+        all
+    };
     /// Its name of two letters, p and q.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Glaisher::Sn => "sn",
-            Glaisher::Cn => "cn",
-            Glaisher::Dn => "dn",
-            Glaisher::Ns => "ns",
-            Glaisher::Nc => "nc",
-            Glaisher::Nd => "nd",
-            Glaisher::Sc => "sc",
-            Glaisher::Cs => "cs",
-            Glaisher::Sd => "sd",
-            Glaisher::Ds => "ds",
-            Glaisher::Cd => "cd",
-            Glaisher::Dc => "dc",
-        }
+        TABLE[self as usize].1
     }
     /// p and q of pq = theta_p/theta_q.
     pub(crate) const fn pq(self) -> [NevilleIndex; 2] {
-        use NevilleIndex::{C, D, N, S};
-        match self {
-            Glaisher::Sn => [S, N],
-            Glaisher::Cn => [C, N],
-            Glaisher::Dn => [D, N],
-            Glaisher::Ns => [N, S],
-            Glaisher::Nc => [N, C],
-            Glaisher::Nd => [N, D],
-            Glaisher::Sc => [S, C],
-            Glaisher::Cs => [C, S],
-            Glaisher::Sd => [S, D],
-            Glaisher::Ds => [D, S],
-            Glaisher::Cd => [C, D],
-            Glaisher::Dc => [D, C],
-        }
+        TABLE[self as usize].2
     }
     /// The other two of the four theta functions: those of the derivative, DLMF 22.13(i).
     pub(crate) fn others(self) -> [NevilleIndex; 2] {

@@ -12,6 +12,7 @@
 
 use crate::elliptic::agm::agm;
 use crate::elliptic::nome::small_nome;
+use crate::elliptic::parameter::Unit;
 use crate::elliptic::phase::ReducedPhase;
 use crate::float::elementary::{sin_cos, sinh_cosh};
 use crate::float::exponent::{exponent, ldexp, mantissa};
@@ -113,8 +114,8 @@ pub(crate) fn fold<L: Lane>(f: Dd<L>) -> (L::Mask, Dd<L>) {
 }
 
 impl NevilleTheta {
-    /// From m, k and k' of 0 <= m < 1 (k and k' apart, because either may be below the range of its square).
-    pub fn new(m: Dd, mc: Dd, k: Dd, kc: Dd) -> NevilleTheta {
+    /// Of a parameter 0 <= m < 1.
+    pub fn new(Unit { m, mc, k, kc }: Unit) -> NevilleTheta {
         let mean = agm(kc);
         let quarter = HALF_PI / mean;
         if m.hi <= mc.hi {
@@ -150,13 +151,19 @@ impl NevilleTheta {
     pub(crate) fn of_scaled(m: Scaled, mc: Scaled) -> NevilleTheta {
         let kc = mc.sqrt();
         if kc.power() < LEAST {
-            let mut limit = NevilleTheta::new(Dd::ONE, Dd::ZERO, Dd::ONE, Dd::from(ldexp(1.0, LEAST)));
+            let mut limit = NevilleTheta::new(Unit {
+                m: Dd::ONE,
+                mc: Dd::ZERO,
+                k: Dd::ONE,
+                kc: ldexp(1.0, LEAST).into(),
+            });
             let quarter = kc.shift(-2).minus_ln();
             limit.angle = limit.angle * quarter / limit.quarter;
             (limit.quarter, limit.kc) = (quarter, kc.to_dd());
             return limit;
         }
-        NevilleTheta::new(m.to_dd(), mc.to_dd(), m.sqrt().to_dd(), kc.to_dd())
+        let [m, mc, k, kc] = [m, mc, m.sqrt(), kc].map(Scaled::to_dd);
+        NevilleTheta::new(Unit { m, mc, k, kc })
     }
 
     /// Whether [`NevilleTheta::thetas_on`] takes the hyperbolic side.
