@@ -142,12 +142,13 @@ def test_every_example_of_the_help_runs(capsys, tmp_path, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", columns)
     monkeypatch.chdir(tmp_path)
     (tmp_path / "instants.csv").write_text("t [s]\n0\n1\n2\n")
+    (tmp_path / "data.csv").write_text("t [s],theta [deg]\n0,60\n0.1,54.9\n0.2,40.7\n")
     examples = []
     for words in (["--help"], *([name, "--help"] for name in ("solve", "at", "period", "compare"))):
         main(words)
         text = capsys.readouterr().out.partition("examples:\n")[2].replace("\\\n", "")
         examples += [line.split()[1:] for line in text.splitlines() if line.startswith("  libration ")]
-    assert len(examples) == 15
+    assert len(examples) == 16
     for words in examples:
         assert main(words) == 0, words
 

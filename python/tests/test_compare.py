@@ -18,7 +18,7 @@ HORSLEY_WORDS = "compare --theta0 3 --length 1m --gravity 9.8".split()
 
 def test_steps_have_their_order():
     pendulum = Pendulum(2.0)
-    for scheme, order in [("euler", 1), ("euler-cromer", 1), ("rk4", 4)]:
+    for scheme, order in [("euler", 1), ("euler-cromer", 1), ("verlet", 2), ("rk4", 4)]:
         coarse, fine = (approx.numerical(f"{scheme}:{step}").of(pendulum).error(0.5) for step in (0.02, 0.01))
         assert math.log2(coarse.difference / fine.difference) == pytest.approx(order, abs=0.1)
 

@@ -1,8 +1,8 @@
-//! The numerical solutions that everyone writes first, step by step: Euler, Euler-Cromer, Runge-Kutta of fourth order.
+//! The numerical solutions that everyone writes first, step by step: Euler, Euler-Cromer, Verlet, Runge-Kutta of fourth order.
 //!
 //! For theta' = v, v' = -omega^2 sin theta, in plain doubles, as a student's program has it: they are what the exact
 //! solution is compared with. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.1; Cromer,
-//! Am. J. Phys. 49 (1981) 455.
+//! Am. J. Phys. 49 (1981) 455; Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich, Wanner, Acta Numerica 12 (2003) 399.
 
 use super::entry::{Entry, Named, Row, entries, row};
 use crate::domain::Domain;
@@ -27,6 +27,14 @@ const TABLE: &[Row<Step>] = &[
             "Cromer 1981; order 1, symplectic",
         ),
         euler_cromer,
+    ),
+    row(
+        Entry::new(
+            "verlet",
+            "half a step of v, a step of theta, half a step of v from the new theta: velocity Verlet, or leapfrog",
+            "Verlet 1967; order 2, symplectic",
+        ),
+        verlet,
     ),
     row(Entry::new("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
 ];
@@ -67,6 +75,12 @@ fn euler(state: State, h: f64, omega2: f64) -> State {
 fn euler_cromer(State(theta, velocity): State, h: f64, omega2: f64) -> State {
     let velocity = velocity + h * pull(theta, omega2);
     State(theta + h * velocity, velocity)
+}
+
+fn verlet(State(theta, velocity): State, h: f64, omega2: f64) -> State {
+    let half = velocity + 0.5 * h * pull(theta, omega2);
+    let theta = theta + h * half;
+    State(theta, half + 0.5 * h * pull(theta, omega2))
 }
 
 fn rk4(state: State, h: f64, omega2: f64) -> State {
@@ -122,7 +136,7 @@ mod tests {
 
     #[test]
     fn errors_fall_with_the_order_of_the_scheme() {
-        for (name, order) in [("euler", 1.0), ("euler-cromer", 1.0), ("rk4", 4.0)] {
+        for (name, order) in [("euler", 1.0), ("euler-cromer", 1.0), ("verlet", 2.0), ("rk4", 4.0)] {
             let ratio: f64 = error(name, 1.0 / 64.0) / error(name, 1.0 / 128.0);
             let seen = ratio.log2();
             assert!((seen - order).abs() < 0.1, "{name}: order {seen}");
@@ -142,6 +156,6 @@ mod tests {
     #[test]
     fn unknown_schemes_are_answered() {
         let said = Scheme::named("rk45").unwrap_err().to_string();
-        assert_eq!(said, "scheme = \"rk45\": must be one of rk4, euler, euler-cromer");
+        assert_eq!(said, "scheme = \"rk45\": must be one of rk4, euler, verlet, euler-cromer");
     }
 }

@@ -40,7 +40,7 @@ SCIPY = {
 
 @dataclass(frozen=True)
 class NumericalFormula:
-    """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `rk4:H` with a step of H seconds, `solve_ivp`, `odeint`.
+    """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `verlet:H`, `rk4:H` with steps of H s, `solve_ivp`, `odeint`.
 
     Parameters
     ----------
@@ -290,7 +290,7 @@ class NumericalSolution:
 
 
 SCHEMES: dict[str, tuple[str, str]] = {name: (formula, source) for name, formula, source in _core.schemes()}
-USUAL = {"euler": "0.01", "euler-cromer": "0.01", "rk4": "0.025"}
+USUAL = {"euler": "0.01", "euler-cromer": "0.01", "verlet": "0.01", "rk4": "0.025"}
 numerical = Registry(NumericalFormula, [*(f"{name}:H" for name in SCHEMES), *SCIPY], USUAL)
 
 

@@ -4,6 +4,8 @@ Everything that can be refused is refused before anything is evaluated; files ar
 """
 
 import math
+import os
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -15,6 +17,7 @@ from libration.cli.parser import Flag, Refusal, Value, command, refusal
 from libration.cli.picture import check_plot, form, picture_look, picture_options
 from libration.cli.quantities import plain
 from libration.cli.sampling import ResultOptions, check_targets, targets, written
+from libration.cli.series import Series, is_series, series
 from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options, upright
 from libration.cli.style import NumberStyle, number_style, style_options
 from libration.cli.summary import angle_text, period_text, print_lines
@@ -25,7 +28,7 @@ if TYPE_CHECKING:
     from libration.approx._numerical import NumericalFormula, NumericalSolution
     from libration.approx._registry import Registry
 
-Solution: TypeAlias = "AngleApproximation | NumericalSolution"
+Solution: TypeAlias = "AngleApproximation | NumericalSolution | Series"
 # The largest error over one of the spans, and when a numerical swing goes over the top, else NaN.
 Measured: TypeAlias = "tuple[AngleError, float]"
 
@@ -52,7 +55,8 @@ NUMERICAL = Topic(
     "numerical solutions",
     (
         ("euler:H", "explicit Euler, with steps of H seconds"),
-        ("euler-cromer:H", "semi-implicit Euler, symplectic"),
+        ("euler-cromer:H", "semi-implicit Euler, symplectic; also symplectic-euler:H"),
+        ("verlet:H", "velocity Verlet of order 2, symplectic; also leapfrog:H, stormer-verlet:H"),
         ("rk4:H", "the classical Runge-Kutta method of order 4"),
         ("solve_ivp, odeint", "SciPy's, with their defaults"),
     ),
@@ -60,6 +64,12 @@ NUMERICAL = Topic(
 TOPICS = (
     APPROXIMATIONS,
     NUMERICAL,
+    Topic(
+        "a series of yours",
+        text="""\
+A name that ends in .csv, .txt, .tsv or .dat is a file with the columns t and theta, by name or the first two, in the
+units of the header, as in `theta [deg]`, else s and rad. It is compared at its own instants, from t = 0 on.""",
+    ),
     Topic("omega0", text="Without --length or --omega0 it is a pendulum with omega0 = 1 rad/s."),
     UNITS,
     Topic(
@@ -73,10 +83,13 @@ EXAMPLES = (
     "libration compare --theta0 157.5deg --with harmonic,fourier:4,fourier-theta:4",
     "libration compare --theta0 90deg --with harmonic,fourier:2 --plot lima-3.png",
     "libration compare --theta0 3 --length 1m --gravity 9.8 --with solve_ivp,rk4:0.025",
+    "libration compare --theta0 60deg --length 50cm --with linear,data.csv --plot data.png",
 )
 PERIODS = "periods of the table, the plot and one of the errors; the other is over 100 (default 1)"
 
 LONG = 100.0
+# Other names of the symplectic schemes.
+ALIASES = {"leapfrog": "verlet", "stormer-verlet": "verlet", "symplectic-euler": "euler-cromer"}
 
 
 class CompareOptions(StateOptions, ResultOptions):
@@ -98,7 +111,7 @@ def run(options: CompareOptions) -> None:
     motion = moving(options, pendulum(given))
     hint = "; leave out --from-top" if given.from_top else ""
     solutions = different([solution(name, motion, hint) for name in wanted], options.names)
-    with targets(options) as (table, plot):
+    with targets(options, keep=[name for name in wanted if is_series(name)]) as (table, plot):
         check_plot(options)
         spans = sorted({periods, LONG})
         rows = [(name, [measured(name, made, each) for each in spans]) for name, made in solutions]
@@ -166,7 +179,12 @@ def solution(name: str, motion: "Pendulum", hint: str) -> Solution:
     from libration import approx
     from libration.approx._numerical import nearest
 
-    base = name.partition(":")[0]
+    if is_series(name):
+        return series(name, motion)
+    base, colon, step = name.partition(":")
+    if base in ALIASES:
+        base = ALIASES[base]
+        name = base + colon + step
     patterns = (*approx.angle.names, *approx.numerical.names)
     if base not in [each.partition(":")[0] for each in patterns]:
         raise refusal("--with", name, f"must be one of {', '.join(nearest(patterns, name))}")
@@ -205,8 +223,9 @@ def sampled_angles(motion: "Pendulum", solutions: Sequence[tuple[str, Solution]]
 
 
 def key_of(name: str) -> str:
-    """`fourier:4` as the name of a column, `theta_fourier_4`."""
-    return "theta_" + name.replace(":", "_").replace("-", "_")
+    """`fourier:4` as the name of a column, `theta_fourier_4`; a file without its directory."""
+    name = os.path.basename(name) if is_series(name) else name
+    return "theta_" + re.sub(r"[^\w.]", "_", name)
 
 
 def print_json(
@@ -266,7 +285,7 @@ def print_text(
             for error, _ in errors
             for head, cell in zip(heads, texts(error, motion, percent, style), strict=True)
         ]
-        print(f"{name:{width}}{''.join(cells)}{remarks(motion, errors, style)}".rstrip())
+        print(f"{name:{width}}{''.join(cells)}{remarks(name, motion, errors, style)}".rstrip())
     if percent:
         print("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
@@ -287,12 +306,13 @@ def texts(error: "AngleError", motion: "Pendulum", percent: bool, style: NumberS
     return [*shown, style.shown(error.t / motion.period, 5)]
 
 
-def remarks(motion: "Pendulum", errors: Sequence[Measured], style: NumberStyle) -> str:
+def remarks(name: str, motion: "Pendulum", errors: Sequence[Measured], style: NumberStyle) -> str:
     """Where a solution is undefined, and when it goes over the top; the last error is that of the longest span."""
     said = []
     gaps = [error.undefined_from for error, _ in errors if not math.isnan(error.undefined_from)]
     if gaps:
-        said.append(f"undefined from t/T = {style.shown(gaps[0] / motion.period, 5)}")
+        what = "ends at" if is_series(name) else "undefined from"
+        said.append(f"{what} t/T = {style.shown(gaps[0] / motion.period, 5)}")
     top = errors[-1][1]
     if not math.isnan(top):
         said.append(f"goes over the top at t = {style.shown(top, 4)} s")
@@ -310,7 +330,7 @@ COMMAND = command(
         Value(
             "--with",
             "NAMES",
-            "what to compare, separated by commas (required)",
+            "what to compare, separated by commas, also files (required)",
             "the comparison",
             name="names",
             offered=solutions,

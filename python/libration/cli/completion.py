@@ -110,7 +110,7 @@ class Zsh(ZshComplete):
 
     source_template: ClassVar[str] = ZSH
 
-    def format_completion(self, item: CompletionItem[str]) -> str:
+    def format_completion(self, item: "CompletionItem[str]") -> str:
         """One item, as the script reads it."""
         return super().format_completion(after_equals(self.get_completion_args()[1], item))
 
@@ -120,12 +120,12 @@ class Fish(FishComplete):
 
     source_template: ClassVar[str] = FISH
 
-    def format_completion(self, item: CompletionItem[str]) -> str:
+    def format_completion(self, item: "CompletionItem[str]") -> str:
         """One item, as the script reads it."""
         return super().format_completion(after_equals(self.get_completion_args()[1], item))
 
 
-def after_equals(typed: str, item: CompletionItem[str]) -> CompletionItem[str]:
+def after_equals(typed: str, item: "CompletionItem[str]") -> "CompletionItem[str]":
     """The item with the option that stands before it in one word."""
     option, equals, _ = typed.partition("=")
     if equals and option.startswith("--") and item.type == "plain":

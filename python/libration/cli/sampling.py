@@ -2,7 +2,7 @@
 
 import contextlib
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, BinaryIO
 
 import click
@@ -79,14 +79,15 @@ def result_options(columns: str, curve: str) -> list[click.Option]:
 
 
 @contextlib.contextmanager
-def targets(options: ResultOptions) -> Iterator[tuple[BinaryIO | None, BinaryIO | None]]:
-    """The staged table and plot, None for one not asked for; they are renamed at the end."""
+def targets(options: ResultOptions, keep: Sequence[str] = ()) -> Iterator[tuple[BinaryIO | None, BinaryIO | None]]:
+    """The staged table and plot, None for one not asked for; they are renamed at the end. `keep` are files that are read."""
+    keep = [*keep, *([options.times] if options.times is not None else [])]
     with contextlib.ExitStack() as stack:
         table = plot = None
         if options.out is not None:
-            table = stack.enter_context(staged_table(options.out, keep=read_files(options)))
+            table = stack.enter_context(staged_table(options.out, keep=keep))
         if options.plot is not None:
-            plot = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=read_files(options)))
+            plot = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=keep))
         yield table, plot
 
 
@@ -132,11 +133,6 @@ def check_targets(options: ResultOptions) -> None:
         return
     if os.path.realpath(options.out) == os.path.realpath(options.plot):
         raise Refusal(f"--out = {shown(options.out)} and --plot = {shown(options.plot)}: are one file; give two")
-
-
-def read_files(options: ResultOptions) -> tuple[str, ...]:
-    """The files that are read and must not be overwritten."""
-    return () if options.times is None else (options.times,)
 
 
 def instants(options: InstantOptions) -> "tuple[Floats, str | None]":

@@ -9,13 +9,14 @@ import itertools
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from decimal import Decimal
 from typing import TYPE_CHECKING
 
 from libration.cli.files import readable
 from libration.cli.memory import available_bytes, bytes_text
 from libration.cli.parser import Refusal, quoted, refusal, shown
-from libration.cli.quantities import ONE, TIME, quantity, scaled
+from libration.cli.quantities import ONE, TIME, Dimension, quantity, scaled
 
 if TYPE_CHECKING:
     from libration._arrays import Floats
@@ -36,7 +37,6 @@ SIGNS = "+-.\N{MINUS SIGN}"
 # A whole number: a row of them may be numbers with decimal commas, split at the commas.
 WHOLE = re.compile(r"[+-]?[0-9]+([eE][+-]?[0-9]+)?")
 DECIMAL_COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+([eE][+-]?[0-9]+)?")
-TIME_NAMES = ("t", "time", "times")
 
 
 def even_times(until: str | None, samples: str | None) -> "Floats":
@@ -71,30 +71,60 @@ def fits_memory(option: str, text: str, count: int) -> None:
         raise refusal(option, text, f"would take {bytes_text(need)} of memory, and {bytes_text(have)} are available")
 
 
+@dataclass(frozen=True)
+class TextFile:
+    """A text file that an option names."""
+
+    option: str
+    path: str
+
+    def refusal(self, reason: str) -> Refusal:
+        """What is wrong with it."""
+        return refusal(self.option, self.path, reason)
+
+
+@dataclass(frozen=True)
+class ColumnKind:
+    """What a column holds, the names by which it is known, and which column it is if none has such a name."""
+
+    plural: str
+    names: tuple[str, ...]
+    place: int
+    dimension: Dimension
+
+
+INSTANTS = ColumnKind("instants", ("t", "time", "times"), 0, TIME)
+
+
 def file_times(path: str, column: str | None) -> "tuple[Floats, str]":
     """The instants in a column of a text file, in seconds, as an array, and the column's name."""
-    data = text_bytes(path)
-    lines: Iterator[tuple[int, str]] = numbered(path, data)
+    return file_column(TextFile("--times", path), column, INSTANTS)
+
+
+def file_column(file: TextFile, column: str | None, kind: ColumnKind) -> "tuple[Floats, str]":
+    """A column of a text file, in the first unit of its dimension, as an array, and the column's name."""
+    data = text_bytes(file)
+    lines: Iterator[tuple[int, str]] = numbered(file, data)
     first = next(lines, None)
     if first is None:
-        raise refusal("--times", path, "holds no instants: it is empty, but for comments")
+        raise file.refusal(f"holds no {kind.plural}: it is empty, but for comments")
     separator = next((each for each in "\t;," if each in first[1]), ",")
     cells = row(first[1], separator)
     header = cells if is_header(cells) else None
     if header is not None:
-        lines = below_header(path, first[0], lines)
-    index, name, factor = chosen(path, column, cells, header)
+        lines = below_header(file, first[0], lines)
+    index, name, factor = chosen(file, column, cells, header, kind)
     if header is None:
         lines = itertools.chain([first], lines)
     doubtful = header is None and column is None and separator == "," and len(cells) > 1
-    times = read_column(path, lines, separator, len(cells), index, factor, doubtful, header is not None)
-    if not len(times):
-        raise refusal("--times", path, f"holds no instants: no row follows the header in line {first[0]}")
-    fits_memory("--times", path, len(times))
-    return times, name
+    values = read_column(file, lines, separator, len(cells), index, factor, doubtful, header is not None)
+    if not len(values):
+        raise file.refusal(f"holds no {kind.plural}: no row follows the header in line {first[0]}")
+    fits_memory(file.option, file.path, len(values))
+    return values, name
 
 
-def below_header(path: str, number: int, lines: Iterator[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+def below_header(file: TextFile, number: int, lines: Iterator[tuple[int, str]]) -> Iterator[tuple[int, str]]:
     """The lines below a header, or a Refusal if the first of them has the names of several columns."""
     second = next(lines, None)
     if second is None:
@@ -103,36 +133,36 @@ def below_header(path: str, number: int, lines: Iterator[tuple[int, str]]) -> It
     separator = next((each for each in "\t;," if each in line), None)
     if separator is not None and is_header(row(line, separator)):
         reason = f"lines {number} and {at} are both words: is one a title, or one of units? begin it with #"
-        raise refusal("--times", path, reason)
+        raise file.refusal(reason)
     return itertools.chain([second], lines)
 
 
-def text_bytes(path: str) -> bytes:
+def text_bytes(file: TextFile) -> bytes:
     """The bytes of a text file that is not too large, or a Refusal."""
-    size, regular = readable("--times", path)
+    size, regular = readable(file.option, file.path)
     limit = bytes_text(LARGEST_FILE)
     advice = "; in Python, Pendulum(...).theta(t) takes any array"
     if regular and size > LARGEST_FILE:
-        raise refusal("--times", path, f"has {bytes_text(size)}, more than the {limit} that are read{advice}")
+        raise file.refusal(f"has {bytes_text(size)}, more than the {limit} that are read{advice}")
     parts: list[bytes] = []
     total = 0
     try:
-        with open(path, "rb") as file:
-            while part := file.read(2**20):
+        with open(file.path, "rb") as opened:
+            while part := opened.read(2**20):
                 if found := CONTROL.search(part):
-                    raise refusal("--times", path, f"is not text: byte {total + found.start()} is 0x{found[0].hex()}")
+                    raise file.refusal(f"is not text: byte {total + found.start()} is 0x{found[0].hex()}")
                 parts.append(part)
                 total += len(part)
                 if total > LARGEST_FILE:
-                    raise refusal("--times", path, f"has more than the {limit} that are read{advice}")
+                    raise file.refusal(f"has more than the {limit} that are read{advice}")
     except OSError as error:
-        raise refusal("--times", path, f"cannot be read: {error.strerror or error}") from error
+        raise file.refusal(f"cannot be read: {error.strerror or error}") from error
     if not total:
-        raise refusal("--times", path, "is empty")
+        raise file.refusal("is empty")
     return b"".join(parts)
 
 
-def numbered(path: str, data: bytes) -> Iterator[tuple[int, str]]:
+def numbered(file: TextFile, data: bytes) -> Iterator[tuple[int, str]]:
     """The lines that are not blank and not comments, with their numbers; a Refusal for one that is too long."""
     encoding = encoding_of(data)
     number = 1
@@ -146,7 +176,7 @@ def numbered(path: str, data: bytes) -> Iterator[tuple[int, str]]:
             if kept and not kept.isspace() and not kept.startswith("#"):
                 if len(kept) > LONGEST_LINE:
                     reason = f"line {number} has {len(kept)} characters, more than the {LONGEST_LINE} that are read"
-                    raise refusal("--times", path, reason)
+                    raise file.refusal(reason)
                 yield number, kept
             number += 1
 
@@ -203,14 +233,14 @@ def quoted_cells(line: str, separator: str) -> Iterator[str]:
         position = end + 1
 
 
-def name_and_unit(cell: str) -> tuple[str, str | None]:
+def name_and_unit(cell: str, dimension: Dimension = TIME) -> tuple[str, str | None]:
     """`t`, `ms` for a header's cell `t [ms]`, `t (ms)`, `t/ms` or `t_ms`; the unit is None where there is none."""
     if cell[-1:] in BRACKETS:
         opening = cell.find(BRACKETS[cell[-1]])
         return (cell, None) if opening < 0 else (cell[:opening].rstrip(), cell[opening + 1 : -1].strip())
     at = max(cell.rfind("/"), cell.rfind("_"))
     unit = cell[at + 1 :].lstrip()
-    return (cell[:at].rstrip(), unit) if at >= 0 and TIME.factor(unit) is not None else (cell, None)
+    return (cell[:at].rstrip(), unit) if at >= 0 and dimension.factor(unit) is not None else (cell, None)
 
 
 def is_header(cells: Sequence[str]) -> bool:
@@ -233,33 +263,34 @@ def number(cell: str) -> float | None:
         return None
 
 
-def chosen(path: str, column: str | None, cells: Sequence[str], header: list[str] | None) -> tuple[int, str, Decimal]:
-    """Index, name and factor to seconds of the column to read."""
+def chosen(
+    file: TextFile, column: str | None, cells: Sequence[str], header: list[str] | None, kind: ColumnKind
+) -> tuple[int, str, Decimal]:
+    """Index, name and factor to the first unit of the column to read."""
+    if column is None and kind.place >= len(cells):
+        raise file.refusal(f"has {len(cells)} column, and the {kind.plural} are in a second")
     if header is None:
         names = [str(k) for k in range(1, len(cells) + 1)]
         if column is None:
-            return 0, "1", ONE
+            return kind.place, names[kind.place], ONE
         if column not in names:
-            raise refusal("--column", column, f"{shown(path)} has no header; its columns are {listed(names)}")
+            raise refusal("--column", column, f"{shown(file.path)} has no header; its columns are {listed(names)}")
         return names.index(column), column, ONE
-    bare = [name_and_unit(cell)[0] for cell in header]
+    bare = [name_and_unit(cell, kind.dimension)[0] for cell in header]
     if column is None:
-        index = next((k for k, each in enumerate(bare) if each.lower() in TIME_NAMES), 0)
+        index = next((k for k, each in enumerate(bare) if each.lower() in kind.names), kind.place)
     elif header.count(column) == 1:
         index = header.index(column)
     elif bare.count(column) == 1:
         index = bare.index(column)
     else:
         several = "names several columns" if column in header + bare else "is no column"
-        raise refusal("--column", column, f"{several} of {shown(path)}; it has {listed(header)}")
-    unit = name_and_unit(header[index])[1] or "s"
-    factor = TIME.factor(unit)
+        raise refusal("--column", column, f"{several} of {shown(file.path)}; it has {listed(header)}")
+    unit = name_and_unit(header[index], kind.dimension)[1] or next(iter(kind.dimension.units))
+    factor = kind.dimension.factor(unit)
     if factor is None:
-        raise refusal(
-            "--times",
-            path,
-            f"column {quoted(header[index])} is in {quoted(unit)}; times take {', '.join(TIME.units)}",
-        )
+        takes = f"{kind.dimension.plural} take {', '.join(kind.dimension.units)}"
+        raise file.refusal(f"column {quoted(header[index])} is in {quoted(unit)}; {takes}")
     return index, header[index], factor
 
 
@@ -269,7 +300,7 @@ def listed(names: Sequence[str]) -> str:
 
 
 def read_column(
-    path: str,
+    file: TextFile,
     lines: Iterator[tuple[int, str]],
     separator: str,
     width: int,
@@ -290,21 +321,21 @@ def read_column(
             comma, point = comma or found[0], point or found[1]
             if comma and point:
                 reason = "has decimal commas and decimal points in one column; write the one or the other"
-                raise refusal("--times", path, reason)
+                raise file.refusal(reason)
         try:
             ragged = any(len(cells) != width for cells in rows)
             values = None if ragged else np.array([float(cells[index]) for cells in rows])
         except ValueError:
             values = None
         if values is None or not np.isfinite(values).all() or not all(is_plain(cells[index]) for cells in rows):
-            raise bad_row(path, block, rows, width, index, headed and not blocks)
+            raise bad_row(file, block, rows, width, index, headed and not blocks)
         doubtful = doubtful and all(WHOLE.fullmatch(cell) for cells in rows for cell in cells)
         if factor != ONE:
             values = np.array([scaled(cells[index], factor) for cells in rows])
         blocks.append(values)
     if doubtful:
         reason = "holds only whole numbers and commas: decimal commas? write points; columns? choose one by --column 1"
-        raise refusal("--times", path, reason)
+        raise file.refusal(reason)
     return np.concatenate(blocks) if blocks else np.empty(0)
 
 
@@ -322,7 +353,7 @@ def commas_as_points(rows: Sequence[list[str]], index: int) -> tuple[bool, bool]
 
 
 def bad_row(
-    path: str,
+    file: TextFile,
     block: Sequence[tuple[int, str]],
     rows: Sequence[Sequence[str]],
     width: int,
@@ -348,5 +379,5 @@ def bad_row(
             continue
         if below_header and "write" not in reason:
             reason += "; if the line above is a title, begin it with #"
-        return Refusal(f"--times = {shown(path)}: line {line} {reason}")
-    return Refusal(f"--times = {shown(path)}: cannot be read")
+        return file.refusal(f"line {line} {reason}")
+    return file.refusal("cannot be read")
