@@ -57,12 +57,12 @@ def numbers(argument: Any) -> Any:
 
 def apply(ufunc: Any, *arguments: Any, results: tuple[Result, ...] = (), out: Any = None, where: Any = True) -> Any:
     """Call ``ufunc`` on ``arguments``; what ``where`` masks is NaN unless ``out`` is given."""
-    if where is True and out is None:
+    if where is True:
         for argument in arguments:
             if type(argument) not in PLAIN:
                 break
         else:
-            return ufunc(*arguments)
+            return ufunc(*arguments) if out is None else ufunc(*arguments, out=out)
     if where is None:
         raise ValueError("where = None: must be True, False or an array of them")
     given = arguments if where is True else (*arguments, where)

@@ -30,8 +30,9 @@ class Function:
             raise ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
         operands = (*arguments, (m, mc, k, q)[index])
         # What `apply` does first; a call more would cost a tenth of the time of one value.
-        if where is True and out is None and PLAIN.issuperset(map(type, operands)):
-            return self.ufuncs[index](*operands)
+        if where is True and PLAIN.issuperset(map(type, operands)):
+            ufunc = self.ufuncs[index]
+            return ufunc(*operands) if out is None else ufunc(*operands, out=out)
         return apply(self.ufuncs[index], *operands, results=self.results, out=out, where=where)
 
 
