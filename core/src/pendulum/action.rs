@@ -78,6 +78,7 @@ impl Orbit {
     /// **Error** at most 4 ulp of the larger of the phase and pi. Source: DLMF 22.19.2, 22.19.3, the argument of the theta
     /// functions in units of pi.
     #[must_use]
+    #[inline]
     pub fn phase(&self, t: f64) -> f64 {
         let (frame, passed) = (&self.frame, t * self.time_scale);
         match &self.solution {
