@@ -40,11 +40,15 @@ struct Correction {
 
 impl Correction {
     /// From the rows of a function in [`SERIES`] and the powers of q that their last three columns name.
+    ///
+    /// Inlined, so that the rows are constants of the code: a third of the time of a set-up goes by here.
+    #[inline(always)]
     fn of(rows: &[[f64; 4]; 4], (first, second, third): (Dd, Dd, f64)) -> Correction {
-        // A loop, not `map`: the closure would be called, and half the time of a set-up goes by here.
         let mut sums = [Dd::ZERO; 4];
+        // A loop, not `map`, whose closure would be called.
         for (sum, [a, b, c, d]) in sums.iter_mut().zip(rows) {
-            let small = second * *c + Dd::from(third * d);
+            let last = Dd::from(third * d);
+            let small = if *c == 0.0 { last } else { second * *c + last };
             *sum = if *b == 0.0 { small } else { Dd::from(*a) + first * *b + small };
         }
         let [origin, one, two, three] = sums;
