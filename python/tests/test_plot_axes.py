@@ -3,6 +3,7 @@
 import ast
 import io
 import math
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -15,8 +16,9 @@ from matplotlib.legend import Legend
 
 import libration
 from libration import Duffing, Pendulum, approx, plot
+from libration._languages import LANGUAGES
 from libration.plot._angle import degrees_text
-from libration.plot._language import CATALOGUE, ENGLISH, LANGUAGES, Language
+from libration.plot._language import CATALOGUE, ENGLISH, Language
 
 SWING = Pendulum(3.0, length=1.0, gravity=9.8)
 DRAWN = {
@@ -180,6 +182,8 @@ def test_a_comparison_holds_the_errors_of_its_solutions():
     [
         (["harmonik"], 1, "names: 'harmonik': must be one of harmonic, "),
         ([3], 1, "names: 3: must be one of linear, "),
+        ([], 1, "names = (): must be a list of at least one name, as ['linear']"),
+        (None, 1, "names = None: must be a list of at least one name, as ['linear']"),
         ("harmonic", 1, "names = 'harmonic': must be a list of names, as ['harmonic']"),
         (["linear", "linear"], 1, "names: must differ; linear comes twice"),
         (["linear"], 0, "periods = 0.0: must be above 0 and at most 10000"),
@@ -344,6 +348,41 @@ def test_refusals_of_axes(name, ax):
     with pytest.raises(ValueError, match="lang = 'fr': must be en, pt-BR or es"):
         DRAWN[name](ax=ax, lang="fr")
     assert not ax.lines
+
+
+@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("projection", ["3d", "polar"])
+def test_axes_of_other_projections_are_refused(name, projection):
+    with pytest.raises(ValueError, match=f"must be plain Axes, with x and y; its projection is {projection}"):
+        DRAWN[name](ax=Figure().add_subplot(projection=projection))
+
+
+@pytest.mark.parametrize(
+    ("t", "said"),
+    [
+        ([], "t = []: at least one finite instant"),
+        ([math.nan], "t = [nan]: at least one finite instant"),
+        ("abc", "t = 'abc': must be real numbers"),
+        ([1j], "t = [1j]: must be real numbers"),
+        ({1.0, 2.0}, "t = {1.0, 2.0}: must be real numbers; write sorted(t)"),
+        ([[1.0], [2.0, 3.0]], "t = [[1.0], [2.0, 3.0]]: must be real numbers"),
+        (np.array(["2020-01-01"], dtype="M8[D]"), "t = an array of shape (1,): must be real numbers; write (t - t[0])"),
+        (np.array([1j]), "t = an array of shape (1,): must be real numbers; write np.real(t)"),
+        (Figure().subplots(), "must be instants; axes are given by ax="),
+    ],
+)
+@pytest.mark.parametrize("draw", [SWING.plot, lambda t, ax: SWING.plot_phase(ax, t=t)])
+def test_instants_that_are_refused(draw, t, said, ax):
+    with pytest.raises((TypeError, ValueError), match=re.escape(said)):
+        draw(t, ax=ax)
+    assert ax.lines[:] == []
+
+
+@pytest.mark.parametrize("lang", ["pt", "PT_br", "pt-BR"])
+def test_a_language_in_any_letters(lang, ax):
+    SWING.plot(ax=ax, lang=lang)
+    assert "linear" in labelled(ax)
+    assert Language(lang) == Language("pt-BR")
 
 
 def test_a_title_of_the_user_replaces_ours_and_an_empty_one_leaves_it_out():

@@ -14,7 +14,16 @@ from libration.cli.help import Topic
 from libration.cli.offers import files, formulas
 from libration.cli.parameters import given_parameters, keyed
 from libration.cli.parser import Flag, Refusal, Value, command, refusal, shown
-from libration.cli.picture import PICTURES, Look, PictureOptions, check_matplotlib, form, picture_look, picture_options
+from libration.cli.picture import (
+    PICTURES,
+    Look,
+    PictureOptions,
+    check_matplotlib,
+    drawing,
+    form,
+    picture_look,
+    picture_options,
+)
 from libration.cli.quantities import ANGLE, quantities
 from libration.cli.state import (
     UNITS,
@@ -175,12 +184,17 @@ def formula(name: str) -> "PeriodFormula":
 
 def compared(motion: "Pendulum", wanted: "Sequence[PeriodFormula]") -> list[Compared]:
     """Every formula with its T/T0 and its relative error, where the motion is a swing."""
-    if motion.regime != "libration" or upright(motion):
+    if not is_swing(motion):
         return []
     # The smaller of m and 1 - m is the more accurate one.
     m, mc = motion.energy_ratio, motion.energy_ratio_c
     given = {"m": m} if m < mc else {"mc": mc}
     return [(formula, float(formula.ratio(**given)), float(formula.error(**given))) for formula in wanted]
+
+
+def is_swing(motion: "Pendulum") -> bool:
+    """Whether the formulas are for this motion."""
+    return motion.regime == "libration" and not upright(motion)
 
 
 def picture_name(options: PeriodOptions) -> tuple[str, str] | None:
@@ -193,13 +207,14 @@ def picture_name(options: PeriodOptions) -> tuple[str, str] | None:
 
 
 def draw(stack: contextlib.ExitStack, option: str, path: str, swings: Sequence[Swing], look: Look) -> None:
-    """Draw the formulas; the turning angle of one swing is marked."""
+    """Draw the formulas; the turning angles are marked."""
     file = stack.enter_context(staged(option, path, PICTURES))
     check_matplotlib(option, path, "plot")
     from libration.plot import plot_periods
 
-    marked = swings[0].motion.theta_max if len(swings) == 1 and swings[0].compared else None
-    plot_periods(file, theta_max=marked, form=form(path), **look)
+    marked = [each.motion.theta_max for each in swings if is_swing(each.motion)]
+    with drawing(option, path):
+        plot_periods(file, theta_max=marked, form=form(path), **look)
 
 
 def parameters(swings: Sequence[Swing]) -> list[Parameter]:
@@ -240,11 +255,11 @@ def print_one(swing: Swing, style: NumberStyle) -> None:
     lines = [("regime", swing.regime)]
     if swing.given.has_frequency:
         small = small_swing_period(swing.given)
-        lines.append(("period T", period_text(swing.regime, motion.period, style)))
+        lines.append(("period T", period_text(motion, style)))
         lines.append(("of small swings, T0", f"{digits(small, style)} s" if math.isfinite(small) else "infinite"))
     lines.append(("T / T0", digits(ratio, style) if math.isfinite(ratio) else "infinite"))
     lines.append(("T * omega0", f"{digits(swing.phase, style)} rad" if math.isfinite(swing.phase) else "infinite"))
-    lines.append(("turning angle", angle_text(swing.regime, motion.theta_max, style)))
+    lines.append(("turning angle", angle_text(motion, style)))
     print_lines(lines)
     if upright(motion):
         print("formulas       none: but for the rounding of pi this is the upright balance, whose period is infinite")

@@ -117,11 +117,10 @@ def motion_columns(motion: "Pendulum", times: "Floats") -> tuple[list[Column], f
 
 def summary(motion: "Pendulum", style: NumberStyle) -> list[tuple[str, str]]:
     """What the motion is, for people."""
-    regime = str(motion.regime)
     return [
-        ("regime", regime),
-        ("period", period_text(regime, motion.period, style)),
-        ("turning angle", angle_text(regime, motion.theta_max, style)),
+        ("regime", str(motion.regime)),
+        ("period", period_text(motion, style)),
+        ("turning angle", angle_text(motion, style)),
         ("energy", f"{digits(motion.energy, style)} rad^2/s^2 per unit inertia, 0 at the bottom"),
         ("energy ratio", digits(motion.energy_ratio, style)),
         ("1 - energy ratio", digits(motion.energy_ratio_c, style)),

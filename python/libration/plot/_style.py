@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from .._advice import advice, element_kind
+from .._scalars import real, shown
 from ._language import ENGLISH, Language
 
 BLACK = "#1a1a1a"
@@ -29,6 +31,8 @@ FONTS = ("DejaVu Sans", "Verdana", "Segoe UI", "Roboto", "Helvetica Neue", "Aria
 WIDE, DECADES = 50.0, 2.0
 # In points: the first of them in which the title fits into a line.
 TITLE_SIZES = (13, 12, 11, 10)
+# Of the height of a picture.
+MOST_TITLE = 0.25
 LEAST_DPI, MOST_DPI = 20, 1200
 MISSING = "a picture needs matplotlib: pip install 'libration[plot]'"
 # Of more than MANY swings or turns, only the first SHOWN are drawn over t.
@@ -39,10 +43,17 @@ FEW = 60
 
 def finite(t: Any) -> np.ndarray:
     """The finite instants among those given, at least one."""
-    given = np.asarray(t, dtype=float).ravel()
+    if hasattr(t, "transAxes"):
+        raise TypeError(f"t = {shown(t)}: must be instants; axes are given by ax=")
+    try:
+        if element_kind(t) in ("M", "m", "c"):
+            raise TypeError
+        given = np.asarray(t, dtype=float).ravel()
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"t = {shown(t)}: must be real numbers{advice('t', t)}") from None
     instants: np.ndarray = given[np.isfinite(given)]
     if not instants.size:
-        raise ValueError("t = []: at least one finite instant is needed for a picture")
+        raise ValueError(f"t = {shown(t)}: at least one finite instant is needed for a picture")
     return instants
 
 
@@ -60,19 +71,29 @@ def save(path: Any, form: str | None, title: str, left: Any, right: Any, *, dpi:
 
 def head(figure: Any, title: str) -> None:
     """The line above a picture; a title too long for one line is smaller, then broken."""
+    if not isinstance(title, str) or not title.replace("\n", " ").isprintable():
+        raise ValueError(f"title = {shown(title)}: must be text that can be printed")
     if not title:
         return
     room = 0.976 * figure.bbox.width
     text = figure.suptitle(title, x=0.012, ha="left")
-    for size in TITLE_SIZES:
-        text.set_fontsize(size)
-        wide = text.get_window_extent().width
-        if wide <= room:
-            return
+    try:
+        for size in TITLE_SIZES:
+            text.set_fontsize(size)
+            wide = text.get_window_extent().width
+            if wide <= room:
+                break
+    except ValueError as error:
+        # matplotlib repeats the title above its reason.
+        raise ValueError(
+            f"title = {shown(title)}: has a formula that is wrong: {str(error).splitlines()[-1]}"
+        ) from None
     # A formula is not broken.
-    if "$" not in title:
+    if wide > room and "$" not in title:
         characters = int(0.95 * room / wide * max(map(len, title.splitlines())))
         text.set_text("\n".join(textwrap.fill(line, characters) for line in title.splitlines()))
+    if text.get_window_extent().height > MOST_TITLE * figure.bbox.height:
+        raise ValueError(f"title = {shown(title)}: is too long for the picture")
 
 
 def save_figure(
@@ -83,7 +104,7 @@ def save_figure(
     `files` are paths or binary files by form; without one (None) the ending of the path says it. `told` is what a file
     says of itself.
     """
-    if not LEAST_DPI <= dpi <= MOST_DPI:
+    if not LEAST_DPI <= real("dpi", dpi) <= MOST_DPI:
         raise ValueError(f"dpi = {dpi!r}: must be from {LEAST_DPI} to {MOST_DPI}")
     try:
         from matplotlib import rc_context, rcParamsDefault
