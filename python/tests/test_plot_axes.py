@@ -18,6 +18,7 @@ import libration
 from libration import Duffing, Pendulum, approx, plot
 from libration._languages import LANGUAGES
 from libration.plot._angle import degrees_text
+from libration.plot._comparison import draw_comparison
 from libration.plot._language import CATALOGUE, ENGLISH, Language
 
 SWING = Pendulum(3.0, length=1.0, gravity=9.8)
@@ -339,6 +340,38 @@ def test_refusals_of_saved_pictures(name, given, said):
         SAVED[name](file, form="png", **given)
     assert str(caught.value) == said
     assert file.getvalue() == b""
+
+
+@pytest.mark.parametrize(
+    ("draw", "said"),
+    [
+        (lambda path: SAVED["motion"](path / "a.jpg"), "must end in .png or .svg, or form="),
+        (lambda path: SAVED["periods"](str(path / "a")), "must end in .png or .svg, or form="),
+        (lambda path: SAVED["periods"](None), "path = None: must end in .png or .svg"),
+        (lambda path: SAVED["motion"](path / "a.png", form="pdf"), "form = 'pdf': must be png or svg"),
+        (lambda path: SAVED["motion"](path / "a.png", dpi="x"), "dpi = 'x': must be one real number"),
+        (lambda path: SAVED["motion"](path / "a.png", title=5), "title = 5: must be text that can be printed"),
+        (lambda path: plot.plot_motion(5, [0.0], path / "a.png"), "pendulum = 5: must be a Pendulum"),
+        (lambda path: plot.plot_oscillator(SWING, [0.0], path / "a.png"), "must be a Duffing or a CubicQuintic"),
+        (lambda path: plot.plot_comparison(SWING, ["linear"], path / "a.png"), "must be pairs of name and solution"),
+    ],
+)
+def test_what_cannot_be_saved(draw, said, tmp_path):
+    with pytest.raises(ValueError, match=r"^\w+ = ") as caught:
+        draw(tmp_path)
+    assert said in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_long_legend_reads_from_left_to_right():
+    names = ["linear", "cubic", "trigonometric", "fourier:2", "small-m"]
+    figure = Figure(figsize=(9, 6.5))
+    draw_comparison(figure, SWING, [(name, approx.angle(name).of(SWING)) for name in names], 1.0)
+    figure.draw_without_rendering()
+    texts = figure.axes[0].get_legend().get_texts()
+    boxes = {text.get_text(): text.get_window_extent() for text in texts}
+    read = sorted(boxes, key=lambda name: (-round(boxes[name].y0), boxes[name].x0))
+    assert read == ["exact", *names]
 
 
 @pytest.mark.parametrize("name", DRAWN)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._scalars import shown
 from ._axes import given_or_new, named, once
 from ._language import ENGLISH, Language
 from ._style import (
@@ -101,6 +102,10 @@ def plot_comparison(
     b'PNG'
     """
     say = Language(lang)
+    if not all(isinstance(each, tuple | list) and len(each) == 2 for each in solutions):
+        raise ValueError(
+            f"solutions = {shown(solutions)}: must be pairs of name and solution; approx.compare takes names"
+        )
 
     def draw(figure: Any) -> None:
         draw_comparison(figure, pendulum, solutions, periods, say)

@@ -33,10 +33,13 @@ WIDE, DECADES = 50.0, 2.0
 TITLE_SIZES = (13, 12, 11, 10)
 # Of the height of a picture.
 MOST_TITLE = 0.25
+FORMS = ("png", "svg")
 LEAST_DPI, MOST_DPI = 20, 1200
 MISSING = "a picture needs matplotlib: pip install 'libration[plot]'"
 # Of more than MANY swings or turns, only the first SHOWN are drawn over t.
 MANY, SHOWN = 60, 20
+# Of a legend.
+COLUMNS = 4
 # Instants are drawn as dots up to this number.
 FEW = 60
 
@@ -106,6 +109,8 @@ def save_figure(
     """
     if not LEAST_DPI <= real("dpi", dpi) <= MOST_DPI:
         raise ValueError(f"dpi = {dpi!r}: must be from {LEAST_DPI} to {MOST_DPI}")
+    for form, file in files.items():
+        check_form(file, form)
     try:
         from matplotlib import rc_context, rcParamsDefault
         from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -125,6 +130,15 @@ def save_figure(
             draw(figure)
             for form, file in files.items():
                 save_as(figure, file, form, told or {})
+
+
+def check_form(file: Any, form: str | None) -> None:
+    """Refuse what is neither PNG nor SVG; a binary file without a form is PNG."""
+    if form is not None:
+        if form not in FORMS:
+            raise ValueError(f"form = {form!r}: must be png or svg")
+    elif not hasattr(file, "write") and not str(file).lower().endswith(tuple(f".{each}" for each in FORMS)):
+        raise ValueError(f"path = {shown(file)}: must end in .png or .svg, or form= must be one of them")
 
 
 def save_as(figure: Any, file: Any, form: str | None, told: dict[str, str]) -> None:
@@ -207,11 +221,16 @@ def quiet(axes: Any) -> None:
 
 
 def legend(axes: Any) -> None:
-    """One line above the panel, clear of every curve."""
+    """One line above the panel, clear of every curve; of more than four names the others stand below the first."""
+    handles, labels = axes.get_legend_handles_labels()
+    # matplotlib fills the columns one after the other.
+    order = [place for column in range(COLUMNS) for place in range(column, len(labels), COLUMNS)]
     axes.legend(
+        [handles[place] for place in order],
+        [labels[place] for place in order],
         loc="lower right",
         bbox_to_anchor=(1.01, 1.0),
-        ncols=4,
+        ncols=COLUMNS,
         frameon=False,
         fontsize=9.5,
         handlelength=1.6,
