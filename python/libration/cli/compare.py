@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, strict, write_table
 from libration.cli.help import Topic
-from libration.cli.offers import files, solutions
+from libration.cli.offers import solutions
 from libration.cli.parameters import keyed, table_parameters
-from libration.cli.parser import Flag, Refusal, Value, command, refusal
+from libration.cli.parser import Refusal, Value, command, refusal
 from libration.cli.picture import check_plot, drawing, form, picture_look, picture_options
 from libration.cli.quantities import plain
-from libration.cli.sampling import ResultOptions, check_targets, targets, written
+from libration.cli.results import out_options, written
+from libration.cli.sampling import ResultOptions, check_targets, targets
 from libration.cli.series import ENDINGS, Series, is_series, series
 from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options, upright
 from libration.cli.style import NumberStyle, number_style, style_options
@@ -123,7 +124,7 @@ def run(options: CompareOptions) -> None:
 
             with drawing("--plot", options.plot):
                 plot_comparison(motion, solutions, plot, periods=periods, form=form(options.plot), **look)
-    files = written(options)
+    files = written(options.out, options.plot)
     if options.json:
         print_json(given, motion, spans, rows, files)
     elif options.out != STANDARD_OUTPUT:
@@ -340,14 +341,7 @@ COMMAND = command(
             offered=solutions,
         ),
         Value("--periods", "N", PERIODS, "the comparison"),
-        Value(
-            "--out",
-            "FILE",
-            "write the angles to a .csv, .npz or .json file, - to print them",
-            "the results",
-            offered=files,
-        ),
-        Flag("--json", "print the errors as one JSON object", "the results"),
+        *out_options("the angles", "them", "print the errors as one JSON object"),
         *style_options("4, of times 5"),
         *picture_options("the angles and their errors"),
     ],

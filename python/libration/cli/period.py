@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, staged, staged_table, strict, write_table
 from libration.cli.help import Topic
-from libration.cli.offers import files, formulas
+from libration.cli.offers import formulas
 from libration.cli.parameters import given_parameters, keyed
-from libration.cli.parser import Flag, Refusal, Value, command, refusal, shown
+from libration.cli.parser import Refusal, Value, command, refusal, shown
 from libration.cli.picture import (
     PICTURES,
     Look,
@@ -25,6 +25,7 @@ from libration.cli.picture import (
     picture_options,
 )
 from libration.cli.quantities import ANGLE, quantities
+from libration.cli.results import OutOptions, check_printed, out_options, written
 from libration.cli.state import (
     UNITS,
     State,
@@ -77,12 +78,11 @@ EXAMPLES = (
 EXACT = "exact"
 
 
-class PeriodOptions(StateOptions, StyleOptions, PictureOptions):
+class PeriodOptions(StateOptions, StyleOptions, OutOptions, PictureOptions):
     """The options of `libration period`."""
 
     only: str | None
     chart: str | None
-    json: bool
 
 
 @dataclass(frozen=True)
@@ -125,25 +125,24 @@ def run(options: PeriodOptions) -> None:
         names.remove(EXACT)
     style, picture = number_style(options), picture_name(options)
     look = picture_look(options, picture and picture[1])
-    if options.out == STANDARD_OUTPUT and options.json:
-        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
+    check_printed(options)
     with contextlib.ExitStack() as stack:
         if options.out is not None:
             table = stack.enter_context(staged_table(options.out))
             write_table(table, options.out, parameters(swings), columns(swings, names), style)
         if picture is not None:
             draw(stack, *picture, swings, look)
-    written = [path for path in (options.out, picture and picture[1]) if path not in (None, STANDARD_OUTPUT)]
+    files = written(options.out, picture and picture[1])
     if options.json:
-        print(strict(one_object(swings[0]) if len(swings) == 1 else several_objects(swings, names, written)))
+        print(strict(one_object(swings[0]) if len(swings) == 1 else several_objects(swings, names, files)))
     elif options.out != STANDARD_OUTPUT:
         if len(swings) == 1:
             print_one(swings[0], style)
         else:
             print_several(swings, names, style)
-        if written:
+        if files:
             print()
-            print_lines([("written", str(path)) for path in written])
+            print_lines([("written", path) for path in files])
 
 
 def made_swings(options: PeriodOptions) -> list[Swing]:
@@ -317,7 +316,7 @@ def one_object(swing: Swing) -> dict[str, Json]:
     return answer
 
 
-def several_objects(swings: Sequence[Swing], names: Sequence[str], written: Sequence[str | None]) -> dict[str, Json]:
+def several_objects(swings: Sequence[Swing], names: Sequence[str], files: list[str]) -> dict[str, Json]:
     """Several motions as a JSON object."""
     answer = keyed(parameters(swings)[1:])
     unit = "s" if swings[0].given.has_frequency else "ratio"
@@ -330,7 +329,7 @@ def several_objects(swings: Sequence[Swing], names: Sequence[str], written: Sequ
         }
         for each in swings
     ]
-    answer["files"] = [path for path in written if path is not None]
+    answer["files"] = files
     return answer
 
 
@@ -345,18 +344,11 @@ COMMAND = command(
         Value(
             "--only",
             "NAMES",
-            "formulas, separated by commas; exact is the period itself",
+            "formulas by name, as exact,linear,bernoulli; exact is the period itself (default all)",
             "the results",
             offered=formulas,
         ),
-        Value(
-            "--out",
-            "FILE",
-            "write the table to a .csv, .npz or .json file, - to print it",
-            "the results",
-            offered=files,
-        ),
-        Flag("--json", "print one JSON object instead of lines", "the results"),
+        *out_options("the table", "it"),
         *style_options("6 in a table, else 15"),
         *picture_options("the formulas against the turning angle"),
         Value("--chart", "FILE", "the same as --plot", "the picture", hidden=True),
