@@ -64,6 +64,11 @@ FUNCTIONS = {
     "elliprf": "carlson_rf",
     "elliprj": "carlson_rj",
     "jtheta": "theta1",
+    "period": "Pendulum(...).period",
+    "degrees": "Pendulum.degrees",
+    "compare": "approx.compare",
+    "plot_period": "plot.plot_period",
+    "plot_motion": "plot.plot_motion",
 }
 # What Python and NumPy raise for an argument that they do not take.
 REFUSALS = (TypeError, ValueError, OverflowError)

@@ -167,6 +167,10 @@ def test_every_pendulum_is_shown(given, state):
     assert "inf" not in shown.replace("infinite", "")
 
 
+def test_a_turn_that_takes_longer_than_any_double():
+    assert "one turn takes more than 1.8×10³⁰⁸ s" in Pendulum(1.0, 1e-310, omega0=0.0)._repr_html_()
+
+
 def test_a_card_needs_no_matplotlib(tmp_path):
     code = """if True:
         import sys

@@ -135,6 +135,9 @@ def test_help_wraps_on_a_narrow_screen(capsys, monkeypatch, words, columns):
     monkeypatch.setenv("COLUMNS", "100")
     assert main(words) == 0
     assert narrow.replace("\\\n", "").split() == capsys.readouterr().out.split()
+    monkeypatch.setenv("COLUMNS", "1")
+    assert main(words) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 40
 
 
 @pytest.mark.parametrize("columns", ["40", "80", "100"])

@@ -100,6 +100,14 @@ def test_refusals(capsys, words, line):
     assert capsys.readouterr().err == f"libration completion: {line}\n"
 
 
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_a_shell_that_hands_over_no_words_is_offered_nothing(shell):
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("COMP_")}
+    environment["_LIBRATION_COMPLETE"] = f"{shell}_complete"
+    done = subprocess.run([sys.executable, "-m", "libration"], env=environment, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("", "")
+
+
 def test_an_unknown_request_prints_nothing():
     environment = os.environ | {"_LIBRATION_COMPLETE": "tcsh_complete"}
     done = subprocess.run([sys.executable, "-m", "libration"], env=environment, capture_output=True, text=True)

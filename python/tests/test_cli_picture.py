@@ -2,10 +2,11 @@
 
 import pytest
 
+from libration._languages import LANGUAGES
 from libration.cli import main
-from libration.cli.offers import LANGUAGES
 from libration.cli.picture import language
-from libration.plot import _language, _style
+from libration.plot import _style
+from libration.plot._language import Language
 
 COMMANDS = {
     "solve": "solve --theta0 170deg --length 1m --samples 9",
@@ -42,8 +43,46 @@ def test_resolution(name):
     assert sizes[1] == 2 * sizes[0]
 
 
+@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(
+    ("title", "reason"),
+    [
+        ("x" * 10_000, "is too long for the picture"),
+        ("line\n" * 40, "is too long for the picture"),
+        ("a\x01b", "must be text that can be printed"),
+        ("P\udcc3", "must be text that can be printed"),
+        (r"$\frac{1}$", "has a formula that is wrong: "),
+    ],
+)
+def test_titles_that_are_refused(capsys, tmp_path, name, title, reason):
+    assert main([*COMMANDS[name].split(), "--plot", "a.svg", "--title", title]) == 2
+    shown = capsys.readouterr()
+    assert (shown.out, shown.err.count("\n")) == ("", 1)
+    assert shown.err.startswith(f"libration {name}: --title = ")
+    assert reason in shown.err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_letters_that_the_font_lacks_are_told_in_one_line(capsys, name):
+    assert main([*COMMANDS[name].split(), "--plot", "a.png", "--title", "\u65e5\u672c"]) == 0
+    assert capsys.readouterr().err == (
+        "libration: --plot = a.png: the font has no \u65e5 \u672c; an .svg takes the fonts of who looks at it\n"
+    )
+    assert main([*COMMANDS[name].split(), "--plot", "a.svg", "--title", "\u65e5\u672c"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_every_swing_of_a_table_is_marked():
+    words = "period --theta0 20deg,60deg,180deg,0deg,150deg --only exact --plot a.svg --lang es"
+    assert main(words.split()) == 0
+    with open("a.svg", encoding="utf-8") as file:
+        picture = file.read()
+    assert [f">{degrees}°<" in picture for degrees in (20, 60, 150, 180, 0)] == [True, True, True, False, False]
+
+
 def test_the_languages_and_bounds_are_those_of_the_pictures():
-    assert LANGUAGES == _language.LANGUAGES
+    assert all(Language(each).name == language(each) for each in LANGUAGES)
     assert [language(each) for each in ("en", "PT_br", "pt", "es", None)] == ["en", "pt-BR", "pt-BR", "es", "en"]
     assert (_style.LEAST_DPI, _style.MOST_DPI) == (20, 1200)
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from libration.cli.parser import Refusal
-from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, quantities, quantity
+from libration.cli.quantities import ANGLE, FREQUENCY, GRAVITY, LENGTH, TIME, VELOCITY, plain, quantities, quantity
 
 # pi to 60 digits (OEIS A000796), apart from the constant under test.
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459")
@@ -195,11 +195,13 @@ def test_lists(text, expected):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("0,5", "a comma between digits may separate values or be decimal; write 0;5 or 0.5"),
-        ("1m,2,5m", "write 1m;2;5m or 1m,2.5m"),
+        ("0,5", "a comma between digits may separate values or be decimal; write 0m,5m or 0.5"),
+        ("1m,2,5m", "write 1m,2m,5m or 1m,2.5m"),
+        ("1,5,2cm", "be decimal; write 1cm,5cm,2cm"),
+        ("1cm,0,2", "write 1cm,0m,2m or 1cm,0.2"),
         ("1m,,2m", "has an empty place between its separators"),
         ("1m;", "has an empty place"),
-        ("", "has an empty place"),
+        ("", "has no value; lengths look like 1.5 or 1.5m"),
         ("1m,2deg", "--x = 2deg: unknown unit 'deg'"),
     ],
 )
@@ -207,6 +209,40 @@ def test_refusals_of_lists(text, said):
     with pytest.raises(Refusal) as caught:
         quantities("--x", text, LENGTH)
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("30,60,90", "write 30deg,60deg,90deg"),
+        ("20,60,150deg", "write 20deg,60deg,150deg"),
+        ("1,2", "1rad,2rad or 1.2"),
+    ],
+)
+def test_a_list_of_angles_is_to_be_written_without_quotes_of_a_shell(text, said):
+    with pytest.raises(Refusal) as caught:
+        quantities("--theta0", text, ANGLE)
+    assert str(caught.value).endswith(said)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("pi/2", "angles look like 1.5 or 1.5rad; pi is 180deg or 0.5turn"),
+        ("1.5\u03c0", "unknown unit '\u03c0'; angles take rad, deg, turn; pi is 180deg or 0.5turn"),
+        ("20 graus", "unknown unit 'graus'; angles take rad, deg, turn; write deg"),
+        ("20Grados", "unknown unit 'Grados'; angles take rad, deg, turn; write deg"),
+    ],
+)
+def test_angles_as_people_write_them(text, said):
+    with pytest.raises(Refusal) as caught:
+        quantity("--theta0", text, ANGLE)
+    assert str(caught.value).endswith(said)
+
+
+def test_a_plain_number_has_no_unit_to_name():
+    with pytest.raises(Refusal, match=r"^--p = x: is not a number; numbers look like 1.5 or 2e-3$"):
+        plain("--p", "x")
 
 
 def test_grad_means_two_things():

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from libration import Pendulum, approx
 from libration.cli import main
 from libration.cli.series import series
+from libration.plot._comparison import draw_comparison
 
 PENDULUM = Pendulum(math.radians(60), length=0.5)
 WORDS = ["compare", "--theta0", "60deg", "--length", "50cm"]
@@ -72,6 +74,45 @@ def test_its_largest_difference(capsys, header, row, factor):
     assert found["t_s"] == pytest.approx(T[20], abs=1e-12)
     assert found["largest_error_rad"] == pytest.approx(OFF[20], abs=1e-12)
     assert found["largest_error_percent"] == pytest.approx(100 * OFF[20] / math.radians(60), rel=1e-9)
+
+
+def test_it_is_drawn_as_dots_at_its_own_instants():
+    write()
+    measured, linear = series("data.csv", PENDULUM), approx.angle("linear").of(PENDULUM)
+    figure = Figure()
+    draw_comparison(figure, PENDULUM, [("data.csv", measured), ("linear", linear)], 1.0)
+    inside = PENDULUM.period >= T
+    for axes, expected in zip(figure.axes, (PENDULUM.theta(T) + OFF, 100 * OFF / math.radians(60)), strict=True):
+        line = next(each for each in axes.lines if each.get_label() == "data.csv")
+        assert (line.get_linestyle(), line.get_marker()) == ("None", "o")
+        assert np.allclose(line.get_xdata(), (T / PENDULUM.period)[inside], rtol=1e-15)
+        assert np.allclose(line.get_ydata(), expected[inside], rtol=0, atol=1e-12)
+    assert figure.axes[1].get_xlabel() == "t / T"
+
+
+def test_degrees_without_a_unit_are_told(capsys):
+    write(factor=180 / math.pi)
+    assert main([*WORDS, "--with", "data.csv"]) == 0
+    told = capsys.readouterr().err
+    assert told.startswith("libration: --with = data.csv: angles up to 60")
+    assert told.endswith("are taken as rad; for degrees the header says theta [deg]\n")
+    write("named.csv", "t,theta [deg]", factor=180 / math.pi)
+    assert main([*WORDS, "--with", "named.csv"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_two_files_with_one_name_and_a_file_of_another_kind(capsys, tmp_path):
+    write()
+    (tmp_path / "other").mkdir()
+    write("other/data.csv")
+    write("data")
+    assert main([*WORDS, "--with", "data.csv,other/data.csv"]) == 2
+    assert main([*WORDS, "--with", "data.csv,data.csv"]) == 2
+    assert main([*WORDS, "--with", "data"]) == 2
+    two, twice, other = capsys.readouterr().err.splitlines()
+    assert two.endswith("has two files with the name data.csv")
+    assert twice.endswith("names data.csv twice")
+    assert other.endswith("--with = data: a file with a series must end in .csv, .txt, .tsv, .dat")
 
 
 def test_decimal_commas_and_the_end(capsys):

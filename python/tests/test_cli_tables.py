@@ -203,6 +203,9 @@ def test_angles_from_the_top(printed):
 
 
 def test_a_swing_is_the_same_from_the_top_and_from_the_bottom(printed):
+    assert "turning angle  2.61799387799149 rad = 150 deg from the bottom\n" in printed(
+        "period", "--theta0", "30deg", "--from-top"
+    )
     top = json.loads(printed("period", "--theta0", "30deg", "--from-top", "--json"))
     bottom = json.loads(printed("period", "--theta0", "150deg", "--json"))
     assert top["period_ratio"] == pytest.approx(bottom["period_ratio"], rel=1e-14)
@@ -226,7 +229,7 @@ def test_omega2_of_any_sign(printed, omega2):
         ("at 3 --theta0 1", "missing --length or --omega0, such as --length 1m"),
         ("at 3x --theta0 1 --omega0 1", "TIME = 3x: unknown unit 'x'; times take s, ms, min, h"),
         ("at 3s,,4s --theta0 1 --omega0 1", "TIME = 3s,,4s: has an empty place"),
-        ("at 3s 4s --theta0 1 --omega0 1", "unknown word '4s'; see libration at --help"),
+        ("at 3s 4s --theta0 1 --omega0 1", "unknown word '4s'; a value follows its option, and several are joined"),
         ("at --theta 1", "unknown option '--theta'; did you mean --theta0?"),
         ("at 3 --theta0 1 --omega0 1 --out - --json", "--out = - and --json: both print on the standard output"),
         ("at 3 --theta0 1 --omega0 1 --out a.txt", "must end in .csv, .npz or .json; - is the standard output"),

@@ -13,6 +13,19 @@ import time
 import pytest
 
 LIMIT = 300
+# Ctrl-C while the command line is being loaded.
+LOADING = """if True:
+    import sys
+
+    class Interrupted:
+        def find_spec(self, name, *_):
+            if name == "libration.cli":
+                raise KeyboardInterrupt
+
+    sys.meta_path.insert(0, Interrupted())
+    from libration.__main__ import run
+    sys.exit(run())
+"""
 # Long enough for the call to have begun; on a busy machine the signal comes before it, and ends it as well.
 BEGUN = 0.5
 
@@ -122,3 +135,8 @@ def test_the_command_line_leaves_no_file(tmp_path):
     assert child.communicate(timeout=LIMIT) == (b"", b"")
     assert child.returncode == 130
     assert list(tmp_path.iterdir()) == []
+
+
+def test_while_the_command_line_is_loaded():
+    done = subprocess.run([sys.executable, "-c", LOADING], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")

@@ -273,6 +273,10 @@ libration.jacobi_complex("1", m=0.5)
     TypeError: u = '1': must be complex numbers; write float(u)
 libration.ellipk
     AttributeError: module 'libration' has no attribute 'ellipk': did you mean complete_k?
+libration.compare
+    AttributeError: module 'libration' has no attribute 'compare': did you mean approx.compare?
+libration.period
+    AttributeError: module 'libration' has no attribute 'period': did you mean Pendulum(...).period?
 libration.sn
     AttributeError: module 'libration' has no attribute 'sn': did you mean elliptic.sn?
 elliptic.ellipj

@@ -1,8 +1,8 @@
 """Plots into the axes of the user: what is drawn, that nothing else changes, and that three languages have all words."""
 
 import ast
-import io
 import math
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,12 +11,13 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.legend import Legend
 
 import libration
-from libration import Duffing, Pendulum, approx, plot
+from libration import Pendulum, approx, plot
+from libration._languages import LANGUAGES
 from libration.plot._angle import degrees_text
-from libration.plot._language import CATALOGUE, ENGLISH, LANGUAGES, Language
+from libration.plot._comparison import draw_comparison
+from libration.plot._language import CATALOGUE, ENGLISH, Language
 
 SWING = Pendulum(3.0, length=1.0, gravity=9.8)
 DRAWN = {
@@ -26,13 +27,6 @@ DRAWN = {
     "comparison": lambda **given: approx.compare(SWING, ["linear", "harmonic"]).plot(**given),
     "errors": lambda **given: approx.compare(SWING, ["linear", "harmonic"]).plot_error(**given),
 }
-SAVED = {
-    "motion": lambda file, **given: plot.plot_motion(SWING, [0.0, 10.0], file, **given),
-    "comparison": lambda file, **given: plot.plot_comparison(SWING, [("euler:0.1", EULER)], file, **given),
-    "oscillator": lambda file, **given: plot.plot_oscillator(Duffing(1.4, p=-1.0, q=1.0), [0.0, 20.5], file, **given),
-    "periods": lambda file, **given: plot.plot_periods(file, **given),
-}
-EULER = approx.numerical("euler:0.1").of(SWING)
 
 
 @pytest.fixture
@@ -180,6 +174,8 @@ def test_a_comparison_holds_the_errors_of_its_solutions():
     [
         (["harmonik"], 1, "names: 'harmonik': must be one of harmonic, "),
         ([3], 1, "names: 3: must be one of linear, "),
+        ([], 1, "names = (): must be a list of at least one name, as ['linear']"),
+        (None, 1, "names = None: must be a list of at least one name, as ['linear']"),
         ("harmonic", 1, "names = 'harmonic': must be a list of names, as ['harmonic']"),
         (["linear", "linear"], 1, "names: must differ; linear comes twice"),
         (["linear"], 0, "periods = 0.0: must be above 0 and at most 10000"),
@@ -252,55 +248,6 @@ def test_translations_are_complete(text):
         assert ("θmax" in other) == ("θmax" in text)
 
 
-@pytest.mark.parametrize("name", SAVED)
-@pytest.mark.parametrize("lang", LANGUAGES)
-def test_every_picture_in_every_language(name, lang):
-    file = io.BytesIO()
-    SAVED[name](file, form="svg", lang=lang, title="A Título ½")
-    svg = file.getvalue().decode()
-    assert "A Título ½" in svg
-    assert "font-family: " in svg
-    assert "sans-serif" in svg
-    words = {"motion": "exact", "comparison": "exact", "oscillator": "separatrix", "periods": "logarithms"}
-    assert f">{Language(lang).word(words[name])}<" in svg
-
-
-@pytest.fixture
-def drawn(monkeypatch):
-    """The figures that are saved, kept as they are."""
-    figures = []
-    monkeypatch.setattr(Figure, "savefig", lambda figure, *args, **given: figures.append(figure))
-    return figures
-
-
-LONG = (
-    "Uma oscilação de grande amplitude, medida na sala de aula com um pêndulo de um metro, e a solução exata ao lado. "
-)
-
-
-CUT = [(name, lang, None) for name in SAVED for lang in LANGUAGES]
-CUT += [("comparison", "en", title) for title in (LONG, 3 * LONG, "W" * 60 + " " + "W" * 60)]
-
-
-@pytest.mark.parametrize(("name", "lang", "title"), CUT)
-def test_no_text_is_cut(name, lang, title, drawn):
-    SAVED[name](io.BytesIO(), form="png", lang=lang, title=title)
-    [figure] = drawn
-    figure.draw_without_rendering()
-    legends = [
-        legend for each in (figure, *figure.axes) for legend in each.get_children() if isinstance(legend, Legend)
-    ]
-    texts = [text for axes in figure.axes for text in (*axes.texts, axes.title, axes.xaxis.label, axes.yaxis.label)]
-    texts += [*figure.texts, *(text for legend in legends for text in legend.get_texts())]
-    boxes = [text.get_window_extent() for text in texts if text.get_text()]
-    assert len(boxes) > 5
-    # With the labels of the ticks.
-    boxes += [axes.get_tightbbox() for axes in figure.axes]
-    for box in boxes:
-        assert -1 <= box.x0 <= box.x1 <= figure.bbox.width + 1
-        assert -1 <= box.y0 <= box.y1 <= figure.bbox.height + 1
-
-
 def test_ticks_have_a_decimal_comma(ax):
     Pendulum(1.0).plot([0.0, 1.0], ax=ax, lang="pt-BR")
     ax.figure.draw_without_rendering()
@@ -310,31 +257,15 @@ def test_ticks_have_a_decimal_comma(ax):
     assert "0.2" in [label.get_text() for label in other.get_xticklabels()]
 
 
-@pytest.mark.parametrize("name", SAVED)
-def test_dots_per_inch(name):
-    sizes = []
-    for dpi in (50, 100):
-        file = io.BytesIO()
-        SAVED[name](file, form="png", dpi=dpi)
-        sizes.append(int.from_bytes(file.getvalue()[16:20]))
-    assert sizes[1] == 2 * sizes[0]
-
-
-@pytest.mark.parametrize("name", SAVED)
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        ({"lang": "fr"}, "lang = 'fr': must be en, pt-BR or es"),
-        ({"dpi": 0}, "dpi = 0: must be from 20 to 1200"),
-        ({"dpi": math.nan}, "dpi = nan: must be from 20 to 1200"),
-    ],
-)
-def test_refusals_of_saved_pictures(name, given, said):
-    file = io.BytesIO()
-    with pytest.raises(ValueError) as caught:
-        SAVED[name](file, form="png", **given)
-    assert str(caught.value) == said
-    assert file.getvalue() == b""
+def test_a_long_legend_reads_from_left_to_right():
+    names = ["linear", "cubic", "trigonometric", "fourier:2", "small-m"]
+    figure = Figure(figsize=(9, 6.5))
+    draw_comparison(figure, SWING, [(name, approx.angle(name).of(SWING)) for name in names], 1.0)
+    figure.draw_without_rendering()
+    texts = figure.axes[0].get_legend().get_texts()
+    boxes = {text.get_text(): text.get_window_extent() for text in texts}
+    read = sorted(boxes, key=lambda name: (-round(boxes[name].y0), boxes[name].x0))
+    assert read == ["exact", *names]
 
 
 @pytest.mark.parametrize("name", DRAWN)
@@ -346,12 +277,36 @@ def test_refusals_of_axes(name, ax):
     assert not ax.lines
 
 
-def test_a_title_of_the_user_replaces_ours_and_an_empty_one_leaves_it_out():
-    files = {title: io.BytesIO() for title in (None, "Mine", "")}
-    for title, file in files.items():
-        plot.plot_motion(SWING, [0.0, 1.0], file, form="svg", title=title)
-    ours, mine, none = (file.getvalue().decode() for file in files.values())
-    assert "libration, period" in ours
-    assert ">Mine<" in mine
-    assert "libration, period" not in mine
-    assert "libration, period" not in none
+@pytest.mark.parametrize("name", DRAWN)
+@pytest.mark.parametrize("projection", ["3d", "polar"])
+def test_axes_of_other_projections_are_refused(name, projection):
+    with pytest.raises(ValueError, match=f"must be plain Axes, with x and y; its projection is {projection}"):
+        DRAWN[name](ax=Figure().add_subplot(projection=projection))
+
+
+@pytest.mark.parametrize(
+    ("t", "said"),
+    [
+        ([], "t = []: at least one finite instant"),
+        ([math.nan], "t = [nan]: at least one finite instant"),
+        ("abc", "t = 'abc': must be real numbers"),
+        ([1j], "t = [1j]: must be real numbers"),
+        ({1.0, 2.0}, "t = {1.0, 2.0}: must be real numbers; write sorted(t)"),
+        ([[1.0], [2.0, 3.0]], "t = [[1.0], [2.0, 3.0]]: must be real numbers"),
+        (np.array(["2020-01-01"], dtype="M8[D]"), "t = an array of shape (1,): must be real numbers; write (t - t[0])"),
+        (np.array([1j]), "t = an array of shape (1,): must be real numbers; write np.real(t)"),
+        (Figure().subplots(), "must be instants; axes are given by ax="),
+    ],
+)
+@pytest.mark.parametrize("draw", [SWING.plot, lambda t, ax: SWING.plot_phase(ax, t=t)])
+def test_instants_that_are_refused(draw, t, said, ax):
+    with pytest.raises((TypeError, ValueError), match=re.escape(said)):
+        draw(t, ax=ax)
+    assert ax.lines[:] == []
+
+
+@pytest.mark.parametrize("lang", ["pt", "PT_br", "pt-BR"])
+def test_a_language_in_any_letters(lang, ax):
+    SWING.plot(ax=ax, lang=lang)
+    assert "linear" in labelled(ax)
+    assert Language(lang) == Language("pt-BR")

@@ -1,13 +1,16 @@
 """The picture of the formulas of the period: every formula is a curve of its own, and a turning angle is marked."""
 
+import math
+
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
 from libration import approx
 from libration.approx._period import listed
-from libration.plot import plot_periods
-from libration.plot._periods import draw_periods, families
+from libration.plot import plot_period, plot_periods
+from libration.plot._language import ENGLISH
+from libration.plot._periods import draw_periods, families, mark
 
 
 def curves(axes):
@@ -58,6 +61,23 @@ def test_names_stand_within_their_panel_and_apart():
 def test_a_formula_without_a_family_has_a_panel(monkeypatch):
     monkeypatch.delitem(families.__globals__["FAMILIES"], "logarithms")
     assert {formula.name for formula in families()["other formulas"]} == {"lima-arun", "cromer", "chachiyo"}
+
+
+def test_marks_that_are_near_each_other_have_lines_of_their_own():
+    axes = Figure().subplots()
+    mark(axes, np.radians([15.0, 5.0, 10.0, 60.0]), ENGLISH)
+    assert [(text.get_text(), text.xyann[1]) for text in axes.texts] == [
+        ("5°", -2),
+        ("10°", -14),
+        ("15°", -26),
+        ("60°", -2),
+    ]
+
+
+@pytest.mark.parametrize("theta_max", [7.0, -0.1, math.nan, [1.0, math.inf], "1", [None]])
+def test_turning_angles_that_are_refused(theta_max):
+    with pytest.raises(ValueError, match=r"^theta_max = "):
+        plot_period(Figure().subplots(), theta_max=theta_max)
 
 
 def test_it_is_saved(tmp_path):

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
-from .._scalars import real
+from .._scalars import real, shown
 from ..pendulum import Pendulum
 from ._angle import AngleApproximation, AngleError, angle
 from ._named import moving
@@ -177,6 +177,8 @@ def compare(pendulum: Pendulum, names: Iterable[str] = ("linear", "harmonic"), *
         raise ValueError(f"pendulum = {pendulum!r}: must move; it is at rest")
     if isinstance(names, str):
         raise ValueError(f"names = {names!r}: must be a list of names, as [{names!r}]")
+    if not isinstance(names, Iterable) or not (names := tuple(names)):
+        raise ValueError(f"names = {shown(names)}: must be a list of at least one name, as ['linear']")
     made = tuple(solution(name, pendulum) for name in names)
     found = [each.formula.name for each in made]
     for name in found:

@@ -5,10 +5,11 @@ from typing import TYPE_CHECKING
 
 from libration.cli.files import STANDARD_OUTPUT, Column, staged_table, strict, write_table
 from libration.cli.help import Topic
-from libration.cli.offers import files, units
+from libration.cli.offers import units
 from libration.cli.parameters import given_parameters, keyed, table_parameters
-from libration.cli.parser import Flag, Refusal, Value, Word, command
+from libration.cli.parser import Refusal, Word, command
 from libration.cli.quantities import TIME, quantities
+from libration.cli.results import OutOptions, check_printed, out_options, written
 from libration.cli.sampling import nans
 from libration.cli.state import UNITS, StateOptions, pendulum, state, state_options
 from libration.cli.style import NumberStyle, StyleOptions, number_style, style_options
@@ -39,11 +40,10 @@ DIGITS = 10
 TOO_FAR = "it is more than 2^53 half periods away"
 
 
-class AtOptions(StateOptions, StyleOptions):
+class AtOptions(StateOptions, StyleOptions, OutOptions):
     """The options of `libration at`."""
 
     times: str | None
-    json: bool
 
 
 def run(options: AtOptions) -> None:
@@ -53,8 +53,7 @@ def run(options: AtOptions) -> None:
     given = state(options)
     if not given.has_frequency:
         raise Refusal("missing --length or --omega0, such as --length 1m")
-    if options.out == STANDARD_OUTPUT and options.json:
-        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
+    check_printed(options)
     instants = quantities("TIME", options.times, TIME)
     style, motion = number_style(options), pendulum(given)
     if options.out is not None:
@@ -63,16 +62,15 @@ def run(options: AtOptions) -> None:
             write_table(file, options.out, table_parameters(given, motion), columns, style)
     else:
         columns = motion_columns(motion, instants)
-    written = [path for path in (options.out,) if path not in (None, STANDARD_OUTPUT)]
     if options.json:
         answer = keyed(given_parameters(given, motion))
         answer["regime"] = str(motion.regime)
         answer["instants"] = [keyed(row) for row in instants_of(columns)]
-        answer["files"] = [path for path in written if path is not None]
+        answer["files"] = written(options.out)
         print(strict(answer))
     elif options.out != STANDARD_OUTPUT:
         print_one(columns, style) if len(instants) == 1 else print_several(columns, style)
-        print_lines([("written", str(path)) for path in written])
+        print_lines([("written", path) for path in written(options.out)])
 
 
 def motion_columns(motion: "Pendulum", instants: Sequence[float]) -> list[Column]:
@@ -150,10 +148,7 @@ COMMAND = command(
             offered=units(TIME),
         ),
         *state_options("(this, --omega0 or --omega2 is required)"),
-        Value(
-            "--out", "FILE", "write a table to a .csv, .npz or .json file, - to print it", "the results", offered=files
-        ),
-        Flag("--json", "print one JSON object", "the results"),
+        *out_options("a table", "it"),
         *style_options(str(DIGITS)),
     ],
     usage=["libration at TIME[,TIME...]", "--theta0 ANGLE", "(--length LENGTH | --omega0 OMEGA0)", "[options]"],

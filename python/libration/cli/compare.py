@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, strict, write_table
 from libration.cli.help import Topic
-from libration.cli.offers import files, solutions
+from libration.cli.offers import solutions
 from libration.cli.parameters import keyed, table_parameters
-from libration.cli.parser import Flag, Refusal, Value, command, refusal
-from libration.cli.picture import check_plot, form, picture_look, picture_options
+from libration.cli.parser import Refusal, Value, command, refusal
+from libration.cli.picture import check_plot, drawing, form, picture_look, picture_options
 from libration.cli.quantities import plain
-from libration.cli.sampling import ResultOptions, check_targets, targets, written
-from libration.cli.series import Series, is_series, series
+from libration.cli.results import out_options, written
+from libration.cli.sampling import ResultOptions, check_targets, targets
+from libration.cli.series import ENDINGS, Series, is_series, series
 from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options, upright
 from libration.cli.style import NumberStyle, number_style, style_options
 from libration.cli.summary import angle_text, period_text, print_lines
@@ -121,8 +122,9 @@ def run(options: CompareOptions) -> None:
         if plot and options.plot is not None:
             from libration.plot import plot_comparison
 
-            plot_comparison(motion, solutions, plot, periods=periods, form=form(options.plot), **look)
-    files = written(options)
+            with drawing("--plot", options.plot):
+                plot_comparison(motion, solutions, plot, periods=periods, form=form(options.plot), **look)
+    files = written(options.out, options.plot)
     if options.json:
         print_json(given, motion, spans, rows, files)
     elif options.out != STANDARD_OUTPUT:
@@ -143,9 +145,11 @@ def names(text: str | None) -> list[str]:
 def different(solutions: Sequence[Solution], text: str | None) -> list[tuple[str, Solution]]:
     """The solutions by their names, or a Refusal if one is named twice."""
     names = [made.formula.name for made in solutions]
-    for name in names:
-        if names.count(name) > 1:
-            raise refusal("--with", text, f"names {name} twice")
+    keys = [key_of(name) for name in names]
+    for name, key in zip(names, keys, strict=True):
+        if keys.count(key) > 1:
+            what = "has two files with the name" if is_series(name) and names.count(name) == 1 else "names"
+            raise refusal("--with", text, f"{what} {os.path.basename(name)}" + " twice" * (what == "names"))
     return list(zip(names, solutions, strict=True))
 
 
@@ -187,6 +191,8 @@ def solution(name: str, motion: "Pendulum", hint: str) -> Solution:
         name = base + colon + step
     patterns = (*approx.angle.names, *approx.numerical.names)
     if base not in [each.partition(":")[0] for each in patterns]:
+        if os.path.isfile(name):
+            raise refusal("--with", name, f"a file with a series must end in {', '.join(ENDINGS)}")
         raise refusal("--with", name, f"must be one of {', '.join(nearest(patterns, name))}")
     numerical = base in [each.partition(":")[0] for each in approx.numerical.names]
     makes: Registry[NumericalFormula] | Registry[AngleFormula] = approx.numerical if numerical else approx.angle
@@ -264,11 +270,10 @@ def print_text(
     style: NumberStyle,
 ) -> None:
     """A table for people."""
-    regime = str(motion.regime)
     print_lines(
         [
-            ("exact motion", f"{regime}, period {period_text(regime, motion.period, style)}"),
-            ("turning angle", angle_text(regime, motion.theta_max, style)),
+            ("exact motion", f"{motion.regime}, period {period_text(motion, style)}"),
+            ("turning angle", angle_text(motion, style)),
             *([("omega0", "1 rad/s (default)")] if assumed else []),
         ]
     )
@@ -336,14 +341,7 @@ COMMAND = command(
             offered=solutions,
         ),
         Value("--periods", "N", PERIODS, "the comparison"),
-        Value(
-            "--out",
-            "FILE",
-            "write the angles to a .csv, .npz or .json file, - to print them",
-            "the results",
-            offered=files,
-        ),
-        Flag("--json", "print the errors as one JSON object", "the results"),
+        *out_options("the angles", "them", "print the errors as one JSON object"),
         *style_options("4, of times 5"),
         *picture_options("the angles and their errors"),
     ],

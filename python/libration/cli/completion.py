@@ -4,6 +4,7 @@ The shell calls `libration` with `_LIBRATION_COMPLETE` set; click finds what may
 reasons: a name such as `rk4:` goes on without a blank, lists have commas in them, and bash parts words at colons.
 """
 
+import contextlib
 import os
 from typing import ClassVar
 
@@ -168,7 +169,9 @@ def offer(top: click.Command, instruction: str) -> None:
     """Print what may follow the words that a shell hands over."""
     for name, each in SHELLS.items():
         add_completion_class(each, name)
-    shell_complete(top, {}, "libration", VARIABLE, instruction)
+    # Of a shell that hands over no words nothing is completed.
+    with contextlib.suppress(KeyError, ValueError):
+        shell_complete(top, {}, "libration", VARIABLE, instruction)
 
 
 COMMAND = command(

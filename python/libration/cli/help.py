@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 import click
 
-WIDEST = 92
+NARROWEST, WIDEST = 40, 92
 # A blank at which no line is broken.
 NO_BREAK = "\u00a0"
 
@@ -31,10 +31,11 @@ class Topic:
 
 
 class Formatter(click.HelpFormatter):
-    """Writes a page as wide as the screen, but no wider than 92 characters."""
+    """Writes a page as wide as the screen, from 40 to 92 characters."""
 
     def __init__(self, indent_increment: int = 2, width: int | None = None, max_width: int | None = None) -> None:
-        super().__init__(indent_increment, width or min(shutil.get_terminal_size().columns, max_width or WIDEST))
+        columns = shutil.get_terminal_size().columns
+        super().__init__(indent_increment, width or max(NARROWEST, min(columns, max_width or WIDEST)))
 
     def filled(self, text: str, first: str, others: str) -> None:
         """One paragraph in lines that fit."""

@@ -10,8 +10,6 @@ from libration.cli.quantities import Dimension, parts
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-LANGUAGES = ("en", "pt-BR", "es")
-
 
 def files(_ctx: click.Context, _parameter: click.Parameter, typed: str) -> "list[CompletionItem[str]]":
     """The files and directories, as the shell itself offers them."""

@@ -15,6 +15,7 @@ from libration.cli.parameters import keyed
 from libration.cli.parser import Refusal, Value
 from libration.cli.picture import check_plot, draw, picture_look
 from libration.cli.quantities import plain
+from libration.cli.results import written
 from libration.cli.sampling import (
     FILES,
     InstantOptions,
@@ -27,7 +28,6 @@ from libration.cli.sampling import (
     sampled,
     targets,
     valueless,
-    written,
 )
 from libration.cli.style import NumberStyle, number_style
 from libration.cli.summary import digits, print_lines
@@ -97,7 +97,7 @@ def solve(
             from libration.plot import plot_oscillator
 
             draw(plot_oscillator, motion, times, plot, options.plot, look)
-    files = written(options)
+    files = written(options.out, options.plot)
     if options.json:
         answer = keyed(parameters(given, motion)[1:])
         answer |= {"samples": len(times), "samples_nan": nans(u)}

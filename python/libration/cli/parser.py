@@ -22,6 +22,26 @@ if TYPE_CHECKING:
 NEGATIVE = re.compile(r"-(\.?[0-9]|inf|nan)", re.IGNORECASE)
 # Unknown words are collected, and the first is refused with what may have been meant.
 SETTINGS = {"ignore_unknown_options": True, "allow_extra_args": True, "help_option_names": ["--help"]}
+# Other names of options, beside those of the arguments in Python.
+ALSO = {
+    "t": ("until",),
+    "time": ("until",),
+    "o": ("out",),
+    "output": ("out",),
+    "csv": ("out",),
+    "file": ("out", "times"),
+    "language": ("lang",),
+    "n": ("samples",),
+    "steps": ("samples",),
+    "precision": ("digits",),
+    "formula": ("only", "with"),
+    "formulas": ("only", "with"),
+    "methods": ("with",),
+    "x0": ("u0",),
+    "png": ("plot",),
+}
+# No word of so few letters is anything else.
+LONGEST_UNIT = 4
 # The values that a shell offers for the beginning of one.
 Offered: TypeAlias = "Callable[[click.Context, click.Parameter, str], list[CompletionItem[str]] | list[str]]"
 
@@ -57,8 +77,9 @@ def quoted(value: object) -> str:
 
 def nearest(word: str, known: Iterable[str], otherwise: str) -> str:
     """The nearest known word as a question, or what to do if none is near."""
-    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
-    return f"did you mean {near[0]}?" if near else otherwise
+    small = {each.lower(): each for each in known}
+    near = difflib.get_close_matches(word.lower(), list(small), n=1, cutoff=0.6)
+    return f"did you mean {small[near[0]]}?" if near else otherwise
 
 
 class Options(SimpleNamespace):
@@ -226,8 +247,29 @@ def needs_value(path: str, option: Value) -> str:
 
 
 def unknown(ctx: click.Context, word: str) -> str:
-    """The refusal of an unknown word, with the nearest option."""
+    """The refusal of an unknown word, with the option or the form that may be meant."""
     name = word.split("=", 1)[0]
     known = [option for each in ctx.command.get_params(ctx) for option in each.opts if option.startswith("--")]
-    kind = "option" if word.startswith("-") else "word"
-    return f"unknown {kind} {quoted(name)}; {nearest(name, known, f'see {ctx.command_path} --help')}"
+    help_page = f"see {ctx.command_path} --help"
+    if word.startswith("-"):
+        hint = "options stand before --" if name in known else meant(name.lstrip("-"), known, help_page)
+        return f"unknown option {quoted(name)}; {hint}"
+    hint = help_page
+    if word[:1].isdigit():
+        hint = f"a value follows its option, and several are joined by commas, without blanks; {help_page}"
+    elif "--theta0" in known and word.strip() and len(word) <= LONGEST_UNIT:
+        hint = f"a unit stands with its number, as in 150deg; {help_page}"
+    return f"unknown word {quoted(word)}; {hint}"
+
+
+def meant(name: str, known: Sequence[str], otherwise: str) -> str:
+    """The option that an unknown name may mean, as a question: by another name of it, its beginning, or its letters."""
+    from libration._messages import ARGUMENTS
+
+    others = [f"--{each}" for each in (*ARGUMENTS.get(name, ()), *ALSO.get(name.lower(), ()))]
+    near = [each for each in others if each in known][:1]
+    near = near or [each for each in known if each.lower().startswith(f"--{name.lower()}")][:3]
+    if near:
+        return f"did you mean {' or '.join(near)}?"
+    near = difflib.get_close_matches(name.lower(), [each[2:] for each in known], n=1, cutoff=0.6)
+    return f"did you mean --{near[0]}?" if near else otherwise

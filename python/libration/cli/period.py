@@ -11,11 +11,21 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, staged, staged_table, strict, write_table
 from libration.cli.help import Topic
-from libration.cli.offers import files, formulas
+from libration.cli.offers import formulas
 from libration.cli.parameters import given_parameters, keyed
-from libration.cli.parser import Flag, Refusal, Value, command, refusal, shown
-from libration.cli.picture import PICTURES, Look, PictureOptions, check_matplotlib, form, picture_look, picture_options
+from libration.cli.parser import Refusal, Value, command, refusal, shown
+from libration.cli.picture import (
+    PICTURES,
+    Look,
+    PictureOptions,
+    check_matplotlib,
+    drawing,
+    form,
+    picture_look,
+    picture_options,
+)
 from libration.cli.quantities import ANGLE, quantities
+from libration.cli.results import OutOptions, check_printed, out_options, written
 from libration.cli.state import (
     UNITS,
     State,
@@ -68,12 +78,11 @@ EXAMPLES = (
 EXACT = "exact"
 
 
-class PeriodOptions(StateOptions, StyleOptions, PictureOptions):
+class PeriodOptions(StateOptions, StyleOptions, OutOptions, PictureOptions):
     """The options of `libration period`."""
 
     only: str | None
     chart: str | None
-    json: bool
 
 
 @dataclass(frozen=True)
@@ -116,25 +125,24 @@ def run(options: PeriodOptions) -> None:
         names.remove(EXACT)
     style, picture = number_style(options), picture_name(options)
     look = picture_look(options, picture and picture[1])
-    if options.out == STANDARD_OUTPUT and options.json:
-        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
+    check_printed(options)
     with contextlib.ExitStack() as stack:
         if options.out is not None:
             table = stack.enter_context(staged_table(options.out))
             write_table(table, options.out, parameters(swings), columns(swings, names), style)
         if picture is not None:
             draw(stack, *picture, swings, look)
-    written = [path for path in (options.out, picture and picture[1]) if path not in (None, STANDARD_OUTPUT)]
+    files = written(options.out, picture and picture[1])
     if options.json:
-        print(strict(one_object(swings[0]) if len(swings) == 1 else several_objects(swings, names, written)))
+        print(strict(one_object(swings[0]) if len(swings) == 1 else several_objects(swings, names, files)))
     elif options.out != STANDARD_OUTPUT:
         if len(swings) == 1:
             print_one(swings[0], style)
         else:
             print_several(swings, names, style)
-        if written:
+        if files:
             print()
-            print_lines([("written", str(path)) for path in written])
+            print_lines([("written", path) for path in files])
 
 
 def made_swings(options: PeriodOptions) -> list[Swing]:
@@ -175,12 +183,17 @@ def formula(name: str) -> "PeriodFormula":
 
 def compared(motion: "Pendulum", wanted: "Sequence[PeriodFormula]") -> list[Compared]:
     """Every formula with its T/T0 and its relative error, where the motion is a swing."""
-    if motion.regime != "libration" or upright(motion):
+    if not is_swing(motion):
         return []
     # The smaller of m and 1 - m is the more accurate one.
     m, mc = motion.energy_ratio, motion.energy_ratio_c
     given = {"m": m} if m < mc else {"mc": mc}
     return [(formula, float(formula.ratio(**given)), float(formula.error(**given))) for formula in wanted]
+
+
+def is_swing(motion: "Pendulum") -> bool:
+    """Whether the formulas are for this motion."""
+    return motion.regime == "libration" and not upright(motion)
 
 
 def picture_name(options: PeriodOptions) -> tuple[str, str] | None:
@@ -193,13 +206,14 @@ def picture_name(options: PeriodOptions) -> tuple[str, str] | None:
 
 
 def draw(stack: contextlib.ExitStack, option: str, path: str, swings: Sequence[Swing], look: Look) -> None:
-    """Draw the formulas; the turning angle of one swing is marked."""
+    """Draw the formulas; the turning angles are marked."""
     file = stack.enter_context(staged(option, path, PICTURES))
     check_matplotlib(option, path, "plot")
     from libration.plot import plot_periods
 
-    marked = swings[0].motion.theta_max if len(swings) == 1 and swings[0].compared else None
-    plot_periods(file, theta_max=marked, form=form(path), **look)
+    marked = [each.motion.theta_max for each in swings if is_swing(each.motion)]
+    with drawing(option, path):
+        plot_periods(file, theta_max=marked, form=form(path), **look)
 
 
 def parameters(swings: Sequence[Swing]) -> list[Parameter]:
@@ -240,11 +254,11 @@ def print_one(swing: Swing, style: NumberStyle) -> None:
     lines = [("regime", swing.regime)]
     if swing.given.has_frequency:
         small = small_swing_period(swing.given)
-        lines.append(("period T", period_text(swing.regime, motion.period, style)))
+        lines.append(("period T", period_text(motion, style)))
         lines.append(("of small swings, T0", f"{digits(small, style)} s" if math.isfinite(small) else "infinite"))
     lines.append(("T / T0", digits(ratio, style) if math.isfinite(ratio) else "infinite"))
     lines.append(("T * omega0", f"{digits(swing.phase, style)} rad" if math.isfinite(swing.phase) else "infinite"))
-    lines.append(("turning angle", angle_text(swing.regime, motion.theta_max, style)))
+    lines.append(("turning angle", angle_text(motion, style)))
     print_lines(lines)
     if upright(motion):
         print("formulas       none: but for the rounding of pi this is the upright balance, whose period is infinite")
@@ -302,7 +316,7 @@ def one_object(swing: Swing) -> dict[str, Json]:
     return answer
 
 
-def several_objects(swings: Sequence[Swing], names: Sequence[str], written: Sequence[str | None]) -> dict[str, Json]:
+def several_objects(swings: Sequence[Swing], names: Sequence[str], files: list[str]) -> dict[str, Json]:
     """Several motions as a JSON object."""
     answer = keyed(parameters(swings)[1:])
     unit = "s" if swings[0].given.has_frequency else "ratio"
@@ -315,7 +329,7 @@ def several_objects(swings: Sequence[Swing], names: Sequence[str], written: Sequ
         }
         for each in swings
     ]
-    answer["files"] = [path for path in written if path is not None]
+    answer["files"] = files
     return answer
 
 
@@ -330,18 +344,11 @@ COMMAND = command(
         Value(
             "--only",
             "NAMES",
-            "formulas, separated by commas; exact is the period itself",
+            "formulas by name, as exact,linear,bernoulli; exact is the period itself (default all)",
             "the results",
             offered=formulas,
         ),
-        Value(
-            "--out",
-            "FILE",
-            "write the table to a .csv, .npz or .json file, - to print it",
-            "the results",
-            offered=files,
-        ),
-        Flag("--json", "print one JSON object instead of lines", "the results"),
+        *out_options("the table", "it"),
         *style_options("6 in a table, else 15"),
         *picture_options("the formulas against the turning angle"),
         Value("--chart", "FILE", "the same as --plot", "the picture", hidden=True),

@@ -1,20 +1,28 @@
 """The picture that a command draws: its file, its title, its resolution and its language."""
 
+import contextlib
 import importlib
+import re
 import textwrap
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, BinaryIO, Protocol, TypedDict, TypeVar
 
 import click
 
-from libration.cli.offers import LANGUAGES, files, words
-from libration.cli.parser import Options, Value, refusal
+from libration._languages import LANGUAGES, known_language
+from libration.cli.offers import files, words
+from libration.cli.parser import Options, Refusal, Value, refusal, shown
 from libration.cli.quantities import plain
+from libration.cli.streams import note
 
 if TYPE_CHECKING:
     from libration._arrays import Floats
 
 PICTURES = (".png", ".svg")
+# What matplotlib says of numbers near the largest double, and of a letter that its font lacks.
+TOO_LARGE = ("NaN or Inf", "zero-size", "Singular matrix")
+GLYPH = re.compile(r"Glyph ([0-9]+) .* missing from font")
 Motion = TypeVar("Motion", contravariant=True)
 
 
@@ -55,7 +63,7 @@ class Plot(Protocol[Motion]):
 def picture_options(shows: str) -> list[click.Option]:
     """The options of a picture; `shows` says what is drawn."""
     group = "the picture"
-    title = "the line above it, instead of the one that states the motion; '' for none"
+    title = "the line above it, instead of the one that states the motion; '' for none, '$\\theta_0$' for symbols"
     return [
         Value("--plot", "FILE", f"draw {shows} to a .png or .svg file", group, offered=files),
         Value("--title", "TEXT", title, group),
@@ -77,14 +85,11 @@ def picture_look(options: PictureOptions, path: str | None) -> Look:
 
 
 def language(text: str | None) -> str:
-    """The language, however its letters are typed, or a Refusal."""
-    if text is None:
-        return "en"
-    code = text.lower().replace("_", "-")
-    for known in LANGUAGES:
-        if code in (known.lower(), known.lower().partition("-")[0]):
-            return known
-    raise refusal("--lang", text, f"must be {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}")
+    """The language, or a Refusal."""
+    found = "en" if text is None else known_language(text)
+    if found is None:
+        raise refusal("--lang", text, f"must be {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}")
+    return found
 
 
 def check_plot(options: PictureOptions) -> None:
@@ -117,10 +122,27 @@ def form(path: str) -> str:
 
 
 def draw(plot: Plot[Motion], motion: Motion, times: "Floats", file: BinaryIO, path: str, look: Look) -> None:
-    """Draw into the staged file; numbers near the largest double do not fit on an axis."""
-    try:
+    """Draw a motion into the staged file, or a Refusal."""
+    with drawing("--plot", path):
         plot(motion, times, file, form=form(path), **look)
+
+
+@contextlib.contextmanager
+def drawing(option: str, path: str) -> Iterator[None]:
+    """Refuse what cannot be drawn, as numbers near the largest double; say which letters the font of a .png lacks."""
+    try:
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            yield
     except (ArithmeticError, RuntimeError, ValueError) as error:
-        large = isinstance(error, OverflowError) or any(words in str(error) for words in ("NaN or Inf", "zero-size"))
+        if str(error).startswith("title = "):
+            raise Refusal(f"--{error}") from error
+        large = isinstance(error, OverflowError) or any(words in str(error) for words in TOO_LARGE)
         reason = "the motion is too large for an axis" if large else str(error)
-        raise refusal("--plot", path, f"cannot be drawn: {reason}") from error
+        raise refusal(option, path, f"cannot be drawn: {reason}") from error
+    codes = [GLYPH.match(str(each.message)) for each in said]
+    lacking = dict.fromkeys(chr(int(code[1])) for code in codes if code)
+    if lacking and form(path) == "png":
+        note(
+            f"{option} = {shown(path)}: the font has no {' '.join(lacking)}; an .svg takes the fonts of who looks at it"
+        )

@@ -10,11 +10,12 @@ separated by commas or by semicolons, and only between semicolons is it a decima
 
 import math
 import re
-import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Context, Decimal, DecimalException
 
 from libration.cli.parser import Refusal, quoted, refusal, shown
+from libration.cli.streams import note
 
 # 100 digits after the point (OEIS A000796); a quotient with a hundred digits leaves one rounding to a double.
 PI = Decimal("3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679")
@@ -110,8 +111,11 @@ VELOCITY = Dimension(
     {"rad/s": ONE, "deg/s": DEGREE, "turn/s": TURN, "rpm": PER_MINUTE},
     names(DEGREE, "°/s", "degrees/s") | names(ONE, "1/s", "s-1", "rad/sec") | names(TURN, "turns/s", "rev/s"),
 )
-# Units that mean different things to different people, and what to write instead.
-DOUBTFUL = {"grad": "; it is a degree in some languages and pi/200 in others: write deg or gon"}
+# Units that mean different things to different people, or have a name in other languages, and what to write instead.
+INSTEAD = {"grad": "; it is a degree in some languages and pi/200 in others: write deg or gon"} | dict.fromkeys(
+    ("grau", "graus", "grado", "grados", "grade", "grades"), "; write deg"
+)
+PI_NAMED = re.compile(r"pi|\u03c0", re.IGNORECASE)
 
 
 def quantity(
@@ -184,33 +188,42 @@ def quantities(option: str, text: str, dimension: Dimension) -> list[float]:
     """
     if ";" in text:
         pieces = text.split(";")
-    elif BETWEEN_DIGITS.search(text):
-        reason = "a comma between digits may separate values or be decimal"
-        apart, decimal = text.replace(",", ";"), BETWEEN_DIGITS.sub(".", text)
-        raise refusal(option, text, f"{reason}; write {shown(apart)} or {shown(decimal)}")
     else:
         pieces = text.split(",")
+    if ";" not in text and BETWEEN_DIGITS.search(text):
+        reason = "a comma between digits may separate values or be decimal"
+        raise refusal(option, text, f"{reason}; write {' or '.join(map(shown, unmistakable(text, pieces, dimension)))}")
+    if not text.strip():
+        raise refusal(
+            option, text, f"has no value; {dimension.plural} look like 1.5 or 1.5{next(iter(dimension.units))}"
+        )
     if not all(piece.strip() for piece in pieces):
         raise refusal(option, text, "has an empty place between its separators")
     return [quantity(option, piece, dimension) for piece in pieces]
 
 
+def unmistakable(text: str, pieces: Sequence[str], dimension: Dimension) -> list[str]:
+    """How to write a list with a comma between digits: a unit after each value, a point in place of the comma, or both.
+
+    A value without a unit has that of the last one; angles that are large without one are meant in degrees.
+    """
+    read = [parts(piece) for piece in pieces]
+    large = any(number is not None and not unit and abs(float(number)) > math.tau for number, unit in read)
+    unit = read[-1][1] or ("deg" if dimension is ANGLE and large else next(iter(dimension.units)))
+    apart = ",".join(piece if has_unit(piece) else f"{piece.strip()}{unit}" for piece in pieces)
+    decimal = BETWEEN_DIGITS.sub(".", text)
+    return [apart, decimal] if all(parts(piece)[0] for piece in decimal.split(",")) else [apart]
+
+
 def warn_of_radians(option: str, text: str, value: float) -> None:
     """One line on the standard error: how an angle without a unit was taken."""
-    if sys.stderr is None:
-        return
     rest = math.remainder(value, math.tau)
     turns = round((value - rest) / math.tau)
     whole = "1 whole turn" if turns == 1 else f"{turns:.6g} whole turns"
-    line = (
-        f"libration: {option} = {shown(text)}: taken as {value:.6g} rad, {whole} and "
+    note(
+        f"{option} = {shown(text)}: taken as {value:.6g} rad, {whole} and "
         f"{math.degrees(rest):.4g} deg; for degrees write {shown(text.strip())}deg"
     )
-    try:
-        print(line, file=sys.stderr, flush=True)
-    except (OSError, ValueError):
-        # There is nobody to read it.
-        return
 
 
 NUMBERS = Dimension("plain numbers", {"": ONE}, {})
@@ -245,8 +258,13 @@ def split(option: str, text: str, dimension: Dimension) -> tuple[str, Decimal]:
     if NOT_FINITE.match(bare):
         raise refusal(option, text, "must be a finite number")
     first = next(iter(dimension.units))
+    if number is None and dimension is NUMBERS:
+        raise refusal(option, text, "is not a number; numbers look like 1.5 or 2e-3")
     if number is None:
-        raise refusal(option, text, f"is not a number with a unit; {dimension.plural} look like 1.5 or 1.5{first}")
+        hint = "; pi is 180deg or 0.5turn" if dimension is ANGLE and PI_NAMED.search(bare) else ""
+        raise refusal(
+            option, text, f"is not a number with a unit; {dimension.plural} look like 1.5 or 1.5{first}{hint}"
+        )
     factor = dimension.factor(unit) if unit else ONE
     if factor is None:
         raise unknown_unit(option, text, unit, dimension)
@@ -258,7 +276,7 @@ def unknown_unit(option: str, text: str, unit: str, dimension: Dimension) -> Ref
     meant = next((each for each in dimension.units if each and each.lower() == unit.lower()), None)
     hint = f"; did you mean {meant}?" if meant else ""
     if dimension is ANGLE:
-        hint = DOUBTFUL.get(unit, hint)
+        hint = INSTEAD.get(unit.lower(), "; pi is 180deg or 0.5turn" if PI_NAMED.search(unit) else hint)
     takes = ", ".join(dimension.units)
     return refusal(option, text, f"unknown unit {quoted(unit)}; {dimension.plural} take {takes}{hint}")
 

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, BinaryIO
 
 import click
 
-from libration.cli.files import STANDARD_OUTPUT, staged, staged_table
+from libration.cli.files import staged, staged_table
 from libration.cli.help import Topic
 from libration.cli.offers import files, units
-from libration.cli.parser import Flag, Refusal, Value, quoted, refusal, shown
+from libration.cli.parser import Refusal, Value, quoted, refusal, shown
 from libration.cli.picture import PICTURES, PictureOptions, picture_options
 from libration.cli.quantities import TIME
+from libration.cli.results import OutOptions, check_printed, out_options
 from libration.cli.style import PLAIN, NumberStyle, StyleOptions, style_options
 from libration.cli.times import even_times, file_times
 
@@ -34,10 +35,9 @@ decimal commas, need a header or --column. The unit is that of the header, as in
 )
 
 
-class ResultOptions(StyleOptions, PictureOptions):
+class ResultOptions(StyleOptions, OutOptions, PictureOptions):
     """The options of the files and the summary, as typed."""
 
-    json: bool
     # The file of the instants; None for a command without that option.
     times: str | None = None
 
@@ -69,10 +69,8 @@ def instant_options() -> list[Value]:
 
 def result_options(columns: str, curve: str) -> list[click.Option]:
     """The options of the files and the summary; `columns` and `curve` say what is written and drawn."""
-    group = "the results"
     return [
-        Value("--out", "FILE", f"write {columns} to a .csv, .npz or .json file, - to print them", group, offered=files),
-        Flag("--json", "print the summary as one JSON object", group),
+        *out_options(columns, "them", "print the summary as one JSON object"),
         *style_options("15"),
         *picture_options(curve),
     ]
@@ -89,11 +87,6 @@ def targets(options: ResultOptions, keep: Sequence[str] = ()) -> Iterator[tuple[
         if options.plot is not None:
             plot = stack.enter_context(staged("--plot", options.plot, PICTURES, keep=keep))
         yield table, plot
-
-
-def written(options: ResultOptions) -> list[str]:
-    """The files that were asked for."""
-    return [path for path in (options.out, options.plot) if path not in (None, STANDARD_OUTPUT)]
 
 
 def sampled(times: "Floats", source: str | None, style: NumberStyle = PLAIN) -> str:
@@ -127,8 +120,7 @@ def check_instants(options: InstantOptions) -> None:
 
 def check_targets(options: ResultOptions) -> None:
     """Refuse one file under two names: the second would replace the first; and two things on the standard output."""
-    if options.out == STANDARD_OUTPUT and options.json:
-        raise Refusal("--out = - and --json: both print on the standard output; give one of the two")
+    check_printed(options)
     if options.out is None or options.plot is None or "\0" in options.out + options.plot:
         return
     if os.path.realpath(options.out) == os.path.realpath(options.plot):

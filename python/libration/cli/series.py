@@ -2,11 +2,13 @@
 
 import math
 import os
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from libration.cli.parser import refusal
+from libration.cli.parser import refusal, shown
 from libration.cli.quantities import ANGLE
+from libration.cli.streams import note
 from libration.cli.times import INSTANTS, ColumnKind, TextFile, file_column
 
 if TYPE_CHECKING:
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
 
 # A name that ends so is a file.
 ENDINGS = (".csv", ".txt", ".tsv", ".dat")
+# In the name of a column, what stands before or in a unit.
+WITH_UNIT = re.compile(r"[\[(_]|rad")
 ANGLES = ColumnKind("angles", ("theta", "angle", "\N{GREEK SMALL LETTER THETA}"), 1, ANGLE)
 
 
@@ -32,14 +36,16 @@ class Series:
 
     formula: SeriesName
     pendulum: "Pendulum"
-    t: "Floats"
+    instants: "Floats"
     given: "Floats"
 
     def difference(self, t: "Floats") -> "Floats":
         """The series minus the exact angle: at its instants as it is, between them interpolated, NaN outside."""
         import numpy as np
 
-        found: Floats = np.interp(t, self.t, self.given - self.pendulum.theta(self.t), left=np.nan, right=np.nan)
+        found: Floats = np.interp(
+            t, self.instants, self.given - self.pendulum.theta(self.instants), left=np.nan, right=np.nan
+        )
         return found
 
     def theta(self, t: "Floats") -> "Floats":
@@ -54,11 +60,11 @@ class Series:
         from libration.approx._angle import AngleError
 
         last = periods * self.pendulum.period
-        inside = (self.t >= 0) & (self.t <= last)
-        undefined = math.nan if self.t[-1] >= last * (1 - 1e-12) else float(self.t[-1])
+        inside = (self.instants >= 0) & (self.instants <= last)
+        undefined = math.nan if self.instants[-1] >= last * (1 - 1e-12) else float(self.instants[-1])
         if not inside.any():
             return AngleError(math.nan, math.nan, math.nan, undefined)
-        t = self.t[inside]
+        t = self.instants[inside]
         size = np.abs(self.given[inside] - self.pendulum.theta(t))
         where = int(np.argmax(size))
         return AngleError(float(size[where]), float(size[where]) / self.pendulum.theta_max, float(t[where]), undefined)
@@ -74,9 +80,14 @@ def series(path: str, motion: "Pendulum") -> Series:
     import numpy as np
 
     file = TextFile("--with", path)
-    (t, _), (theta, _) = file_column(file, None, INSTANTS), file_column(file, None, ANGLES)
+    (t, _), (theta, name) = file_column(file, None, INSTANTS), file_column(file, None, ANGLES)
     back = np.flatnonzero(np.diff(t) <= 0)
     if back.size:
         first = int(back[0])
         raise refusal("--with", path, f"instants must rise, and {t[first + 1]:g} s follows {t[first]:g} s")
+    largest = float(np.abs(theta).max())
+    if motion.regime == "libration" and largest > math.tau and not WITH_UNIT.search(name):
+        note(
+            f"--with = {shown(path)}: angles up to {largest:.4g} are taken as rad; for degrees the header says theta [deg]"
+        )
     return Series(SeriesName(path), motion, t, theta)

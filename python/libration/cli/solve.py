@@ -10,6 +10,7 @@ from libration.cli.help import Topic
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
 from libration.cli.parser import Refusal, command
 from libration.cli.picture import check_plot, draw, picture_look
+from libration.cli.results import written
 from libration.cli.sampling import (
     FILES,
     InstantOptions,
@@ -22,7 +23,6 @@ from libration.cli.sampling import (
     sampled,
     targets,
     valueless,
-    written,
 )
 from libration.cli.state import UNITS, StateOptions, pendulum, state, state_options
 from libration.cli.style import NumberStyle, number_style
@@ -78,7 +78,7 @@ def run(options: SolveOptions) -> None:
             from libration.plot import plot_motion
 
             draw(plot_motion, motion, times, plot, options.plot, look)
-    files = written(options)
+    files = written(options.out, options.plot)
     if options.json:
         answer = keyed(given_parameters(given, motion) + found_parameters(motion))
         answer |= {"samples": len(times), "samples_nan": nans(columns[1][2])}
@@ -117,11 +117,10 @@ def motion_columns(motion: "Pendulum", times: "Floats") -> tuple[list[Column], f
 
 def summary(motion: "Pendulum", style: NumberStyle) -> list[tuple[str, str]]:
     """What the motion is, for people."""
-    regime = str(motion.regime)
     return [
-        ("regime", regime),
-        ("period", period_text(regime, motion.period, style)),
-        ("turning angle", angle_text(regime, motion.theta_max, style)),
+        ("regime", str(motion.regime)),
+        ("period", period_text(motion, style)),
+        ("turning angle", angle_text(motion, style)),
         ("energy", f"{digits(motion.energy, style)} rad^2/s^2 per unit inertia, 0 at the bottom"),
         ("energy ratio", digits(motion.energy_ratio, style)),
         ("1 - energy ratio", digits(motion.energy_ratio_c, style)),
@@ -142,7 +141,7 @@ COMMAND = command(
     SolveOptions,
     short="angle and velocity at many instants, as a table and as a plot",
     parameters=[
-        *state_options("(this or --omega0 is required)"),
+        *state_options("(this, --omega0 or --omega2 is required)"),
         *instant_options(),
         *result_options("t, theta, velocity and theta_linear", "theta(t) and the phase portrait"),
     ],

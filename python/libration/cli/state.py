@@ -49,8 +49,8 @@ UNITS = Topic(
         ("omega2", unit_list(OMEGA2)),
     ),
     """\
-A number without a unit is in the first: 3 is 3 rad. Write 25cm, "25 cm" or 2.5e-1m. The value is rounded to a double
-only once: 180deg is the double nearest to pi.""",
+A number without a unit is in the first: 3 is 3 rad. Write 25cm, "25 cm", 2.5e-1m or 0,25m, and 150deg or 150°. The
+value is rounded to a double only once: 180deg is the double nearest to pi.""",
 )
 
 

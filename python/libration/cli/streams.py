@@ -67,12 +67,17 @@ def occupy() -> None:
 
 def refused(prog: str, reason: str, code: int = 2) -> int:
     """One line on the standard error, if there is one, and the exit code."""
+    note(reason, prog)
+    return code
+
+
+def note(text: str, prog: str = "libration") -> None:
+    """One line on the standard error, if there is one."""
     if sys.stderr is not None:
         try:
-            print(f"{prog}: {' '.join(reason.split())}", file=sys.stderr, flush=True)
+            print(f"{prog}: {' '.join(text.split())}", file=sys.stderr, flush=True)
         except (OSError, ValueError):
             drop(sys.stderr)
-    return code
 
 
 def drop(stream: TextIO) -> None:

@@ -3,8 +3,12 @@
 import math
 import shutil
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from libration.cli.style import PLAIN, NumberStyle
+
+if TYPE_CHECKING:
+    from libration import Pendulum
 
 
 def print_lines(pairs: Sequence[tuple[str, str]]) -> None:
@@ -41,17 +45,20 @@ def digits(value: float, style: NumberStyle = PLAIN) -> str:
     return style.shown(value, 15)
 
 
-def period_text(regime: str, period: float, style: NumberStyle = PLAIN) -> str:
+def period_text(motion: "Pendulum", style: NumberStyle) -> str:
     """The period in words."""
-    if math.isinf(period):
+    if math.isinf(motion.period):
         return "infinite"
-    meaning = {"rest": " (of small swings)", "rotation": " (one turn)"}.get(regime, "")
-    return f"{digits(period, style)} s{meaning}"
+    meaning = {"rest": " (of small swings)", "rotation": " (one turn)"}.get(str(motion.regime), "")
+    return f"{digits(motion.period, style)} s{meaning}"
 
 
-def angle_text(regime: str, theta_max: float, style: NumberStyle = PLAIN) -> str:
+def angle_text(motion: "Pendulum", style: NumberStyle) -> str:
     """The turning angle in radians and degrees."""
-    if math.isnan(theta_max):
+    if math.isnan(motion.theta_max):
         return "none, it turns over the top"
-    reached = " (approached, never reached)" if regime == "separatrix" else ""
-    return f"{digits(theta_max, style)} rad = {style.shown(math.degrees(theta_max), 8)} deg{reached}"
+    reached = " (approached, never reached)" if motion.regime == "separatrix" else ""
+    # Below 0 all other angles are counted from the top.
+    bottom = " from the bottom" if motion.omega2 < 0 else ""
+    shown = style.shown(math.degrees(motion.theta_max), 8)
+    return f"{digits(motion.theta_max, style)} rad = {shown} deg{bottom}{reached}"

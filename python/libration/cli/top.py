@@ -52,10 +52,19 @@ class Commands(Command, click.Group):
         found = self.commands.get(word)
         if found is None and not ctx.resilient_parsing:
             if word.startswith("-"):
-                raise Refusal(unknown(ctx, word))
-            hint = nearest(word, COMMANDS, "see libration --help")
+                raise Refusal(self.misplaced(ctx, word))
+            asked = word.lower() in ("help", "version")
+            hint = f"did you mean --{word.lower()}?" if asked else nearest(word, COMMANDS, "see libration --help")
             raise Refusal(f"unknown command {quoted(word)}: commands are {', '.join(COMMANDS)}; {hint}")
         return word if found else None, found, args[1:]
+
+    def misplaced(self, ctx: click.Context, word: str) -> str:
+        """The refusal of an option that stands before the command, or is none."""
+        name = word.split("=", 1)[0]
+        having = [each for each, made in self.commands.items() if any(name in option.opts for option in made.params)]
+        if not having:
+            return unknown(ctx, word)
+        return f"option {quoted(name)} stands after a command, one of {', '.join(having)}; see libration --help"
 
 
 def print_version(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .._scalars import shown
 from ._style import MISSING, legend, quiet
 
 if TYPE_CHECKING:
@@ -17,7 +18,9 @@ def given_or_new(ax: Any, size: tuple[float, float] = (6.4, 4.2)) -> tuple[Axes,
     """
     if ax is not None:
         if not hasattr(ax, "transAxes"):
-            raise ValueError(f"ax = {ax!r}: must be Axes of matplotlib, or None for a new figure")
+            raise ValueError(f"ax = {shown(ax)}: must be Axes of matplotlib, or None for a new figure")
+        if ax.name != "rectilinear":
+            raise ValueError(f"ax = {shown(ax)}: must be plain Axes, with x and y; its projection is {ax.name}")
         return ax, False
     try:
         from matplotlib import pyplot

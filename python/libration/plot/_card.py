@@ -61,7 +61,9 @@ def facts(pendulum: Constants) -> list[str]:
         "rest": f"small swings would take {number(pendulum.period)} s" if pendulum.omega0 else "no force",
         "libration": f"period {number(pendulum.period)} s",
         "separatrix": "period infinite: the top is approached and never reached",
-        "rotation": f"one turn in {number(pendulum.period)} s",
+        "rotation": f"one turn in {number(pendulum.period)} s"
+        if math.isfinite(pendulum.period)
+        else "one turn takes more than 1.8×10³⁰⁸ s",
     }[regime]
     if regime == "separatrix" and pendulum.velocity0 == 0:
         told = "balanced at the top"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._scalars import shown
 from ._axes import given_or_new, named, once
 from ._language import ENGLISH, Language
 from ._style import (
@@ -42,6 +43,8 @@ STYLES = (
     (SKY, (0, (2, 2))),
 )
 INSTANTS = 2000
+# The dots of a longer series are small.
+MANY_DOTS = 150
 # More periods than this would be a solid band: the first are drawn.
 SHOWN_PERIODS = 12
 
@@ -99,6 +102,10 @@ def plot_comparison(
     b'PNG'
     """
     say = Language(lang)
+    if not all(isinstance(each, tuple | list) and len(each) == 2 for each in solutions):
+        raise ValueError(
+            f"solutions = {shown(solutions)}: must be pairs of name and solution; approx.compare takes names"
+        )
 
     def draw(figure: Any) -> None:
         draw_comparison(figure, pendulum, solutions, periods, say)
@@ -165,6 +172,24 @@ def grid(pendulum: Any, periods: float) -> tuple[np.ndarray, np.ndarray]:
     return part, part * pendulum.period
 
 
+def places(solution: Any, pendulum: Any, periods: float, dash: Any) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
+    """Where a solution is drawn, in periods and in s, and how: a formula as a line, a series of the user as its dots."""
+    part, t = grid(pendulum, periods)
+    if not hasattr(solution, "instants"):
+        return part, t, {"ls": dash, "lw": 1.6}
+    own = solution.instants[(solution.instants >= 0) & (solution.instants <= t[-1])]
+    return own / pendulum.period, own, {"ls": "none", "marker": "o", "ms": 3.5 if own.size <= MANY_DOTS else 1.5}
+
+
+def difference(solution: Any, pendulum: Any, t: np.ndarray) -> np.ndarray:
+    """A solution minus the exact angle; the approximations know it beyond the rounding of the angle."""
+    if hasattr(solution, "difference"):
+        found: np.ndarray = solution.difference(t)
+        return found
+    found = solution.theta(t) - pendulum.theta(t)
+    return found
+
+
 def draw_angles(axes: Any, pendulum: Any, solutions: Any, periods: float, say: Language) -> None:
     """The exact angle and those of the approximations; hatched where one is undefined."""
     part, t = grid(pendulum, periods)
@@ -173,9 +198,10 @@ def draw_angles(axes: Any, pendulum: Any, solutions: Any, periods: float, say: L
     gaps = 0
     for number_of, (name, solution) in enumerate(solutions):
         color, dash = look(STYLES, number_of)
-        theta = solution.theta(t)
-        axes.plot(part, theta, color=color, ls=dash, lw=1.6, label=name)
-        if np.isnan(theta).any():
+        x, instants, style = places(solution, pendulum, periods, dash)
+        theta = solution.theta(instants)
+        axes.plot(x, theta, color=color, label=name, **style)
+        if x is part and np.isnan(theta).any():
             hatch(axes, part, np.isnan(theta), color, gaps)
             gaps += 1
     # What runs away leaves the picture, so that the others can be told apart.
@@ -188,19 +214,20 @@ def draw_angles(axes: Any, pendulum: Any, solutions: Any, periods: float, say: L
 def draw_errors(axes: Any, pendulum: Any, solutions: Any, periods: float, say: Language) -> None:
     """The errors; their size on a logarithmic axis where they span decades."""
     part, t = grid(pendulum, periods)
-    exact = pendulum.theta(t)
     swings = math.isfinite(pendulum.theta_max)
     unit = 100 / pendulum.theta_max if swings else 1.0
-    # The approximations know their error beyond the rounding of the angle.
-    errors = [
-        unit * (solution.difference(t) if hasattr(solution, "difference") else solution.theta(t) - exact)
-        for _, solution in solutions
+    drawn = [
+        places(solution, pendulum, periods, look(STYLES, number_of)[1])
+        for number_of, (_, solution) in enumerate(solutions)
     ]
-    room = 0.5 * unit * np.ptp(exact)
+    errors = [
+        unit * difference(solution, pendulum, at) for (_, solution), (_, at, _) in zip(solutions, drawn, strict=True)
+    ]
+    room = 0.5 * unit * np.ptp(pendulum.theta(t))
     decades = spans_decades(errors, 2 * room)
-    for number_of, ((name, _), error) in enumerate(zip(solutions, errors, strict=True)):
-        color, dash = look(STYLES, number_of)
-        axes.plot(part, sizes(error) if decades else error, color=color, ls=dash, lw=1.6, label=name)
+    for number_of, ((name, _), (x, _, style), error) in enumerate(zip(solutions, drawn, errors, strict=True)):
+        color, _ = look(STYLES, number_of)
+        axes.plot(x, sizes(error) if decades else error, color=color, label=name, **style)
     percent = "error [% of θmax]" if swings else "error [rad]"
     if decades:
         logarithmic(axes, errors, 2 * room)
@@ -219,7 +246,7 @@ def abscissa(pendulum: Any, solutions: Any, periods: float, say: Language) -> st
     if part[-1] < periods:
         words = "{axis}, the first {shown} of {all} periods"
         text = say.word(words, axis=text, shown=say.number(part[-1]), all=say.number(periods))
-    if any(np.isnan(solution.theta(t)).any() for _, solution in solutions):
+    if any(np.isnan(solution.theta(t)).any() for _, solution in solutions if not hasattr(solution, "instants")):
         text = say.word("{axis}; hatched: undefined", axis=text)
     return text
 

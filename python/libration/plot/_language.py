@@ -6,6 +6,7 @@ import functools
 from dataclasses import dataclass
 from typing import Any
 
+from .._languages import LANGUAGES, known_language
 from .._number_text import number_text
 
 # English: Portuguese, Spanish. Names of formulas and symbols are the same in all.
@@ -84,7 +85,6 @@ CATALOGUE = {
     "homoclinic": ("homoclínica", "homoclínica"),
     "heteroclinic": ("heteroclínica", "heteroclínica"),
 }
-LANGUAGES = ("en", "pt-BR", "es")
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class Language:
     Parameters
     ----------
     name : str
-        `en`, `pt-BR` or `es`.
+        `en`, `pt-BR` or `es`, in any letters; `pt` too.
 
     Raises
     ------
@@ -112,8 +112,10 @@ class Language:
     name: str
 
     def __post_init__(self) -> None:
-        if self.name not in LANGUAGES:
+        known = known_language(self.name)
+        if known is None:
             raise ValueError(f"lang = {self.name!r}: must be en, pt-BR or es")
+        object.__setattr__(self, "name", known)
 
     @property
     def comma(self) -> bool:

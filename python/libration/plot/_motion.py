@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from .._scalars import shown
 from ..pendulum import Pendulum
 from ._angle import degrees_text, draw_angle, state_text
 from ._language import ENGLISH, Language
@@ -63,6 +64,8 @@ def plot_motion(
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
+    if not hasattr(pendulum, "theta0"):
+        raise ValueError(f"pendulum = {shown(pendulum)}: must be a Pendulum")
     t, say = finite(t), Language(lang)
     panels = (lambda axes: draw_angle(axes, pendulum, t, say)), (lambda axes: draw_portrait(axes, pendulum, t, say))
     save(path, form, headline(pendulum, say) if title is None else title, *panels, dpi=dpi)

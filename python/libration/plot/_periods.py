@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._scalars import real
 from ..approx import PeriodFormula, period
 from ..approx._period import listed
 from ._axes import given_or_new, named
@@ -61,6 +62,8 @@ ANGLES = 1200
 # A double shows no smaller error of a ratio.
 LEAST = 1e-16
 HIGHEST = 4.0
+# Degrees between two marks whose names stand in a line, and from where on a name is left of its mark.
+APART, HALF = 24, 90
 # Degrees that a letter of a name takes on the axis of a panel.
 WIDTH = 4.4
 TURNING, RATIO = r"$\theta_\mathrm{max}$", r"$T / T_0$"
@@ -99,7 +102,7 @@ def plot_period(
     ImportError
         If matplotlib is missing.
     ValueError
-        If a formula is not known, or `ax` or `lang` is none of those.
+        If a formula is not known, a turning angle is not from 0 to pi, or `ax` or `lang` is none of those.
 
     Examples
     --------
@@ -157,7 +160,7 @@ def plot_periods(
     ImportError
         If matplotlib is missing.
     ValueError
-        If `dpi` or `lang` is none of those.
+        If a turning angle is not from 0 to pi, `title` is too long, or `dpi` or `lang` is none of those.
 
     Examples
     --------
@@ -257,14 +260,33 @@ def curve(name: str, *, error: bool) -> np.ndarray:
 
 def mark(axes: Any, theta_max: Any, say: Language | None = None) -> None:
     """Turning angles, marked; with a language, each with its degrees at the top."""
-    angles = [] if theta_max is None else np.degrees(np.atleast_1d(np.asarray(theta_max, dtype=float)))
-    for degrees in angles:
+    near = {"textcoords": "offset points", "va": "top", "fontsize": "small", "color": "#555555", "zorder": 4}
+    last, row = -math.inf, 0
+    for degrees in turning_degrees(theta_max):
         axes.axvline(degrees, color=LINEAR, lw=1, ls=(0, (2, 2)), zorder=1.7)
         if say:
-            near = {"textcoords": "offset points", "ha": "right", "va": "top", "fontsize": "small", "color": "#555555"}
+            # A line below where the angle before is too near.
+            row, last = (row + 1 if degrees - last < APART else 0), degrees
+            side, offset = ("left", 3) if degrees < HALF else ("right", -3)
             axes.annotate(
-                f"{say.number(degrees, 4)}°", (degrees, 1.0), (-3, -2), xycoords=axes.get_xaxis_transform(), **near
+                f"{say.number(degrees, 4)}°",
+                (degrees, 1.0),
+                (offset, -2 - 12 * row),
+                xycoords=axes.get_xaxis_transform(),
+                ha=side,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.85},
+                **near,
             )
+
+
+def turning_degrees(theta_max: Any) -> list[float]:
+    """Turning angles in rad, one or several, as rising degrees."""
+    given = [] if theta_max is None else theta_max if np.ndim(theta_max) else [theta_max]
+    angles = [real("theta_max", each) for each in given]
+    for angle in angles:
+        if not 0 <= angle <= math.pi:
+            raise ValueError(f"theta_max = {angle!r}: must be from 0 to pi")
+    return sorted({math.degrees(angle) for angle in angles})
 
 
 def label_curves(axes: Any) -> None:

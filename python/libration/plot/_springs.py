@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from .._scalars import shown
 from ..oscillator._oscillator import Oscillator
 from ._axes import named
 from ._language import ENGLISH, Language
@@ -64,6 +65,8 @@ def plot_oscillator(
     >>> picture.getvalue()[1:4]
     b'PNG'
     """
+    if not hasattr(oscillator, "u0"):
+        raise ValueError(f"oscillator = {shown(oscillator)}: must be a Duffing or a CubicQuintic")
     t, say = finite(t), Language(lang)
     panels = (
         lambda axes: draw_displacement(axes, oscillator, t, say),

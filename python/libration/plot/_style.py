@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from .._advice import advice, element_kind
+from .._scalars import real, shown
 from ._language import ENGLISH, Language
 
 BLACK = "#1a1a1a"
@@ -29,20 +31,32 @@ FONTS = ("DejaVu Sans", "Verdana", "Segoe UI", "Roboto", "Helvetica Neue", "Aria
 WIDE, DECADES = 50.0, 2.0
 # In points: the first of them in which the title fits into a line.
 TITLE_SIZES = (13, 12, 11, 10)
+# Of the height of a picture.
+MOST_TITLE = 0.25
+FORMS = ("png", "svg")
 LEAST_DPI, MOST_DPI = 20, 1200
 MISSING = "a picture needs matplotlib: pip install 'libration[plot]'"
 # Of more than MANY swings or turns, only the first SHOWN are drawn over t.
 MANY, SHOWN = 60, 20
+# Of a legend.
+COLUMNS = 4
 # Instants are drawn as dots up to this number.
 FEW = 60
 
 
 def finite(t: Any) -> np.ndarray:
     """The finite instants among those given, at least one."""
-    given = np.asarray(t, dtype=float).ravel()
+    if hasattr(t, "transAxes"):
+        raise TypeError(f"t = {shown(t)}: must be instants; axes are given by ax=")
+    try:
+        if element_kind(t) in ("M", "m", "c"):
+            raise TypeError
+        given = np.asarray(t, dtype=float).ravel()
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"t = {shown(t)}: must be real numbers{advice('t', t)}") from None
     instants: np.ndarray = given[np.isfinite(given)]
     if not instants.size:
-        raise ValueError("t = []: at least one finite instant is needed for a picture")
+        raise ValueError(f"t = {shown(t)}: at least one finite instant is needed for a picture")
     return instants
 
 
@@ -60,19 +74,29 @@ def save(path: Any, form: str | None, title: str, left: Any, right: Any, *, dpi:
 
 def head(figure: Any, title: str) -> None:
     """The line above a picture; a title too long for one line is smaller, then broken."""
+    if not isinstance(title, str) or not title.replace("\n", " ").isprintable():
+        raise ValueError(f"title = {shown(title)}: must be text that can be printed")
     if not title:
         return
     room = 0.976 * figure.bbox.width
     text = figure.suptitle(title, x=0.012, ha="left")
-    for size in TITLE_SIZES:
-        text.set_fontsize(size)
-        wide = text.get_window_extent().width
-        if wide <= room:
-            return
+    try:
+        for size in TITLE_SIZES:
+            text.set_fontsize(size)
+            wide = text.get_window_extent().width
+            if wide <= room:
+                break
+    except ValueError as error:
+        # matplotlib repeats the title above its reason.
+        raise ValueError(
+            f"title = {shown(title)}: has a formula that is wrong: {str(error).splitlines()[-1]}"
+        ) from None
     # A formula is not broken.
-    if "$" not in title:
+    if wide > room and "$" not in title:
         characters = int(0.95 * room / wide * max(map(len, title.splitlines())))
         text.set_text("\n".join(textwrap.fill(line, characters) for line in title.splitlines()))
+    if text.get_window_extent().height > MOST_TITLE * figure.bbox.height:
+        raise ValueError(f"title = {shown(title)}: is too long for the picture")
 
 
 def save_figure(
@@ -83,8 +107,10 @@ def save_figure(
     `files` are paths or binary files by form; without one (None) the ending of the path says it. `told` is what a file
     says of itself.
     """
-    if not LEAST_DPI <= dpi <= MOST_DPI:
+    if not LEAST_DPI <= real("dpi", dpi) <= MOST_DPI:
         raise ValueError(f"dpi = {dpi!r}: must be from {LEAST_DPI} to {MOST_DPI}")
+    for form, file in files.items():
+        check_form(file, form)
     try:
         from matplotlib import rc_context, rcParamsDefault
         from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -104,6 +130,15 @@ def save_figure(
             draw(figure)
             for form, file in files.items():
                 save_as(figure, file, form, told or {})
+
+
+def check_form(file: Any, form: str | None) -> None:
+    """Refuse what is neither PNG nor SVG; a binary file without a form is PNG."""
+    if form is not None:
+        if form not in FORMS:
+            raise ValueError(f"form = {form!r}: must be png or svg")
+    elif not hasattr(file, "write") and not str(file).lower().endswith(tuple(f".{each}" for each in FORMS)):
+        raise ValueError(f"path = {shown(file)}: must end in .png or .svg, or form= must be one of them")
 
 
 def save_as(figure: Any, file: Any, form: str | None, told: dict[str, str]) -> None:
@@ -186,11 +221,16 @@ def quiet(axes: Any) -> None:
 
 
 def legend(axes: Any) -> None:
-    """One line above the panel, clear of every curve."""
+    """One line above the panel, clear of every curve; of more than four names the others stand below the first."""
+    handles, labels = axes.get_legend_handles_labels()
+    # matplotlib fills the columns one after the other.
+    order = [place for column in range(COLUMNS) for place in range(column, len(labels), COLUMNS)]
     axes.legend(
+        [handles[place] for place in order],
+        [labels[place] for place in order],
         loc="lower right",
         bbox_to_anchor=(1.01, 1.0),
-        ncols=4,
+        ncols=COLUMNS,
         frameon=False,
         fontsize=9.5,
         handlelength=1.6,
