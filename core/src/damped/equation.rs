@@ -1,0 +1,205 @@
+//! The equation of motion in its own unit of time: a power of two of a second in which no rate is much above 1, so nothing
+//! leaves the range of the doubles. Time may run backward: `sense` is -1 there, and friction drives.
+//!
+//! v' = -omega2 s - linear v - quadratic |v| v - dry sgn v (1 - u) + torque, with s, c = sin, cos theta;
+//! u = 1 - z sgn v is what presliding leaves out of dry friction, u' = -|v| u/presliding (friction.rs).
+
+use super::circular::circular;
+use super::friction::Friction;
+use super::jet::{LONG, ORDER, Piece};
+use super::torque::{Samples, Torque};
+use crate::float::Dd;
+use crate::float::exponent::{exponent, ldexp};
+use crate::pendulum::Frequency;
+use std::sync::Arc;
+
+/// All constants, in the unit of time 2^-power s, for one sense of time.
+#[derive(Clone, Debug)]
+pub(super) struct Equation {
+    /// Rates are divided by 2^power.
+    pub power: i32,
+    /// 1, or -1 where time runs backward.
+    pub sense: f64,
+    pub omega2: Dd,
+    /// 2 gamma, beta and mu, each times the sense.
+    pub linear: f64,
+    pub quadratic: f64,
+    pub dry: f64,
+    /// In rad; 0 where friction changes sign at once.
+    pub presliding: f64,
+    pub constant: f64,
+    pub amplitude: f64,
+    pub frequency: f64,
+    pub phase: f64,
+    samples: Option<Arc<Samples>>,
+}
+
+/// The Taylor coefficients of the torque at a time, and of what it is made of.
+pub(super) struct TorqueJet {
+    /// Of the torque, the first in double-double.
+    pub hi: [f64; ORDER],
+    pub lo: [f64; LONG],
+}
+
+impl Equation {
+    pub fn new(
+        velocity0: f64,
+        frequency: Frequency,
+        friction: Friction,
+        torque: &Torque,
+        sense: f64,
+    ) -> Equation {
+        let root = frequency.root();
+        let half = |value: f64| if value == 0.0 { i32::MIN } else { (exponent(value) + 1).div_euclid(2) };
+        let whole = |value: f64| if value == 0.0 { i32::MIN } else { exponent(value) };
+        let power = [
+            root.map_or(i32::MIN, |(_, power)| power),
+            whole(velocity0),
+            whole(friction.linear()),
+            half(friction.dry()),
+            half(torque.constant()),
+            half(torque.amplitude()),
+            half(torque.samples.as_ref().map_or(0.0, |samples| samples.largest())),
+        ]
+        .into_iter()
+        .max()
+        .filter(|power| *power != i32::MIN)
+        .unwrap_or(0);
+        let omega2 = match root {
+            Some((root, own)) => {
+                let square = root.square().to_dd().ldexp(2 * (own - power));
+                if frequency.upside_down() { -square } else { square }
+            }
+            None => Dd::ZERO,
+        };
+        Equation {
+            power,
+            sense,
+            omega2,
+            linear: 2.0 * sense * ldexp(friction.linear(), -power),
+            quadratic: sense * friction.quadratic(),
+            dry: sense * ldexp(friction.dry(), -2 * power),
+            presliding: friction.presliding(),
+            constant: ldexp(torque.constant(), -2 * power),
+            amplitude: ldexp(torque.amplitude(), -2 * power),
+            frequency: sense * ldexp(torque.frequency(), -power),
+            phase: torque.phase(),
+            samples: torque.samples.clone(),
+        }
+    }
+
+    /// A time in the unit and sense of the equation, exactly.
+    pub fn time(&self, seconds: f64) -> f64 {
+        self.sense * ldexp(seconds, self.power)
+    }
+    /// A time in s.
+    pub fn seconds(&self, time: f64) -> f64 {
+        ldexp(self.sense * time, -self.power)
+    }
+
+    /// Sine and cosine of the phase of the sinusoid.
+    pub fn sinusoid(&self, time: Dd) -> (Dd, Dd) {
+        circular(time * self.frequency + Dd::from(self.phase))
+    }
+
+    /// The torque's coefficients at a time; those of samples of the piece that lies ahead.
+    pub fn torque(&self, time: Dd) -> TorqueJet {
+        let mut jet = TorqueJet { hi: [0.0; ORDER], lo: [0.0; LONG] };
+        jet.hi[0] = self.constant;
+        if self.amplitude != 0.0 {
+            let (sine, cosine) = self.sinusoid(time);
+            let mut factor = Dd::from(self.amplitude);
+            // cos, -sin, -cos, sin, ... times frequency^k/k!
+            let turns = [cosine, -sine, -cosine, sine];
+            for k in 0..ORDER {
+                jet.add(k, turns[k % 4] * factor);
+                factor = factor * self.frequency * INVERSE[k + 1];
+            }
+        }
+        if let Some(samples) = &self.samples {
+            let at = time.scale(self.sense).ldexp(-self.power);
+            let i = self.piece(samples, at.value());
+            let since = at - Dd::from(samples.times[i]);
+            let [a, b, c, d] = samples.pieces[i];
+            let shifted = [
+                a + since * (b + since * (c + since * d)),
+                b + since * (c.scale(2.0) + since * d * 3.0),
+                c + since * d * 3.0,
+                d,
+            ];
+            let mut sign = 1.0;
+            for (k, value) in shifted.into_iter().enumerate() {
+                jet.add(k, value.scale(sign).ldexp(-(k as i32 + 2) * self.power));
+                sign *= self.sense;
+            }
+        }
+        jet
+    }
+
+    /// Where the polynomial of the samples at `time` ends; infinite without samples.
+    pub fn next_knot(&self, time: Dd) -> f64 {
+        let Some(samples) = &self.samples else { return f64::INFINITY };
+        let i = self.piece(samples, self.seconds(time.value()));
+        let forward = self.sense > 0.0;
+        self.time(if forward { samples.times[i + 1] } else { samples.times[i] })
+    }
+
+    /// The piece of samples that lies ahead of a time in s.
+    fn piece(&self, samples: &Samples, seconds: f64) -> usize {
+        if self.sense > 0.0 { samples.piece_from(seconds) } else { samples.piece_to(seconds) }
+    }
+
+    /// Torque and gravity, without friction.
+    pub fn pull(&self, time: Dd, sine: Dd) -> Dd {
+        let torque = self.torque(time);
+        Dd::new(torque.hi[0], torque.lo[0]) - self.omega2 * sine
+    }
+
+    /// The constants of the piece on which the velocity has this side.
+    pub fn piece_of(&self, side: f64, settled: bool) -> Piece {
+        Piece {
+            omega2: self.omega2,
+            linear: self.linear,
+            quadratic: side * self.quadratic,
+            dry: side * self.dry,
+            slip: if settled { 0.0 } else { side / self.presliding },
+        }
+    }
+}
+
+impl TorqueJet {
+    fn add(&mut self, k: usize, value: Dd) {
+        if k < LONG {
+            let sum = Dd::new(self.hi[k], self.lo[k]) + value;
+            (self.hi[k], self.lo[k]) = (sum.hi, sum.lo);
+        } else {
+            self.hi[k] += value.value();
+        }
+    }
+}
+
+/// 1/k in double-double, 0 for k = 0.
+pub(super) const INVERSE: [Dd; ORDER + 2] = inverses();
+
+const fn inverses() -> [Dd; ORDER + 2] {
+    let mut all = [Dd::ZERO; ORDER + 2];
+    let mut k = 1;
+    while k < ORDER + 2 {
+        let whole = k as f64;
+        let hi = 1.0 / whole;
+        // hi = n/2^s exactly: the rest 1 - k hi fits into 2^-52, and its exact value is formed in integers.
+        let bits = hi.to_bits();
+        let mantissa = ((bits & ((1 << 52) - 1)) | (1 << 52)) as i128;
+        let scale = 1075 - (bits >> 52) as u32;
+        let rest = (1i128 << scale) - mantissa * k as i128;
+        let mut lo = rest as f64 / whole;
+        let mut left = scale;
+        while left > 0 {
+            lo *= 0.5;
+            left -= 1;
+        }
+        all[k] = Dd::new(hi, lo);
+        k += 1;
+    }
+    all
+}

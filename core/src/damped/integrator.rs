@@ -1,0 +1,231 @@
+//! The motion as segments: steps of the Taylor series, cut where the velocity vanishes, where samples of the torque begin a new
+//! polynomial, and where dry friction takes hold or lets go.
+//!
+//! State, time and the angle are double-doubles; sine and cosine are carried as variables of their own and put back on the
+//! circle after every step. With dry friction, at a turn with the pull r = torque - omega2 s the pendulum stays where
+//! |r| <= dry, until the torque has changed so that |r| > dry; otherwise it turns back.
+
+use super::circular::of_double;
+use super::equation::{Equation, TorqueJet};
+use super::jet::{COSINE, Jet, ORDER, SINE, SLIP, VELOCITY};
+use super::roots::{first_root, value_and_slope};
+use super::segment::{Event, Segment, step_length};
+use crate::domain::Domain;
+use crate::float::Dd;
+
+/// The largest number of segments of a motion: each takes 0.3 kB.
+pub const MOST_SEGMENTS: usize = 2_000_000;
+
+/// Presliding has settled where it leaves less out of dry friction.
+const SETTLED: f64 = 1e-24;
+
+struct State {
+    time: Dd,
+    theta: Dd,
+    /// s, c, u, v.
+    values: [Dd; 4],
+    side: f64,
+    event: Event,
+    /// The sign of the velocity is known although the velocity is 0.
+    decided: bool,
+    /// Released by a torque that grew: the acceleration is 0.
+    at_limit: bool,
+}
+
+/// Segments from time 0 to `stop`, in the unit and the sense of the equation.
+pub(super) fn integrate(
+    equation: &Equation,
+    theta0: f64,
+    velocity0: f64,
+    stop: f64,
+) -> Result<Vec<Segment>, Domain> {
+    let mut state = State::new(equation, theta0, velocity0);
+    let mut segments = Vec::new();
+    while segments.is_empty() || state.time.value() < stop {
+        if segments.len() == MOST_SEGMENTS {
+            let allowed = format!(
+                "within {MOST_SEGMENTS} steps of the integration, which end at {:?} s",
+                equation.seconds(state.time.value())
+            );
+            return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
+        }
+        let end = stop.min(equation.next_knot(state.time));
+        let segment = if state.side == 0.0 { state.hold(equation, end) } else { state.step(equation, end) };
+        // A release at once leaves no segment behind.
+        if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
+            continue;
+        }
+        if !(segment.length > 0.0 || stop == 0.0) || !segment.slopes[ORDER].is_finite() {
+            let allowed = format!(
+                "before {:?} s, where the motion grows without bound",
+                equation.seconds(state.time.value())
+            );
+            return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
+        }
+        segments.push(segment);
+    }
+    Ok(segments)
+}
+
+impl State {
+    fn new(equation: &Equation, theta0: f64, velocity0: f64) -> State {
+        let (sine, cosine) = of_double(theta0);
+        let velocity = equation.sense * crate::float::exponent::ldexp(velocity0, -equation.power);
+        let slip = if equation.presliding > 0.0 && velocity == 0.0 { 1.0 } else { 0.0 };
+        let mut state = State {
+            time: Dd::ZERO,
+            theta: Dd::from(theta0),
+            values: [sine, cosine, Dd::from(slip), Dd::from(velocity)],
+            side: if velocity < 0.0 { -1.0 } else { 1.0 },
+            event: Event::Start,
+            decided: velocity != 0.0,
+            at_limit: false,
+        };
+        if velocity == 0.0 && state.held(equation) {
+            state.side = 0.0;
+        }
+        state
+    }
+
+    /// Whether dry friction holds the pendulum that is at rest.
+    fn held(&self, equation: &Equation) -> bool {
+        let dry = equation.dry.abs();
+        dry > 0.0
+            && equation.presliding == 0.0
+            && (equation.pull(self.time, self.values[SINE]).abs() - Dd::from(dry)).hi <= 0.0
+    }
+
+    /// A segment from here, without its polynomial.
+    fn segment(&self) -> Segment {
+        Segment {
+            start: self.time,
+            length: 0.0,
+            theta: self.theta,
+            slopes: [0.0; ORDER + 1],
+            event: self.event,
+            side: self.side,
+            sine: self.values[SINE].value(),
+            cosine: self.values[COSINE].value(),
+            slip: self.values[SLIP].value(),
+        }
+    }
+
+    /// The coefficients ahead, after the sign of the velocity is settled where it is 0.
+    fn jet(&mut self, equation: &Equation, torque: &TorqueJet) -> (Jet, f64) {
+        let settled = equation.presliding == 0.0 || self.values[SLIP].hi == 0.0;
+        loop {
+            let piece = equation.piece_of(self.side, settled);
+            let jet = Jet::new(self.values, &piece, torque, self.at_limit);
+            if self.decided {
+                let length = step_length(&jet, &piece);
+                return (jet, length);
+            }
+            // The first coefficient that does not vanish is the same for both signs, but for dry friction, which is smaller
+            // than the pull where it does not hold.
+            let first = jet.hi.iter().map(|row| row[VELOCITY]).find(|v| *v != 0.0);
+            self.side = if first.is_some_and(|v| v < 0.0) { -1.0 } else { 1.0 };
+            self.decided = true;
+        }
+    }
+
+    /// A step of the series, as far as it converges, but not beyond `end`.
+    fn step(&mut self, equation: &Equation, end: f64) -> Segment {
+        let torque = equation.torque(self.time);
+        let (jet, converged) = self.jet(equation, &torque);
+        let mut segment = self.segment();
+        segment.side = self.side;
+        for (k, (slope, row)) in segment.slopes.iter_mut().zip(&jet.hi).enumerate() {
+            *slope = row[VELOCITY] / (k + 1) as f64;
+        }
+        let left = (Dd::from(end) - self.time).value();
+        let last = converged >= left;
+        let length = if last { left } else { converged };
+        let velocity = jet.velocity();
+        let root = first_root(&velocity, length);
+        let mut passed = root.unwrap_or(length);
+        let mut ahead = jet.at(passed);
+        let turns = root.is_some() || ahead[VELOCITY].hi * self.side < 0.0;
+        let mut time = if last && !turns { Dd::from(end) } else { self.time + Dd::from(passed) };
+        if turns {
+            // What the root in double misses; the angle changes only by its square.
+            let rest = -ahead[VELOCITY].hi / value_and_slope(&velocity, passed).1;
+            if rest.abs() < 1e-9 * passed {
+                time = time + Dd::from(rest);
+                passed += rest;
+            }
+            ahead[VELOCITY] = Dd::ZERO;
+        }
+        segment.length = passed;
+        let moving = ahead[VELOCITY].hi != 0.0;
+        let [sine, cosine, slip, v, change] = ahead;
+        let (sine, cosine) = on_circle(sine, cosine);
+        let slip = if slip.hi.abs() < SETTLED { Dd::ZERO } else { slip };
+        *self = State {
+            time,
+            theta: self.theta + change,
+            values: [sine, cosine, slip, v],
+            side: self.side,
+            event: Event::Step,
+            // At rest without a torque the sign is asked for again.
+            decided: moving || turns,
+            at_limit: false,
+        };
+        if turns {
+            if self.held(equation) {
+                (self.side, self.event) = (0.0, Event::Stop);
+            } else {
+                (self.side, self.event) = (-self.side, Event::Turn);
+                if equation.presliding > 0.0 {
+                    self.values[SLIP] = Dd::from(2.0) - slip;
+                }
+            }
+        }
+        segment
+    }
+
+    /// Rest under dry friction until the pull exceeds it, but not beyond `end`.
+    fn hold(&mut self, equation: &Equation, end: f64) -> Segment {
+        let mut segment = self.segment();
+        let torque = equation.torque(self.time);
+        let left = (Dd::from(end) - self.time).value();
+        // The series of the sinusoid serves one radian: 1/24! is 2^-79.
+        let served = 1.0 / equation.frequency.abs();
+        let last = equation.amplitude == 0.0 || served >= left;
+        let length = if last { left } else { served };
+        let pull = equation.pull(self.time, self.values[SINE]);
+        let mut released: Option<(f64, f64, f64)> = None;
+        for side in [1.0, -1.0] {
+            let mut margin = [0.0; ORDER + 1];
+            for (margin, torque) in margin[1..].iter_mut().zip(&torque.hi[1..]) {
+                *margin = -side * torque;
+            }
+            margin[0] = (Dd::from(equation.dry.abs()) - pull * side).value();
+            let first = margin.iter().find(|c| **c != 0.0);
+            let at = match first {
+                Some(c) if *c < 0.0 => Some(0.0),
+                _ => first_root(&margin, length),
+            };
+            if let Some(at) = at.filter(|at| released.is_none_or(|(before, ..)| *at < before)) {
+                released = Some((at, side, margin[0].abs()));
+            }
+        }
+        self.event = Event::Step;
+        if let Some((at, side, margin)) = released {
+            segment.length = at;
+            self.time = self.time + Dd::from(at);
+            (self.side, self.event, self.decided) = (side, Event::Release, true);
+            // A torque that jumps starts the motion with an acceleration, one that grows does not.
+            self.at_limit = at > 0.0 || margin <= 1e-18 * equation.dry.abs();
+        } else {
+            segment.length = length;
+            self.time = if last { Dd::from(end) } else { self.time + Dd::from(length) };
+        }
+        segment
+    }
+}
+
+/// Sine and cosine after a step, back on the circle: their errors along it are those of the step.
+fn on_circle(sine: Dd, cosine: Dd) -> (Dd, Dd) {
+    let excess = (sine.square() + cosine.square() - Dd::ONE).value();
+    (sine.nudge(-0.5 * excess), cosine.nudge(-0.5 * excess))
+}

@@ -1,0 +1,294 @@
+//! The motion of a pendulum with friction over an interval of time: values at any time in it, and times of what happens.
+
+use super::damped_pendulum::DampedPendulum;
+use super::equation::Equation;
+use super::segment::{Event, Segment};
+use crate::domain::Domain;
+use crate::float::exponent::ldexp;
+use crate::float::{Dd, PI, TWO_PI};
+use crate::pendulum::{Orbit, Turns};
+
+/// One sense of time from t = 0.
+#[derive(Clone, Debug)]
+pub(super) struct Branch {
+    pub equation: Equation,
+    pub segments: Vec<Segment>,
+}
+
+#[derive(Clone, Debug)]
+enum Motion {
+    Exact(Box<Orbit>),
+    /// Backward and forward from t = 0.
+    Integrated([Branch; 2]),
+}
+
+/// The motion of a [`DampedPendulum`] from a start to a stop.
+///
+/// ```
+/// use libration::{DampedPendulum, Frequency, Friction, Torque};
+/// let friction = Friction::new(0.0, 0.0, 0.5, 0.0)?;
+/// let pendulum = DampedPendulum::new(1.0, 0.0, Frequency::from_omega0(2.0)?, friction, Torque::NONE)?;
+/// let trajectory = pendulum.trajectory(0.0, 20.0)?;
+/// let stops: Vec<_> = trajectory.rests().iter().map(|(from, to)| format!("{from:.6} {to}")).collect();
+/// assert_eq!(stops, ["0 20"]);
+/// # Ok::<(), libration::Domain>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    pendulum: DampedPendulum,
+    motion: Motion,
+    interval: [f64; 2],
+}
+
+impl Branch {
+    /// The segment that holds a time of the branch.
+    pub fn segment(&self, time: f64) -> &Segment {
+        let after = self.segments.partition_point(|segment| (segment.start - Dd::from(time)).hi <= 0.0);
+        &self.segments[after.max(1) - 1]
+    }
+
+    /// Angle and velocity at t in s.
+    fn at(&self, t: f64) -> (f64, f64) {
+        let time = self.equation.time(t);
+        let segment = self.segment(time);
+        let (theta, velocity) = segment.at(since(segment, time));
+        (theta, self.equation.sense * ldexp(velocity, self.equation.power))
+    }
+}
+
+/// Time since the start of a segment.
+pub(super) fn since(segment: &Segment, time: f64) -> f64 {
+    (time - segment.start.hi) - segment.start.lo
+}
+
+impl Trajectory {
+    pub(super) fn exact(pendulum: DampedPendulum, orbit: Orbit, interval: [f64; 2]) -> Trajectory {
+        Trajectory { pendulum, motion: Motion::Exact(Box::new(orbit)), interval }
+    }
+    pub(super) fn integrated(
+        pendulum: DampedPendulum,
+        branches: [Branch; 2],
+        interval: [f64; 2],
+    ) -> Trajectory {
+        Trajectory { pendulum, motion: Motion::Integrated(branches), interval }
+    }
+
+    /// The pendulum that moves.
+    #[must_use]
+    pub fn pendulum(&self) -> &DampedPendulum {
+        &self.pendulum
+    }
+    /// Start and stop in s.
+    #[must_use]
+    pub fn interval(&self) -> (f64, f64) {
+        (self.interval[0], self.interval[1])
+    }
+    /// How many steps the integration took: 0 for an exact motion.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        match &self.motion {
+            Motion::Exact(_) => 0,
+            Motion::Integrated(branches) => branches.iter().map(|branch| branch.segments.len()).sum(),
+        }
+    }
+    /// The integration in both senses of time, if there was one.
+    pub(super) fn branches(&self) -> Option<&[Branch; 2]> {
+        match &self.motion {
+            Motion::Exact(_) => None,
+            Motion::Integrated(branches) => Some(branches),
+        }
+    }
+
+    /// Whether t is in the interval.
+    fn holds(&self, t: f64) -> bool {
+        (self.interval[0]..=self.interval[1]).contains(&t)
+    }
+
+    /// Angle at t (in s), continuous through turns: NaN outside of the interval. **Error** as for
+    /// [`DampedPendulum::trajectory`].
+    #[must_use]
+    pub fn theta(&self, t: f64) -> f64 {
+        self.motion(t).0
+    }
+    /// Angular velocity at t; domain and error as for [`Trajectory::theta`].
+    #[must_use]
+    pub fn velocity(&self, t: f64) -> f64 {
+        self.motion(t).1
+    }
+    /// Angle and angular velocity at t, bit for bit those of [`Trajectory::theta`] and [`Trajectory::velocity`].
+    #[must_use]
+    pub fn motion(&self, t: f64) -> (f64, f64) {
+        if !self.holds(t) {
+            return (f64::NAN, f64::NAN);
+        }
+        if t == 0.0 {
+            return (self.pendulum.theta0, self.pendulum.velocity0);
+        }
+        match &self.motion {
+            Motion::Exact(orbit) => orbit.motion(t),
+            Motion::Integrated(branches) => branches[usize::from(t > 0.0)].at(t),
+        }
+    }
+    /// [`Trajectory::motion`] of every time, bit for bit; panics where the lengths differ.
+    pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
+        assert!(t.len() == theta.len() && t.len() == velocity.len(), "columns of different lengths");
+        if let Motion::Exact(orbit) = &self.motion {
+            orbit.motion_into(t, theta, velocity);
+            for (row, t) in t.iter().enumerate() {
+                if !self.holds(*t) {
+                    (theta[row], velocity[row]) = (f64::NAN, f64::NAN);
+                }
+            }
+            return;
+        }
+        for ((t, theta), velocity) in t.iter().zip(theta).zip(velocity) {
+            (*theta, *velocity) = self.motion(*t);
+        }
+    }
+
+    /// The angle at t as whole turns and a rest in [-pi, pi); NaN outside of the interval.
+    #[must_use]
+    pub fn turns(&self, t: f64) -> Turns {
+        let branches = match &self.motion {
+            _ if !self.holds(t) => return Turns { count: 0, angle: f64::NAN },
+            Motion::Exact(orbit) => return orbit.turns(t),
+            Motion::Integrated(branches) => branches,
+        };
+        let branch = &branches[usize::from(t > 0.0)];
+        let time = branch.equation.time(t);
+        let segment = branch.segment(time);
+        let theta = segment.theta + Dd::from(segment.change(since(segment, time)).0);
+        let count = (theta.hi / TWO_PI.hi).round();
+        let rest = theta - TWO_PI * count;
+        let (shift, angle) = match rest.value() {
+            value if value >= PI.hi => (1, (rest - TWO_PI).value().max(-PI.hi)),
+            value if value < -PI.hi => (-1, (rest + TWO_PI).value()),
+            value => (0, value),
+        };
+        if count.abs() < 9e18 {
+            Turns { count: count as i64 + shift, angle }
+        } else {
+            Turns { count: 0, angle: f64::NAN }
+        }
+    }
+
+    /// Energy per unit inertia at t, velocity^2/2 + omega0^2 (1 - cos theta): 0 at rest in the stable equilibrium, NaN outside of
+    /// the interval. **Error** what that of angle and velocity makes of it.
+    #[must_use]
+    pub fn energy(&self, t: f64) -> f64 {
+        let (theta, velocity) = self.motion(t);
+        Orbit::new(theta, velocity, self.pendulum.frequency).map_or(f64::NAN, |orbit| orbit.energy())
+    }
+
+    /// All times from `start` to `stop` (in s, both included) at which the angle is `theta`, rising; a pendulum that rests there
+    /// passes it once. **Error** what that of the angle makes of it.
+    ///
+    /// # Errors
+    /// Where `theta` is not finite, and where start and stop do not lie in the interval in this order.
+    pub fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        Domain::check("theta", theta, theta.is_finite(), "finite")?;
+        self.check_interval(start, stop)?;
+        match &self.motion {
+            Motion::Exact(orbit) => orbit.times(theta, start, stop),
+            Motion::Integrated(branches) => {
+                Ok(collected(branches, start, stop, |_, segment, next| segment.passage(next, theta)))
+            }
+        }
+    }
+
+    /// All times from `start` to `stop` (in s, both included) at which the velocity changes its sign, and t = 0 where the motion
+    /// starts from rest; not those at which dry friction stops it. **Error** and errors as for [`Trajectory::times`].
+    ///
+    /// # Errors
+    /// As for [`Trajectory::times`].
+    pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        self.check_interval(start, stop)?;
+        match &self.motion {
+            Motion::Exact(orbit) => orbit.turning_times(start, stop),
+            Motion::Integrated(branches) => Ok(collected(branches, start, stop, |first, segment, _| {
+                let turns = match segment.event {
+                    Event::Turn => true,
+                    Event::Start | Event::Release => first && segment.slopes[0] == 0.0 && segment.moves(),
+                    Event::Step | Event::Stop => false,
+                };
+                turns.then_some(0.0)
+            })),
+        }
+    }
+
+    /// The intervals, in s, over which dry friction holds the pendulum.
+    #[must_use]
+    pub fn rests(&self) -> Vec<(f64, f64)> {
+        let Motion::Integrated(branches) = &self.motion else { return Vec::new() };
+        let mut rests: Vec<(f64, f64)> = Vec::new();
+        for Branch { equation, segments } in branches {
+            for segment in segments.iter().filter(|segment| segment.side == 0.0 && segment.length > 0.0) {
+                let ends = [segment.start.value(), (segment.start + Dd::from(segment.length)).value()];
+                let [a, b] = ends.map(|time| equation.seconds(time));
+                rests.push((a.min(b), a.max(b)));
+            }
+        }
+        rests.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Pieces that touch are one rest.
+        let mut joined: Vec<(f64, f64)> = Vec::new();
+        for rest in rests {
+            match joined.last_mut() {
+                Some(last) if last.1 >= rest.0 => last.1 = rest.1,
+                _ => joined.push(rest),
+            }
+        }
+        joined
+    }
+
+    /// Logarithmic decrements ln(theta_n/theta_(n+2)) of the turning angles on one side, one period apart, with the time of the
+    /// second; NaN where the angles differ in sign or vanish.
+    ///
+    /// # Errors
+    /// As for [`Trajectory::times`].
+    pub fn decrements(&self, start: f64, stop: f64) -> Result<Vec<(f64, f64)>, Domain> {
+        let turning: Vec<(f64, f64)> =
+            self.turning_times(start, stop)?.into_iter().map(|t| (t, self.theta(t))).collect();
+        let ratio = |a: f64, b: f64| if a / b > 0.0 { Dd::ln(a / b).value() } else { f64::NAN };
+        Ok(turning.windows(3).map(|three| (three[2].0, ratio(three[0].1, three[2].1))).collect())
+    }
+
+    fn check_interval(&self, start: f64, stop: f64) -> Result<(), Domain> {
+        for (name, t) in [("start", start), ("stop", stop)] {
+            if !self.holds(t) {
+                let allowed = format!(
+                    "in the interval of the trajectory, {:?} to {:?}",
+                    self.interval[0], self.interval[1]
+                );
+                return Err(Domain::new(name, format!("{t:?}"), allowed));
+            }
+        }
+        if stop < start {
+            return Err(Domain::new("stop", format!("{stop:?}"), format!("not before start, {start:?}")));
+        }
+        Ok(())
+    }
+}
+
+/// The times in an interval that each segment gives, since its start, rising.
+fn collected(
+    branches: &[Branch; 2],
+    start: f64,
+    stop: f64,
+    of: impl Fn(bool, &Segment, Option<&Segment>) -> Option<f64>,
+) -> Vec<f64> {
+    let mut times = Vec::new();
+    for Branch { equation, segments } in branches {
+        for (i, segment) in segments.iter().enumerate() {
+            if let Some(since) = of(i == 0, segment, segments.get(i + 1)) {
+                let t = equation.seconds((segment.start + Dd::from(since)).value());
+                if (start..=stop).contains(&t) {
+                    times.push(t);
+                }
+            }
+        }
+    }
+    times.sort_by(f64::total_cmp);
+    // The start belongs to both senses of time.
+    times.dedup();
+    times
+}
