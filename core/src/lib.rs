@@ -12,6 +12,7 @@
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
 //! | u'' + alpha u + beta u^3 + gamma u^5 = 0 | [`CubicQuintic`] |
 //! | friction and torque: the motion over an interval | [`DampedPendulum`], [`Friction`], [`Torque`], [`Trajectory`] |
+//! | its derivatives | [`DampedSensitivity`] |
 //! | approximations by name, and how far they are off | [`approx`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
@@ -35,7 +36,9 @@ pub mod pendulum;
 
 mod domain;
 
-pub use damped::{DampedPendulum, Friction, Interpolation, Torque, Trajectory};
+pub use damped::{
+    DampedJacobian, DampedPendulum, DampedSensitivity, Friction, Interpolation, Torque, Trajectory,
+};
 pub use domain::Domain;
 pub use elliptic::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, Parameter, SecondKind,

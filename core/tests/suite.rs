@@ -2,6 +2,7 @@
 
 mod action_angle;
 mod cubic_quintic;
+mod damped_scratch;
 mod doors;
 mod duffing;
 mod duffing_forms;

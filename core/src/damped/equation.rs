@@ -6,7 +6,7 @@
 
 use super::circular::circular;
 use super::friction::Friction;
-use super::jet::{LONG, ORDER, Piece};
+use super::jet::{LARGEST_ROTATION, LONG, ORDER, Piece, driven};
 use super::torque::{Samples, Torque};
 use crate::float::Dd;
 use crate::float::exponent::{exponent, ldexp};
@@ -31,12 +31,15 @@ pub(super) struct Equation {
     pub amplitude: f64,
     pub frequency: f64,
     pub phase: f64,
+    /// Coefficients amplitude frequency^k/k!.
+    powers: TorqueJet,
     samples: Option<Arc<Samples>>,
 }
 
-/// The Taylor coefficients of the torque at a time, and of what it is made of.
+/// The Taylor coefficients of the torque at a time.
+#[derive(Clone, Debug)]
 pub(super) struct TorqueJet {
-    /// Of the torque, the first in double-double.
+    /// Their high words, and the low words of the first.
     pub hi: [f64; ORDER],
     pub lo: [f64; LONG],
 }
@@ -72,6 +75,14 @@ impl Equation {
             }
             None => Dd::ZERO,
         };
+        let amplitude = ldexp(torque.amplitude(), -2 * power);
+        let driving = sense * ldexp(torque.frequency(), -power);
+        let mut powers = TorqueJet::ZERO;
+        let mut factor = Dd::from(amplitude);
+        for k in 0..ORDER {
+            powers.add(k, factor);
+            factor = factor * driving * INVERSE[k + 1];
+        }
         Equation {
             power,
             sense,
@@ -81,9 +92,10 @@ impl Equation {
             dry: sense * ldexp(friction.dry(), -2 * power),
             presliding: friction.presliding(),
             constant: ldexp(torque.constant(), -2 * power),
-            amplitude: ldexp(torque.amplitude(), -2 * power),
-            frequency: sense * ldexp(torque.frequency(), -power),
+            amplitude,
+            frequency: driving,
             phase: torque.phase(),
+            powers,
             samples: torque.samples.clone(),
         }
     }
@@ -102,19 +114,18 @@ impl Equation {
         circular(time * self.frequency + Dd::from(self.phase))
     }
 
-    /// The torque's coefficients at a time; those of samples of the piece that lies ahead.
-    pub fn torque(&self, time: Dd) -> TorqueJet {
-        let mut jet = TorqueJet { hi: [0.0; ORDER], lo: [0.0; LONG] };
-        jet.hi[0] = self.constant;
-        if self.amplitude != 0.0 {
-            let (sine, cosine) = self.sinusoid(time);
-            let mut factor = Dd::from(self.amplitude);
-            // cos, -sin, -cos, sin, ... times frequency^k/k!
-            let turns = [cosine, -sine, -cosine, sine];
-            for k in 0..ORDER {
-                jet.add(k, turns[k % 4] * factor);
-                factor = factor * self.frequency * INVERSE[k + 1];
-            }
+    /// The longest step that the sinusoid allows.
+    pub fn longest(&self) -> f64 {
+        if self.amplitude == 0.0 { f64::INFINITY } else { LARGEST_ROTATION / self.frequency.abs() }
+    }
+
+    /// The torque's coefficients at a time, with the sine and cosine of its sinusoid; those of samples of the piece that lies
+    /// ahead.
+    pub fn torque(&self, time: Dd, [sine, cosine]: [Dd; 2]) -> TorqueJet {
+        let mut jet =
+            if self.amplitude == 0.0 { TorqueJet::ZERO } else { driven(sine, cosine, &self.powers) };
+        if self.constant != 0.0 {
+            jet.add(0, Dd::from(self.constant));
         }
         if let Some(samples) = &self.samples {
             let at = time.scale(self.sense).ldexp(-self.power);
@@ -150,8 +161,8 @@ impl Equation {
     }
 
     /// Torque and gravity, without friction.
-    pub fn pull(&self, time: Dd, sine: Dd) -> Dd {
-        let torque = self.torque(time);
+    pub fn pull(&self, time: Dd, sinusoid: [Dd; 2], sine: Dd) -> Dd {
+        let torque = self.torque(time, sinusoid);
         Dd::new(torque.hi[0], torque.lo[0]) - self.omega2 * sine
     }
 
@@ -168,6 +179,8 @@ impl Equation {
 }
 
 impl TorqueJet {
+    pub const ZERO: TorqueJet = TorqueJet { hi: [0.0; ORDER], lo: [0.0; LONG] };
+
     fn add(&mut self, k: usize, value: Dd) {
         if k < LONG {
             let sum = Dd::new(self.hi[k], self.lo[k]) + value;

@@ -6,9 +6,9 @@
 //! |r| <= dry, until the torque has changed so that |r| > dry; otherwise it turns back.
 
 use super::circular::of_double;
-use super::equation::{Equation, TorqueJet};
-use super::jet::{COSINE, Jet, ORDER, SINE, SLIP, VELOCITY};
-use super::roots::{first_root, value_and_slope};
+use super::equation::{Equation, INVERSE, TorqueJet};
+use super::jet::{COSINE, Jet, ORDER, SINE, SLIP, VELOCITY, rotated};
+use super::roots::{first_root, rootless, value_and_slope};
 use super::segment::{Event, Segment, step_length};
 use crate::domain::Domain;
 use crate::float::Dd;
@@ -24,6 +24,8 @@ struct State {
     theta: Dd,
     /// s, c, u, v.
     values: [Dd; 4],
+    /// Sine and cosine of the phase of the torque.
+    sinusoid: [Dd; 2],
     side: f64,
     event: Event,
     /// The sign of the velocity is known although the velocity is 0.
@@ -41,6 +43,7 @@ pub(super) fn integrate(
 ) -> Result<Vec<Segment>, Domain> {
     let mut state = State::new(equation, theta0, velocity0);
     let mut segments = Vec::new();
+    let mut jet = Jet::ZERO;
     while segments.is_empty() || state.time.value() < stop {
         if segments.len() == MOST_SEGMENTS {
             let allowed = format!(
@@ -50,7 +53,8 @@ pub(super) fn integrate(
             return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
         }
         let end = stop.min(equation.next_knot(state.time));
-        let segment = if state.side == 0.0 { state.hold(equation, end) } else { state.step(equation, end) };
+        let segment =
+            if state.side == 0.0 { state.hold(equation, end) } else { state.step(equation, end, &mut jet) };
         // A release at once leaves no segment behind.
         if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
             continue;
@@ -72,10 +76,12 @@ impl State {
         let (sine, cosine) = of_double(theta0);
         let velocity = equation.sense * crate::float::exponent::ldexp(velocity0, -equation.power);
         let slip = if equation.presliding > 0.0 && velocity == 0.0 { 1.0 } else { 0.0 };
+        let (torque_sine, torque_cosine) = equation.sinusoid(Dd::ZERO);
         let mut state = State {
             time: Dd::ZERO,
             theta: Dd::from(theta0),
             values: [sine, cosine, Dd::from(slip), Dd::from(velocity)],
+            sinusoid: [torque_sine, torque_cosine],
             side: if velocity < 0.0 { -1.0 } else { 1.0 },
             event: Event::Start,
             decided: velocity != 0.0,
@@ -92,7 +98,7 @@ impl State {
         let dry = equation.dry.abs();
         dry > 0.0
             && equation.presliding == 0.0
-            && (equation.pull(self.time, self.values[SINE]).abs() - Dd::from(dry)).hi <= 0.0
+            && (equation.pull(self.time, self.sinusoid, self.values[SINE]).abs() - Dd::from(dry)).hi <= 0.0
     }
 
     /// A segment from here, without its polynomial.
@@ -110,60 +116,69 @@ impl State {
         }
     }
 
-    /// The coefficients ahead, after the sign of the velocity is settled where it is 0.
-    fn jet(&mut self, equation: &Equation, torque: &TorqueJet) -> (Jet, f64) {
+    /// The coefficients ahead, after the sign of the velocity is settled where it is 0; and how long they serve.
+    fn fill(&mut self, equation: &Equation, torque: &TorqueJet, jet: &mut Jet) -> f64 {
         let settled = equation.presliding == 0.0 || self.values[SLIP].hi == 0.0;
         loop {
             let piece = equation.piece_of(self.side, settled);
-            let jet = Jet::new(self.values, &piece, torque, self.at_limit);
+            jet.fill(&self.values, &piece, torque, self.at_limit);
             if self.decided {
-                let length = step_length(&jet, &piece);
-                return (jet, length);
+                return step_length(jet, &piece).min(equation.longest());
             }
             // The first coefficient that does not vanish is the same for both signs, but for dry friction, which is smaller
             // than the pull where it does not hold.
-            let first = jet.hi.iter().map(|row| row[VELOCITY]).find(|v| *v != 0.0);
-            self.side = if first.is_some_and(|v| v < 0.0) { -1.0 } else { 1.0 };
+            let first = jet.hi[VELOCITY].iter().find(|v| **v != 0.0);
+            self.side = if first.is_some_and(|v| *v < 0.0) { -1.0 } else { 1.0 };
             self.decided = true;
         }
     }
 
+    /// The phase of the torque a time later.
+    fn turn_phase(&mut self, equation: &Equation, passed: Dd) {
+        if equation.amplitude != 0.0 {
+            let [sine, cosine] = self.sinusoid;
+            self.sinusoid = rotated(sine, cosine, passed * equation.frequency).into();
+        }
+    }
+
     /// A step of the series, as far as it converges, but not beyond `end`.
-    fn step(&mut self, equation: &Equation, end: f64) -> Segment {
-        let torque = equation.torque(self.time);
-        let (jet, converged) = self.jet(equation, &torque);
+    fn step(&mut self, equation: &Equation, end: f64, jet: &mut Jet) -> Segment {
+        let torque = equation.torque(self.time, self.sinusoid);
+        let converged = self.fill(equation, &torque, jet);
         let mut segment = self.segment();
         segment.side = self.side;
-        for (k, (slope, row)) in segment.slopes.iter_mut().zip(&jet.hi).enumerate() {
-            *slope = row[VELOCITY] / (k + 1) as f64;
+        let velocity = &jet.hi[VELOCITY];
+        for ((slope, v), inverse) in segment.slopes.iter_mut().zip(velocity).zip(&INVERSE[1..]) {
+            *slope = v * inverse.hi;
         }
         let left = (Dd::from(end) - self.time).value();
         let last = converged >= left;
         let length = if last { left } else { converged };
-        let velocity = jet.velocity();
-        let root = first_root(&velocity, length);
+        let root = if rootless(velocity, length) { None } else { first_root(velocity, length) };
         let mut passed = root.unwrap_or(length);
-        let mut ahead = jet.at(passed);
+        let mut exactly = Dd::from(passed);
+        let slips = self.values[SLIP].hi != 0.0;
+        let mut ahead = jet.at(passed, &segment.slopes, slips);
         let turns = root.is_some() || ahead[VELOCITY].hi * self.side < 0.0;
-        let mut time = if last && !turns { Dd::from(end) } else { self.time + Dd::from(passed) };
         if turns {
             // What the root in double misses; the angle changes only by its square.
-            let rest = -ahead[VELOCITY].hi / value_and_slope(&velocity, passed).1;
+            let rest = -ahead[VELOCITY].hi / value_and_slope(velocity, passed).1;
             if rest.abs() < 1e-9 * passed {
-                time = time + Dd::from(rest);
-                passed += rest;
+                exactly = Dd::sum(passed, rest);
+                passed = exactly.value();
             }
             ahead[VELOCITY] = Dd::ZERO;
         }
         segment.length = passed;
+        self.turn_phase(equation, exactly);
         let moving = ahead[VELOCITY].hi != 0.0;
         let [sine, cosine, slip, v, change] = ahead;
-        let (sine, cosine) = on_circle(sine, cosine);
         let slip = if slip.hi.abs() < SETTLED { Dd::ZERO } else { slip };
         *self = State {
-            time,
+            time: if last && !turns { Dd::from(end) } else { self.time + exactly },
             theta: self.theta + change,
             values: [sine, cosine, slip, v],
+            sinusoid: self.sinusoid,
             side: self.side,
             event: Event::Step,
             // At rest without a torque the sign is asked for again.
@@ -186,13 +201,13 @@ impl State {
     /// Rest under dry friction until the pull exceeds it, but not beyond `end`.
     fn hold(&mut self, equation: &Equation, end: f64) -> Segment {
         let mut segment = self.segment();
-        let torque = equation.torque(self.time);
+        let torque = equation.torque(self.time, self.sinusoid);
         let left = (Dd::from(end) - self.time).value();
         // The series of the sinusoid serves one radian: 1/24! is 2^-79.
-        let served = 1.0 / equation.frequency.abs();
-        let last = equation.amplitude == 0.0 || served >= left;
+        let served = 0.5 * equation.longest();
+        let last = served >= left;
         let length = if last { left } else { served };
-        let pull = equation.pull(self.time, self.values[SINE]);
+        let pull = equation.pull(self.time, self.sinusoid, self.values[SINE]);
         let mut released: Option<(f64, f64, f64)> = None;
         for side in [1.0, -1.0] {
             let mut margin = [0.0; ORDER + 1];
@@ -212,20 +227,16 @@ impl State {
         self.event = Event::Step;
         if let Some((at, side, margin)) = released {
             segment.length = at;
+            self.turn_phase(equation, Dd::from(at));
             self.time = self.time + Dd::from(at);
             (self.side, self.event, self.decided) = (side, Event::Release, true);
             // A torque that jumps starts the motion with an acceleration, one that grows does not.
             self.at_limit = at > 0.0 || margin <= 1e-18 * equation.dry.abs();
         } else {
             segment.length = length;
+            self.turn_phase(equation, Dd::from(length));
             self.time = if last { Dd::from(end) } else { self.time + Dd::from(length) };
         }
         segment
     }
-}
-
-/// Sine and cosine after a step, back on the circle: their errors along it are those of the step.
-fn on_circle(sine: Dd, cosine: Dd) -> (Dd, Dd) {
-    let excess = (sine.square() + cosine.square() - Dd::ONE).value();
-    (sine.nudge(-0.5 * excess), cosine.nudge(-0.5 * excess))
 }

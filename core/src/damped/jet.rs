@@ -1,12 +1,13 @@
 //! Taylor coefficients of the motion at one time, and the state that they give at another.
 //!
-//! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. So the coefficients of the four
-//! are found together: at each order one sum over j of (s, c, u, v)_(k-j) v_j. The sums up to order LONG - 1 are in
-//! double-double, because a step is 2^(-66/24) = 0.15 of the radius of convergence: the term of order LONG is below
-//! 0.15^6 = 1e-5 of the motion, and its rounding error below 2^-69.
+//! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
+//! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
+//! Coefficients below LONG are double-doubles, because a step is 2^(-66/24) = 0.15 of the radius of convergence: the term of order
+//! LONG is below 0.15^5 = 8e-5 of the motion, and its rounding error below 2^-66.
 //!
-//! One step of order 24 is 4 (24 25/2 - 15) = 1140 multiplications with additions in double, 4 * 15 in double-double, and an
-//! evaluation of 5 * 24. Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
+//! One step is, for each of s and c (and |v| v, and u, where they act), 24 25/2 - 10 = 290 multiplications with additions in
+//! double and 10 in double-double; and for each of s, c, v and theta a sum of 20 terms in double and 5 in double-double.
+//! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
 use super::equation::{INVERSE, TorqueJet};
 use crate::float::Dd;
@@ -16,7 +17,10 @@ use crate::lanes::{Kernel, Lane, single};
 /// Highest power of time: ceil(-ln(tolerance)/2) + 1 for a tolerance of 2^-66 (Jorba & Zou, equation 3-6).
 pub(super) const ORDER: usize = 24;
 /// How many coefficients of the lowest orders are double-doubles.
-pub(super) const LONG: usize = 6;
+pub(super) const LONG: usize = 5;
+
+/// The coefficients of one function of time.
+pub(super) type Series = [f64; ORDER + 1];
 
 /// Places of the four variables.
 pub(super) const SINE: usize = 0;
@@ -37,49 +41,39 @@ pub(super) struct Piece {
     pub slip: f64,
 }
 
-/// Coefficients of powers of time of s, c, u and v.
+/// Coefficients of powers of time of s, c, u and v; the low words of the first.
 #[derive(Clone, Debug)]
 pub(super) struct Jet {
-    pub hi: [[f64; 4]; ORDER + 1],
-    pub lo: [[f64; 4]; LONG],
+    pub hi: [Series; 4],
+    pub lo: [[f64; LONG]; 4],
 }
 
 impl Jet {
+    pub const ZERO: Jet = Jet { hi: [[0.0; ORDER + 1]; 4], lo: [[0.0; LONG]; 4] };
+
     /// From the values of s, c, u, v. `at_limit`: the acceleration is 0, as it is when a stuck pendulum is released.
-    pub fn new(start: [Dd; 4], piece: &Piece, torque: &TorqueJet, at_limit: bool) -> Jet {
-        single(Recurrence { start, piece, torque, at_limit })
-    }
-
-    /// s, c, u, v and the change of the angle a time later, as long as the series converges there.
-    pub fn at(&self, time: f64) -> [Dd; 5] {
-        single(Sum { jet: self, time })
-    }
-
-    /// The coefficients of the velocity.
-    pub fn velocity(&self) -> [f64; ORDER + 1] {
-        let mut velocity = [0.0; ORDER + 1];
-        for (coefficient, row) in velocity.iter_mut().zip(&self.hi) {
-            *coefficient = row[VELOCITY];
+    pub fn fill(&mut self, start: &[Dd; 4], piece: &Piece, torque: &TorqueJet, at_limit: bool) {
+        let jet = self;
+        match (piece.quadratic != 0.0, piece.slip != 0.0) {
+            (false, false) => single(Recurrence::<false, false> { jet, start, piece, torque, at_limit }),
+            (true, false) => single(Recurrence::<true, false> { jet, start, piece, torque, at_limit }),
+            (false, true) => single(Recurrence::<false, true> { jet, start, piece, torque, at_limit }),
+            (true, true) => single(Recurrence::<true, true> { jet, start, piece, torque, at_limit }),
         }
-        velocity
+    }
+
+    /// s, c, u, v and the change of the angle a time later, as far as the series converges; s and c on the circle.
+    pub fn at(&self, time: f64, slopes: &Series, slips: bool) -> [Dd; 5] {
+        single(Sum { jet: self, time, slopes, slips })
     }
 }
 
-struct Recurrence<'a> {
-    start: [Dd; 4],
+struct Recurrence<'a, const DRAG: bool, const SLIPS: bool> {
+    jet: &'a mut Jet,
+    start: &'a [Dd; 4],
     piece: &'a Piece,
     torque: &'a TorqueJet,
     at_limit: bool,
-}
-
-/// Coefficients k + 1 from the sums of products [s v, c v, u v, v v] of order k, times k + 1.
-#[inline(always)]
-fn next<L: Lane>(piece: &[L; 5], [sv, cv, uv, vv]: [L; 4], row: &[L; 4], torque: L) -> [L; 4] {
-    let [omega2, linear, quadratic, dry, slip] = *piece;
-    let force = torque - omega2 * row[SINE];
-    let force = force - linear * row[VELOCITY];
-    let force = dry.mul_add(row[SLIP], force - quadratic * vv);
-    [cv, -sv, -(slip * uv), force]
 }
 
 #[inline(always)]
@@ -87,115 +81,166 @@ fn double<L: Lane>(value: f64) -> Unnormalised<L> {
     Unnormalised::from_double(L::splat(value))
 }
 
-impl Kernel for Recurrence<'_> {
-    type Output = Jet;
+/// Coefficient k of x v, in double-double.
+#[inline(always)]
+fn long_product<L: Lane>(
+    x: &[Unnormalised<L>; LONG],
+    v: &[Unnormalised<L>; LONG],
+    k: usize,
+) -> Unnormalised<L> {
+    let mut sum = x[0] * v[k];
+    let mut j = 0;
+    while j < k {
+        sum = sum + x[k - j] * v[j];
+        j += 1;
+    }
+    sum
+}
+
+/// Coefficient k >= 4 of x v, the latest coefficients last.
+#[inline(always)]
+fn product<L: Lane>(x: &[L; ORDER + 1], v: &[L; ORDER + 1], k: usize) -> L {
+    let (mut even, mut odd) = (x[k - 2] * v[2], L::splat(0.0));
+    let mut j = 3;
+    while j + 1 < k - 1 {
+        odd = x[k - j].mul_add(v[j], odd);
+        even = x[k - j - 1].mul_add(v[j + 1], even);
+        j += 2;
+    }
+    if j == k - 2 {
+        odd = x[2].mul_add(v[k - 2], odd);
+    }
+    even = x[k - 1].mul_add(v[1], even);
+    odd = x[1].mul_add(v[k - 1], odd);
+    even = x[k].mul_add(v[0], even);
+    odd = x[0].mul_add(v[k], odd);
+    even + odd
+}
+
+impl<const DRAG: bool, const SLIPS: bool> Kernel for Recurrence<'_, DRAG, SLIPS> {
+    type Output = ();
     type Place = Jet;
     #[inline(always)]
-    fn run<L: Lane>(self) -> Jet {
-        let Recurrence { start, piece, torque, at_limit } = self;
+    fn run<L: Lane>(self) {
+        let Recurrence { jet, start, piece, torque, at_limit } = self;
         let zero = L::splat(0.0);
-        let mut hi = [[zero; 4]; ORDER + 1];
-        let mut lo = [[zero; 4]; LONG];
-        let mut i = 0;
-        while i < 4 {
-            hi[0][i] = L::splat(start[i].hi);
-            lo[0][i] = L::splat(start[i].lo);
-            i += 1;
-        }
+        let none = [double::<L>(0.0); LONG];
+        let (mut s, mut c, mut u, mut v) = (none, none, none, none);
+        s[0] = Unnormalised::splat(start[SINE]);
+        c[0] = Unnormalised::splat(start[COSINE]);
+        u[0] = Unnormalised::splat(start[SLIP]);
+        v[0] = Unnormalised::splat(start[VELOCITY]);
         let omega2 = Unnormalised::<L>::splat(piece.omega2);
         let mut k = 0;
         while k < LONG - 1 {
-            // Sums of products with v, in double-double.
-            let mut sums = [Unnormalised::from_double(zero); 4];
-            let mut j = 0;
-            while j <= k {
-                let v = Unnormalised::new(hi[j][VELOCITY], lo[j][VELOCITY]);
-                let mut i = 0;
-                while i < 4 {
-                    sums[i] = sums[i] + Unnormalised::new(hi[k - j][i], lo[k - j][i]) * v;
-                    i += 1;
-                }
-                j += 1;
-            }
-            let slip = Unnormalised::new(hi[k][SLIP], lo[k][SLIP]);
-            let (sine, v) = (
-                Unnormalised::new(hi[k][SINE], lo[k][SINE]),
-                Unnormalised::new(hi[k][VELOCITY], lo[k][VELOCITY]),
-            );
+            let inverse = Unnormalised::<L>::splat(INVERSE[k + 1]);
             let mut force = Unnormalised::new(L::splat(torque.hi[k]), L::splat(torque.lo[k]));
-            force = force - omega2 * sine - double::<L>(piece.linear) * v;
-            force = force - double::<L>(piece.quadratic) * sums[VELOCITY] + double::<L>(piece.dry) * slip;
+            force = force - omega2 * s[k] - double::<L>(piece.linear) * v[k];
+            if DRAG {
+                force = force - double::<L>(piece.quadratic) * long_product(&v, &v, k);
+            }
             if k == 0 {
                 force = force - double::<L>(piece.dry);
-                if at_limit {
-                    force = Unnormalised::from_double(zero);
-                }
             }
-            let inverse = Unnormalised::<L>::splat(INVERSE[k + 1]);
-            let rows = [sums[COSINE], -sums[SINE], -(double::<L>(piece.slip) * sums[SLIP]), force];
-            let mut i = 0;
-            while i < 4 {
-                let value = (rows[i] * inverse).tight();
-                (hi[k + 1][i], lo[k + 1][i]) = (value.hi, value.lo);
-                i += 1;
+            if SLIPS || k == 0 {
+                force = force + double::<L>(piece.dry) * u[k];
+            }
+            if k == 0 && at_limit {
+                force = double::<L>(0.0);
+            }
+            v[k + 1] = force * inverse;
+            s[k + 1] = long_product(&c, &v, k) * inverse;
+            c[k + 1] = -(long_product(&s, &v, k) * inverse);
+            if SLIPS {
+                u[k + 1] = -(double::<L>(piece.slip) * long_product(&u, &v, k) * inverse);
             }
             k += 1;
         }
-        let constants = [
-            L::splat(piece.omega2.hi),
-            L::splat(piece.linear),
-            L::splat(piece.quadratic),
-            L::splat(piece.dry),
-            L::splat(piece.slip),
-        ];
+        let series = [zero; ORDER + 1];
+        let (mut short_s, mut short_c, mut short_u, mut short_v) = (series, series, series, series);
+        let mut k = 0;
+        while k < LONG {
+            let [a, b, d, e] = [s[k].tight(), c[k].tight(), u[k].tight(), v[k].tight()];
+            (short_s[k], short_c[k], short_u[k], short_v[k]) = (a.hi, b.hi, d.hi, e.hi);
+            a.lo.store(&mut jet.lo[SINE][k..=k]);
+            b.lo.store(&mut jet.lo[COSINE][k..=k]);
+            d.lo.store(&mut jet.lo[SLIP][k..=k]);
+            e.lo.store(&mut jet.lo[VELOCITY][k..=k]);
+            k += 1;
+        }
+        let (omega2, linear) = (L::splat(piece.omega2.hi), L::splat(piece.linear));
+        let (quadratic, dry, slip) = (L::splat(piece.quadratic), L::splat(piece.dry), L::splat(piece.slip));
+        let mut k = LONG - 1;
         while k < ORDER {
-            // Two chains of sums, so that additions need not wait for each other.
-            let (mut even, mut odd) = ([zero; 4], [zero; 4]);
-            let mut j = 0;
-            while j < k {
-                let (v, w) = (hi[j][VELOCITY], hi[j + 1][VELOCITY]);
-                let mut i = 0;
-                while i < 4 {
-                    even[i] = hi[k - j][i].mul_add(v, even[i]);
-                    odd[i] = hi[k - j - 1][i].mul_add(w, odd[i]);
-                    i += 1;
-                }
-                j += 2;
-            }
-            if j == k {
-                let v = hi[k][VELOCITY];
-                let mut i = 0;
-                while i < 4 {
-                    even[i] = hi[0][i].mul_add(v, even[i]);
-                    i += 1;
-                }
-            }
-            let sums = [even[0] + odd[0], even[1] + odd[1], even[2] + odd[2], even[3] + odd[3]];
-            let row = next(&constants, sums, &hi[k], L::splat(torque.hi[k]));
             let inverse = L::splat(INVERSE[k + 1].hi);
-            hi[k + 1] = [row[0] * inverse, row[1] * inverse, row[2] * inverse, row[3] * inverse];
+            let mut force = L::splat(torque.hi[k]) - linear * short_v[k];
+            if DRAG {
+                force = force - quadratic * product(&short_v, &short_v, k);
+            }
+            if SLIPS {
+                force = dry.mul_add(short_u[k], force);
+            }
+            let rise = product(&short_c, &short_v, k);
+            let fall = product(&short_s, &short_v, k);
+            if SLIPS {
+                short_u[k + 1] = -(slip * product(&short_u, &short_v, k) * inverse);
+            }
+            short_v[k + 1] = (force - omega2 * short_s[k]) * inverse;
+            short_s[k + 1] = rise * inverse;
+            short_c[k + 1] = -(fall * inverse);
             k += 1;
         }
-        let mut jet = Jet { hi: [[0.0; 4]; ORDER + 1], lo: [[0.0; 4]; LONG] };
         let mut k = 0;
         while k <= ORDER {
-            let mut i = 0;
-            while i < 4 {
-                hi[k][i].store(&mut jet.hi[k][i..=i]);
-                if k < LONG {
-                    lo[k][i].store(&mut jet.lo[k][i..=i]);
-                }
-                i += 1;
-            }
+            short_s[k].store(&mut jet.hi[SINE][k..=k]);
+            short_c[k].store(&mut jet.hi[COSINE][k..=k]);
+            short_u[k].store(&mut jet.hi[SLIP][k..=k]);
+            short_v[k].store(&mut jet.hi[VELOCITY][k..=k]);
             k += 1;
         }
-        jet
     }
 }
 
 struct Sum<'a> {
     jet: &'a Jet,
     time: f64,
+    slopes: &'a Series,
+    slips: bool,
+}
+
+/// The sum of a series at a time, its first words in double-double.
+#[inline(always)]
+fn long_sum<L: Lane>(hi: &Series, first: &[Unnormalised<L>; LONG], t: L) -> Unnormalised<L> {
+    let mut tail = L::load(&hi[ORDER..]);
+    let mut k = ORDER;
+    while k > LONG {
+        k -= 1;
+        tail = tail.mul_add(t, L::load(&hi[k..]));
+    }
+    let time = Unnormalised::from_double(t);
+    let mut sum = Unnormalised::from_double(tail);
+    while k > 0 {
+        k -= 1;
+        sum = sum * time + first[k];
+    }
+    sum
+}
+
+#[inline(always)]
+fn words<L: Lane>(jet: &Jet, place: usize) -> [Unnormalised<L>; LONG] {
+    let mut words = [double::<L>(0.0); LONG];
+    let mut k = 0;
+    while k < LONG {
+        words[k] = Unnormalised::new(L::load(&jet.hi[place][k..]), L::load(&jet.lo[place][k..]));
+        k += 1;
+    }
+    words
+}
+
+#[inline(always)]
+fn number<L: Lane>(value: Unnormalised<L>) -> Dd {
+    let value = value.tight();
+    Dd::new(value.hi.first(), value.lo.first())
 }
 
 impl Kernel for Sum<'_> {
@@ -203,47 +248,146 @@ impl Kernel for Sum<'_> {
     type Place = Jet;
     #[inline(always)]
     fn run<L: Lane>(self) -> [Dd; 5] {
-        let Jet { hi, lo } = self.jet;
-        let t = L::splat(self.time);
-        let zero = L::splat(0.0);
-        // The fifth is the integral of v.
-        let mut tail = [zero; 5];
-        let mut k = ORDER;
-        while k >= LONG {
-            let mut i = 0;
-            while i < 4 {
-                tail[i] = tail[i].mul_add(t, L::load(&hi[k][i..]));
-                i += 1;
+        let Sum { jet, time, slopes, slips } = self;
+        let t = L::splat(time);
+        let v_words = words::<L>(jet, VELOCITY);
+        let mut slope_words = v_words;
+        let mut k = 1;
+        while k < LONG {
+            slope_words[k] = v_words[k] * Unnormalised::splat(INVERSE[k + 1]);
+            k += 1;
+        }
+        let mut s = long_sum(&jet.hi[SINE], &words(jet, SINE), t);
+        let mut c = long_sum(&jet.hi[COSINE], &words(jet, COSINE), t);
+        let v = long_sum(&jet.hi[VELOCITY], &v_words, t);
+        let change = long_sum(slopes, &slope_words, t) * Unnormalised::from_double(t);
+        let mut u = Dd::new(jet.hi[SLIP][0], jet.lo[SLIP][0]);
+        if slips {
+            u = number(long_sum(&jet.hi[SLIP], &words(jet, SLIP), t));
+        }
+        on_circle(&mut s, &mut c);
+        [number(s), number(c), u, number(v), number(change)]
+    }
+}
+
+/// Sine and cosine put back on the circle after a step: their errors along it are those of the step.
+#[inline(always)]
+fn on_circle<L: Lane>(s: &mut Unnormalised<L>, c: &mut Unnormalised<L>) {
+    let excess = s.square() + c.square() - double(1.0);
+    let half = Unnormalised::from_double((excess.hi + excess.lo) * L::splat(-0.5));
+    (*s, *c) = (*s + *s * half, *c + *c * half);
+}
+
+/// The coefficients of a torque A cos(phase) from the sine and cosine of the phase and from A frequency^k/k!.
+pub(super) fn driven(sine: Dd, cosine: Dd, powers: &TorqueJet) -> TorqueJet {
+    single(Drive { sine, cosine, powers })
+}
+
+struct Drive<'a> {
+    sine: Dd,
+    cosine: Dd,
+    powers: &'a TorqueJet,
+}
+
+impl Kernel for Drive<'_> {
+    type Output = TorqueJet;
+    type Place = Jet;
+    #[inline(always)]
+    fn run<L: Lane>(self) -> TorqueJet {
+        let Drive { sine, cosine, powers } = self;
+        let turns = [cosine, -sine, -cosine, sine];
+        let mut jet = TorqueJet::ZERO;
+        let mut k = 0;
+        while k < ORDER {
+            let turn = Unnormalised::<L>::splat(turns[k % 4]);
+            if k < LONG {
+                let power = Unnormalised::new(L::splat(powers.hi[k]), L::splat(powers.lo[k]));
+                let value = number(turn * power);
+                (jet.hi[k], jet.lo[k]) = (value.hi, value.lo);
+            } else {
+                jet.hi[k] = (turn.hi * L::splat(powers.hi[k])).first();
             }
-            tail[4] = tail[4].mul_add(t, L::load(&hi[k][VELOCITY..]) * L::splat(INVERSE[k + 1].hi));
-            k -= 1;
+            k += 1;
         }
-        let mut sums = [Unnormalised::from_double(zero); 5];
-        let time = Unnormalised::from_double(t);
-        let mut i = 0;
-        while i < 5 {
-            let place = if i < 4 { i } else { VELOCITY };
-            let mut sum = Unnormalised::from_double(tail[i]);
-            let mut k = LONG;
-            while k > 0 {
-                k -= 1;
-                let mut term = Unnormalised::new(L::load(&hi[k][place..]), L::load(&lo[k][place..]));
-                if i == 4 {
-                    term = term * Unnormalised::splat(INVERSE[k + 1]);
-                }
-                sum = sum * time + term;
+        jet
+    }
+}
+
+/// The largest angle of [`rotated`].
+pub(super) const LARGEST_ROTATION: f64 = 2.0;
+
+/// Sine and cosine of a phase that has grown by `angle`, from those before.
+pub(super) fn rotated(sine: Dd, cosine: Dd, angle: Dd) -> (Dd, Dd) {
+    single(Rotation { sine, cosine, angle })
+}
+
+struct Rotation {
+    sine: Dd,
+    cosine: Dd,
+    angle: Dd,
+}
+
+/// 1 - square/(n (n + 1)) rest.
+#[inline(always)]
+fn nested<L: Lane>(square: Unnormalised<L>, n: usize, rest: Unnormalised<L>) -> Unnormalised<L> {
+    let inverse = Unnormalised::splat(INVERSE[n]) * Unnormalised::splat(INVERSE[n + 1]);
+    double::<L>(1.0) - square * inverse * rest
+}
+
+impl Kernel for Rotation {
+    type Output = (Dd, Dd);
+    type Place = Jet;
+    #[inline(always)]
+    fn run<L: Lane>(self) -> (Dd, Dd) {
+        // Taylor's series of a quarter of the angle, at most 1/2, whose terms below 2^-15 need one word; doubled twice.
+        let quarter = Unnormalised::<L>::splat(self.angle).scale(L::splat(0.25));
+        let square = quarter.square();
+        let one = L::splat(1.0);
+        let (mut odd, mut even) = (one, one);
+        let mut n = 18;
+        while n > 8 {
+            n -= 2;
+            odd = one - square.hi * L::splat(INVERSE[n].hi * INVERSE[n + 1].hi) * odd;
+            even = one - square.hi * L::splat(INVERSE[n + 1].hi * INVERSE[n + 2].hi) * even;
+        }
+        let (odd, even) = (Unnormalised::from_double(odd), Unnormalised::from_double(even));
+        let odd = nested(square, 2, nested(square, 4, nested(square, 6, odd)));
+        let even = nested(square, 1, nested(square, 3, nested(square, 5, nested(square, 7, even))));
+        let (mut sine, mut cosine) = (quarter * odd, even);
+        let mut doubled = 0;
+        while doubled < 2 {
+            let next = (sine * cosine).scale(L::splat(2.0));
+            cosine = double::<L>(1.0) - sine.square().scale(L::splat(2.0));
+            sine = next;
+            doubled += 1;
+        }
+        let (old_sine, old_cosine) = (Unnormalised::splat(self.sine), Unnormalised::splat(self.cosine));
+        let mut new_sine = old_sine * cosine + old_cosine * sine;
+        let mut new_cosine = old_cosine * cosine - old_sine * sine;
+        on_circle(&mut new_sine, &mut new_cosine);
+        (number(new_sine), number(new_cosine))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::circular::circular;
+    use super::*;
+
+    /// Rotations add up to the angle, with no more than their rounding.
+    #[test]
+    fn rotations_keep_the_phase() {
+        for angle in [1e-9, 0.3, -0.77, 1.1, 1.999, -2.0] {
+            let (mut sine, mut cosine) = (Dd::ZERO, Dd::ONE);
+            let step = Dd::new(angle, 1e-20);
+            for i in 1..=200 {
+                (sine, cosine) = rotated(sine, cosine, step);
+                let truth = circular(step * f64::from(i));
+                assert!(
+                    (sine - truth.0).hi.abs() < 1e-19 && (cosine - truth.1).hi.abs() < 1e-19,
+                    "{angle} {i}"
+                );
             }
-            sums[i] = sum;
-            i += 1;
         }
-        sums[4] = sums[4] * time;
-        let mut values = [Dd::ZERO; 5];
-        let mut i = 0;
-        while i < 5 {
-            let value = sums[i].tight();
-            values[i] = Dd::new(value.hi.first(), value.lo.first());
-            i += 1;
-        }
-        values
     }
 }

@@ -2,6 +2,7 @@
 
 mod circular;
 mod damped_pendulum;
+mod damped_sensitivity;
 mod equation;
 mod friction;
 mod integrator;
@@ -10,9 +11,12 @@ mod roots;
 mod segment;
 mod torque;
 mod trajectory;
+mod variational;
 
 pub use damped_pendulum::DampedPendulum;
+pub use damped_sensitivity::{DampedJacobian, DampedSensitivity};
 pub use friction::Friction;
 pub use integrator::MOST_SEGMENTS;
 pub use torque::{Interpolation, Torque};
 pub use trajectory::Trajectory;
+pub use variational::PARAMETERS;

@@ -23,6 +23,19 @@ pub(super) fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     (value, slope)
 }
 
+/// Whether the polynomial is seen at once to have no root in (0, end]: its lowest term is larger than all others together.
+pub(super) fn rootless(coefficients: &[f64; COUNT], end: f64) -> bool {
+    let first = usize::from(coefficients[0] == 0.0);
+    let square = end * end;
+    // Two sums of every other power, so that they need not wait for each other.
+    let (mut even, mut odd) = (0.0, 0.0);
+    for pair in coefficients[first + 1..].chunks(2).rev() {
+        even = even * square + pair[0].abs();
+        odd = odd * square + pair.get(1).map_or(0.0, |c| c.abs());
+    }
+    coefficients[first].abs() > (odd * end + even) * end
+}
+
 /// The least x in (0, end] at which the polynomial changes its sign; the zero at x = 0 of a polynomial without its lowest
 /// powers is none.
 pub(super) fn first_root(coefficients: &[f64; COUNT], end: f64) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! A piece of the motion on which the angle is one polynomial of time and the velocity has one sign, and the length that the
 //! polynomial may have.
 
-use super::jet::{COSINE, Jet, ORDER, Piece, SINE, SLIP, VELOCITY};
+use super::jet::{COSINE, Jet, ORDER, Piece, SINE, SLIP, Series, VELOCITY};
 use super::roots::{bracketed, value_and_slope};
 use crate::float::Dd;
 
@@ -27,7 +27,7 @@ pub(super) struct Segment {
     pub length: f64,
     pub theta: Dd,
     /// Coefficients of the powers 1, 2, ... of time in the angle.
-    pub slopes: [f64; ORDER + 1],
+    pub slopes: Series,
     pub event: Event,
     /// Sign of the velocity; 0 where dry friction holds.
     pub side: f64,
@@ -92,7 +92,7 @@ const TOLERANCE: f64 = 1.0 / (1u128 << 66) as f64;
 /// Length of a step whose terms of the two highest orders are at most 2^-66 of each variable; infinite for a motion that is a
 /// polynomial. The terms left out are 0.15 of that, since 2^(-66/24) = 0.15 is the ratio of one term to the next.
 pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
-    let row = |k: usize, place: usize| jet.hi[k][place].abs();
+    let row = |k: usize, place: usize| jet.hi[place][k].abs();
     let mut speed = (0..4).map(|k| row(k, VELOCITY)).fold(0.0, f64::max);
     if speed == 0.0 {
         speed = (0..=ORDER).map(|k| row(k, VELOCITY)).fold(0.0, f64::max);

@@ -7,6 +7,7 @@ use crate::domain::Domain;
 use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
 use crate::pendulum::{Orbit, Turns};
+use std::sync::Arc;
 
 /// One sense of time from t = 0.
 #[derive(Clone, Debug)]
@@ -19,7 +20,7 @@ pub(super) struct Branch {
 enum Motion {
     Exact(Box<Orbit>),
     /// Backward and forward from t = 0.
-    Integrated([Branch; 2]),
+    Integrated(Arc<[Branch; 2]>),
 }
 
 /// The motion of a [`DampedPendulum`] from a start to a stop.
@@ -43,8 +44,12 @@ pub struct Trajectory {
 impl Branch {
     /// The segment that holds a time of the branch.
     pub fn segment(&self, time: f64) -> &Segment {
-        let after = self.segments.partition_point(|segment| (segment.start - Dd::from(time)).hi <= 0.0);
-        &self.segments[after.max(1) - 1]
+        &self.segments[self.index(time)]
+    }
+    /// Its number.
+    pub fn index(&self, time: f64) -> usize {
+        let begun = |segment: &Segment| since(segment, time) >= 0.0;
+        self.segments.partition_point(begun).max(1) - 1
     }
 
     /// Angle and velocity at t in s.
@@ -70,7 +75,7 @@ impl Trajectory {
         branches: [Branch; 2],
         interval: [f64; 2],
     ) -> Trajectory {
-        Trajectory { pendulum, motion: Motion::Integrated(branches), interval }
+        Trajectory { pendulum, motion: Motion::Integrated(Arc::new(branches)), interval }
     }
 
     /// The pendulum that moves.
@@ -92,7 +97,7 @@ impl Trajectory {
         }
     }
     /// The integration in both senses of time, if there was one.
-    pub(super) fn branches(&self) -> Option<&[Branch; 2]> {
+    pub(super) fn branches(&self) -> Option<&Arc<[Branch; 2]>> {
         match &self.motion {
             Motion::Exact(_) => None,
             Motion::Integrated(branches) => Some(branches),
@@ -221,7 +226,7 @@ impl Trajectory {
     pub fn rests(&self) -> Vec<(f64, f64)> {
         let Motion::Integrated(branches) = &self.motion else { return Vec::new() };
         let mut rests: Vec<(f64, f64)> = Vec::new();
-        for Branch { equation, segments } in branches {
+        for Branch { equation, segments } in branches.iter() {
             for segment in segments.iter().filter(|segment| segment.side == 0.0 && segment.length > 0.0) {
                 let ends = [segment.start.value(), (segment.start + Dd::from(segment.length)).value()];
                 let [a, b] = ends.map(|time| equation.seconds(time));
