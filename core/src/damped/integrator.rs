@@ -6,15 +6,17 @@
 //! |r| <= dry, until the torque has changed so that |r| > dry; otherwise it turns back.
 
 use super::circular::of_double;
-use super::equation::{Equation, INVERSE, TorqueJet};
-use super::jet::{COSINE, Jet, ORDER, SINE, SLIP, VELOCITY, rotated};
+use super::equation::Equation;
+use super::jet::{COSINE, Jet, SINE, SLIP, VELOCITY};
 use super::roots::{first_root, rootless, value_and_slope};
 use super::segment::{Event, Segment, step_length};
+use super::taylor::{INVERSE, ORDER};
+use super::torque_jet::{TorqueJet, rotated};
 use crate::domain::Domain;
 use crate::float::Dd;
 
 /// The largest number of segments of a motion: each takes 0.3 kB.
-pub const MOST_SEGMENTS: usize = 2_000_000;
+pub const MOST_SEGMENTS: usize = 1_000_000;
 
 /// Presliding has settled where it leaves less out of dry friction.
 const SETTLED: f64 = 1e-24;
@@ -34,23 +36,22 @@ struct State {
     at_limit: bool,
 }
 
-/// Segments from time 0 to `stop`, in the unit and the sense of the equation.
+/// At most `most` segments from time 0 to `stop`, in the unit and the sense of the equation.
 pub(super) fn integrate(
     equation: &Equation,
     theta0: f64,
     velocity0: f64,
     stop: f64,
+    most: usize,
 ) -> Result<Vec<Segment>, Domain> {
     let mut state = State::new(equation, theta0, velocity0);
     let mut segments = Vec::new();
     let mut jet = Jet::ZERO;
     while segments.is_empty() || state.time.value() < stop {
-        if segments.len() == MOST_SEGMENTS {
-            let allowed = format!(
-                "within {MOST_SEGMENTS} steps of the integration, which end at {:?} s",
-                equation.seconds(state.time.value())
-            );
-            return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
+        if segments.len() == most {
+            let reached = equation.seconds(state.time.value());
+            let allowed = format!("within {most} steps of the integration, which end at {reached:?} s");
+            return Err(refused(equation, stop, allowed));
         }
         let end = stop.min(equation.next_knot(state.time));
         let segment =
@@ -60,15 +61,20 @@ pub(super) fn integrate(
             continue;
         }
         if !(segment.length > 0.0 || stop == 0.0) || !segment.slopes[ORDER].is_finite() {
-            let allowed = format!(
-                "before {:?} s, where the motion grows without bound",
-                equation.seconds(state.time.value())
-            );
-            return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
+            let order = if equation.sense > 0.0 { "before" } else { "after" };
+            let reached = equation.seconds(segment.start.value());
+            let allowed = format!("{order} {reached:?} s, where the motion grows without bound");
+            return Err(refused(equation, stop, allowed));
         }
         segments.push(segment);
     }
     Ok(segments)
+}
+
+/// The error of the end of an interval.
+fn refused(equation: &Equation, end: f64, allowed: String) -> Domain {
+    let argument = if equation.sense > 0.0 { "stop" } else { "start" };
+    Domain::new(argument, format!("{:?}", equation.seconds(end)), allowed)
 }
 
 impl State {
@@ -238,5 +244,29 @@ impl State {
             self.time = if last { Dd::from(end) } else { self.time + Dd::from(length) };
         }
         segment
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Friction, Torque};
+    use super::*;
+    use crate::pendulum::Frequency;
+
+    #[test]
+    fn too_many_steps_are_refused() {
+        let friction = Friction::new(0.01, 0.0, 0.0, 0.0).unwrap();
+        let force = Frequency::from_omega0(1.0).unwrap();
+        for (sense, argument, stop) in [(1.0, "stop", "100.0"), (-1.0, "start", "-100.0")] {
+            let equation = Equation::new(0.0, force, friction, &Torque::NONE, sense);
+            let refused = integrate(&equation, 1.0, 0.0, 100.0, 10).unwrap_err();
+            assert_eq!((refused.argument, refused.given.as_str()), (argument, stop));
+            let start = "within 10 steps of the integration, which end at ";
+            assert!(refused.allowed.starts_with(start), "{}", refused.allowed);
+            assert_eq!(
+                integrate(&equation, 1.0, 0.0, 100.0, 1000).unwrap().last().unwrap().event,
+                Event::Step
+            );
+        }
     }
 }

@@ -5,7 +5,7 @@
 //! is halved. Where neither can be decided on 2^-30 of the whole, the polynomial and its slope vanish there to rounding: a touch,
 //! which counts as a root only if the sign changes.
 
-use super::jet::ORDER;
+use super::taylor::ORDER;
 
 const COUNT: usize = ORDER + 1;
 /// Least part of the whole interval that is looked at by itself.

@@ -1,20 +1,12 @@
 //! The motion of a pendulum with friction over an interval of time: values at any time in it, and times of what happens.
 
+use super::branch::{Branch, since};
 use super::damped_pendulum::DampedPendulum;
-use super::equation::Equation;
 use super::segment::{Event, Segment};
 use crate::domain::Domain;
-use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
 use crate::pendulum::{Orbit, Turns};
 use std::sync::Arc;
-
-/// One sense of time from t = 0.
-#[derive(Clone, Debug)]
-pub(super) struct Branch {
-    pub equation: Equation,
-    pub segments: Vec<Segment>,
-}
 
 #[derive(Clone, Debug)]
 enum Motion {
@@ -31,7 +23,7 @@ enum Motion {
 /// let pendulum = DampedPendulum::new(1.0, 0.0, Frequency::from_omega0(2.0)?, friction, Torque::NONE)?;
 /// let trajectory = pendulum.trajectory(0.0, 20.0)?;
 /// let stops: Vec<_> = trajectory.rests().iter().map(|(from, to)| format!("{from:.6} {to}")).collect();
-/// assert_eq!(stops, ["0 20"]);
+/// assert_eq!(stops, ["6.432369 20"]);
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -41,40 +33,41 @@ pub struct Trajectory {
     interval: [f64; 2],
 }
 
-impl Branch {
-    /// The segment that holds a time of the branch.
-    pub fn segment(&self, time: f64) -> &Segment {
-        &self.segments[self.index(time)]
+impl DampedPendulum {
+    /// The motion from `start` <= 0 to `stop` >= 0, both in s; it may be evaluated there.
+    ///
+    /// Without friction and torque it is the exact [`Orbit`], bit for bit. Otherwise it is integrated by Taylor series of order
+    /// 24 whose steps leave out less than 2^-66 of the motion, in at most [`MOST_SEGMENTS`](super::MOST_SEGMENTS) steps in each
+    /// direction (some twenty in a period). **Error** of angle and velocity at most 2 ulp of the largest up to the time, plus 2^-57
+    /// of the condition: the sum over the state and the constants of |each times the derivative by it|.
+    /// Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
+    ///
+    /// # Errors
+    /// Where the interval does not hold 0, is not finite, or leaves the samples of the torque; where the motion takes too many
+    /// steps, or grows without bound because friction drives it; and for a `start` before 0 with presliding, whose earlier
+    /// state no later one determines.
+    pub fn trajectory(&self, start: f64, stop: f64) -> Result<Trajectory, Domain> {
+        Domain::check("start", start, start.is_finite() && start <= 0.0, "finite and not above 0")?;
+        Domain::check("stop", stop, stop.is_finite() && stop >= 0.0, "finite and not below 0")?;
+        self.within_samples("start", start)?;
+        self.within_samples("stop", stop)?;
+        if self.friction.dry() != 0.0 && self.friction.presliding() != 0.0 {
+            Domain::check("start", start, start == 0.0, "0 with presliding")?;
+        }
+        if self.friction.is_none() && self.torque.is_none() {
+            let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency)?;
+            return Ok(Trajectory::exact(self.clone(), orbit, [start, stop]));
+        }
+        let [backward, forward] = self.branches(start, stop)?;
+        Ok(Trajectory::integrated(self.clone(), [backward, forward], [start, stop]))
     }
-    /// Its number.
-    pub fn index(&self, time: f64) -> usize {
-        let begun = |segment: &Segment| since(segment, time) >= 0.0;
-        self.segments.partition_point(begun).max(1) - 1
-    }
-
-    /// Angle and velocity at t in s.
-    fn at(&self, t: f64) -> (f64, f64) {
-        let time = self.equation.time(t);
-        let segment = self.segment(time);
-        let (theta, velocity) = segment.at(since(segment, time));
-        (theta, self.equation.sense * ldexp(velocity, self.equation.power))
-    }
-}
-
-/// Time since the start of a segment.
-pub(super) fn since(segment: &Segment, time: f64) -> f64 {
-    (time - segment.start.hi) - segment.start.lo
 }
 
 impl Trajectory {
-    pub(super) fn exact(pendulum: DampedPendulum, orbit: Orbit, interval: [f64; 2]) -> Trajectory {
+    fn exact(pendulum: DampedPendulum, orbit: Orbit, interval: [f64; 2]) -> Trajectory {
         Trajectory { pendulum, motion: Motion::Exact(Box::new(orbit)), interval }
     }
-    pub(super) fn integrated(
-        pendulum: DampedPendulum,
-        branches: [Branch; 2],
-        interval: [f64; 2],
-    ) -> Trajectory {
+    fn integrated(pendulum: DampedPendulum, branches: [Branch; 2], interval: [f64; 2]) -> Trajectory {
         Trajectory { pendulum, motion: Motion::Integrated(Arc::new(branches)), interval }
     }
 
