@@ -1,6 +1,7 @@
 //! What a trajectory says about itself agrees: slices and scalars, passages and angles, turns and velocities, rests.
 
 use crate::ruler::bits;
+use libration::damped::LazyTrajectory;
 use libration::{
     DampedPendulum, DampedSensitivity, Frequency, Friction, InstructionSet, Interpolation, Torque, Trajectory,
 };
@@ -172,4 +173,34 @@ fn the_decrement_of_small_swings() {
     for (_, decrement) in decrements {
         assert!((decrement - 0.05 * period).abs() < 1e-9, "{decrement}");
     }
+}
+
+/// What was asked before changes no bit, and what is not reached is NaN.
+#[test]
+fn lazy_trajectories_are_trajectories() {
+    for trajectory in trajectories() {
+        let lazy = LazyTrajectory::new(trajectory.pendulum().clone());
+        for t in times(&trajectory) {
+            let ((a, v), (b, w)) = (lazy.reaching(&[t]).motion(t), trajectory.motion(t));
+            assert_eq!([bits(a), bits(v)], [bits(b), bits(w)], "{t}");
+        }
+        let all = times(&trajectory);
+        let sensitivity = lazy.sensitivity(&all).unwrap();
+        let whole = DampedSensitivity::new(&trajectory).unwrap();
+        for t in all {
+            let (a, b) = (sensitivity.at(t), whole.at(t));
+            assert_eq!(a.theta.map(bits), b.theta.map(bits));
+        }
+    }
+    let driving = Friction::new(0.0, -0.5, 0.0, 0.0).unwrap();
+    let free = Frequency::from_omega2(0.0).unwrap();
+    let lazy = LazyTrajectory::new(DampedPendulum::new(0.0, 3.0, free, driving, Torque::NONE).unwrap());
+    for _ in 0..2 {
+        let trajectory = lazy.reaching(&[0.5, 1.0, f64::NAN]);
+        assert!((trajectory.velocity(0.5) - 12.0).abs() < 1e-13);
+        assert!(trajectory.velocity(1.0).is_nan() && trajectory.velocity(f64::NAN).is_nan());
+    }
+    let refused = lazy.over(0.0, 1.0).unwrap_err().to_string();
+    assert!(refused.starts_with("stop = 1.0: must be before 0.666"), "{refused}");
+    assert_eq!(lazy.over(0.0, f64::NAN).unwrap_err().to_string(), "stop = NaN: must be finite");
 }

@@ -5,6 +5,7 @@ use super::equation::Equation;
 use super::integrator::{MOST_SEGMENTS, integrate};
 use super::segment::Segment;
 use crate::domain::Domain;
+use crate::float::Dd;
 use crate::float::exponent::ldexp;
 
 /// One sense of time from t = 0.
@@ -15,6 +16,12 @@ pub(super) struct Branch {
 }
 
 impl Branch {
+    /// Where the integration ends, in s.
+    pub fn end(&self) -> f64 {
+        let reached = |last: &Segment| (last.start + Dd::from(last.length)).value();
+        self.equation.seconds(self.segments.last().map_or(0.0, reached))
+    }
+
     /// The segment that holds a time of the branch.
     pub fn segment(&self, time: f64) -> &Segment {
         &self.segments[self.index(time)]
@@ -40,14 +47,16 @@ pub(super) fn since(segment: &Segment, time: f64) -> f64 {
 }
 
 impl DampedPendulum {
-    /// The integration in both senses of time.
-    pub(super) fn branches(&self, start: f64, stop: f64) -> Result<[Branch; 2], Domain> {
+    /// The integration in both senses of time, and why one does not reach its end, if so.
+    pub(super) fn branches(&self, start: f64, stop: f64) -> ([Branch; 2], Option<Domain>) {
         let branch = |sense: f64, end: f64| {
             let equation = Equation::new(self.velocity0, self.frequency, self.friction, &self.torque, sense);
-            let segments =
-                integrate(&equation, self.theta0, self.velocity0, equation.time(end), MOST_SEGMENTS)?;
-            Ok(Branch { equation, segments })
+            let most = if sense < 0.0 && end == 0.0 { 0 } else { MOST_SEGMENTS };
+            let time = equation.time(end);
+            let (segments, refused) = integrate(&equation, self.theta0, self.velocity0, time, most);
+            (Branch { equation, segments }, refused.filter(|_| most > 0))
         };
-        Ok([branch(-1.0, start)?, branch(1.0, stop)?])
+        let ((backward, early), (forward, late)) = (branch(-1.0, start), branch(1.0, stop));
+        ([backward, forward], early.or(late))
     }
 }

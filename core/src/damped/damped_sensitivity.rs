@@ -54,7 +54,10 @@ impl DampedSensitivity {
         let (start, stop) = trajectory.interval();
         let branches = match trajectory.branches() {
             Some(branches) => Arc::clone(branches),
-            None => Arc::new(trajectory.pendulum().branches(start, stop)?),
+            None => match trajectory.pendulum().branches(start, stop) {
+                (branches, None) => Arc::new(branches),
+                (_, Some(refused)) => return Err(refused),
+            },
         };
         let starts = [0, 1].map(|i| along(&branches[i]));
         Ok(DampedSensitivity { branches, starts, interval: (start, stop) })

@@ -51,26 +51,50 @@ impl DampedPendulum {
         Domain::check("stop", stop, stop.is_finite() && stop >= 0.0, "finite and not below 0")?;
         self.within_samples("start", start)?;
         self.within_samples("stop", stop)?;
-        if self.friction.dry() != 0.0 && self.friction.presliding() != 0.0 {
+        if self.remembers() {
             Domain::check("start", start, start == 0.0, "0 with presliding")?;
         }
-        if self.friction.is_none() && self.torque.is_none() {
-            let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency)?;
-            return Ok(Trajectory::exact(self.clone(), orbit, [start, stop]));
+        match self.over(start, stop) {
+            (trajectory, None) => Ok(trajectory),
+            (_, Some(refused)) => Err(refused),
         }
-        let [backward, forward] = self.branches(start, stop)?;
-        Ok(Trajectory::integrated(self.clone(), [backward, forward], [start, stop]))
+    }
+
+    /// The motion from `start` to `stop` as far as [`DampedPendulum::trajectory`] would follow it: over a shorter interval where it
+    /// would give an error, and from or to 0 where they are on the wrong side of it, or no number.
+    #[must_use]
+    pub fn reachable(&self, start: f64, stop: f64) -> Trajectory {
+        let (first, last) = match &self.torque.samples {
+            Some(samples) => (samples.times[0], samples.times[samples.times.len() - 1]),
+            None => (f64::MIN, f64::MAX),
+        };
+        let first = if self.remembers() { 0.0 } else { first };
+        // max and min take the other number where one is NaN.
+        self.over(start.min(0.0).max(first), stop.max(0.0).min(last)).0
+    }
+
+    /// Whether an earlier state has to be known: that of presliding.
+    fn remembers(&self) -> bool {
+        self.friction.dry() != 0.0 && self.friction.presliding() != 0.0
+    }
+
+    fn over(&self, start: f64, stop: f64) -> (Trajectory, Option<Domain>) {
+        let interval = [start, stop];
+        let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency);
+        if let (true, Ok(orbit)) = (self.friction.is_none() && self.torque.is_none(), orbit) {
+            let motion = Motion::Exact(Box::new(orbit));
+            return (Trajectory { pendulum: self.clone(), motion, interval }, None);
+        }
+        let (branches, refused) = self.branches(start, stop);
+        let interval = [start.max(branches[0].end()), stop.min(branches[1].end())];
+        (
+            Trajectory { pendulum: self.clone(), motion: Motion::Integrated(Arc::new(branches)), interval },
+            refused,
+        )
     }
 }
 
 impl Trajectory {
-    fn exact(pendulum: DampedPendulum, orbit: Orbit, interval: [f64; 2]) -> Trajectory {
-        Trajectory { pendulum, motion: Motion::Exact(Box::new(orbit)), interval }
-    }
-    fn integrated(pendulum: DampedPendulum, branches: [Branch; 2], interval: [f64; 2]) -> Trajectory {
-        Trajectory { pendulum, motion: Motion::Integrated(Arc::new(branches)), interval }
-    }
-
     /// The pendulum that moves.
     #[must_use]
     pub fn pendulum(&self) -> &DampedPendulum {
@@ -152,7 +176,7 @@ impl Trajectory {
             Motion::Exact(orbit) => return orbit.turns(t),
             Motion::Integrated(branches) => branches,
         };
-        let branch = &branches[usize::from(t > 0.0)];
+        let branch = &branches[usize::from(t >= 0.0)];
         let time = branch.equation.time(t);
         let segment = branch.segment(time);
         let theta = segment.theta + Dd::from(segment.change(since(segment, time)).0);
@@ -222,10 +246,12 @@ impl Trajectory {
         for Branch { equation, segments } in branches.iter() {
             for segment in segments.iter().filter(|segment| segment.side == 0.0 && segment.length > 0.0) {
                 let ends = [segment.start.value(), (segment.start + Dd::from(segment.length)).value()];
-                let [a, b] = ends.map(|time| equation.seconds(time));
+                let [a, b] =
+                    ends.map(|time| equation.seconds(time).clamp(self.interval[0], self.interval[1]));
                 rests.push((a.min(b), a.max(b)));
             }
         }
+        rests.retain(|(from, to)| from < to);
         rests.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Pieces that touch are one rest.
         let mut joined: Vec<(f64, f64)> = Vec::new();

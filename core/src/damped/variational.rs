@@ -5,8 +5,8 @@
 //!   v_p' = -omega2 c theta_p - linear v_p - 2 quadratic |v| v_p + dry side u_p + (the equation's own derivative by p),
 //!   u_p' = -side (v u_p + u v_p)/presliding + (for p = presliding) side v u/presliding^2.
 //! Where the velocity changes its sign the acceleration jumps from a to b if friction is dry without presliding. The column is
-//! continuous in theta_p; the time of the turn moves by -v_p/a, so v_p is multiplied by b/a (the saltation matrix of Aizerman &
-//! Gantmacher, Q. J. Mech. Appl. Math. 11 (1958) 243). Where friction takes hold v_p becomes 0; where it lets go nothing jumps,
+//! continuous in theta_p; the time of the turn moves by -v_p/a, so v_p is multiplied by b/a (the
+//! saltation matrix). Where friction takes hold v_p becomes 0; where it lets go nothing jumps,
 //! because the acceleration is 0 there.
 
 use super::equation::Equation;
