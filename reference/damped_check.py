@@ -8,6 +8,7 @@ closed form, 1 - z side = u exp(-side (theta - theta_turn)/presliding). Derivati
 import functools
 
 import damped
+import damped_inputs
 import exact
 import mpmath as mp
 from table import counted, fail, mutated
@@ -45,7 +46,7 @@ def torque(row, kind, t, piece):
     value = row["constant"] + row["amplitude"] * mp.cos(row["frequency"] * t + row["phase"])
     if not kind:
         return value
-    times, values = damped.SAMPLE_TIMES, damped.SAMPLE_VALUES
+    times, values = damped_inputs.SAMPLE_TIMES, damped_inputs.SAMPLE_VALUES
     x = (t - exact.real(times[piece])) / exact.real(times[piece + 1] - times[piece])
     y0, y1 = exact.real(values[piece]), exact.real(values[piece + 1])
     if kind == "steps":
@@ -76,7 +77,7 @@ class Collocated:
         return torque(self.row, self.kind, self.t, self.piece()) - self.row["omega2"] * mp.sin(self.theta)
 
     def piece(self):
-        return max(i for i, t in enumerate(damped.SAMPLE_TIMES) if t <= self.t) if self.kind else 0
+        return max(i for i, t in enumerate(damped_inputs.SAMPLE_TIMES) if t <= self.t) if self.kind else 0
 
     def start_from_rest(self):
         pull = self.pull()
@@ -111,7 +112,7 @@ class Collocated:
         row = self.row
         h = min(stop - self.t, mp.mpf("0.25"))
         if self.kind:
-            h = min(h, exact.real(damped.SAMPLE_TIMES[self.piece() + 1]) - self.t)
+            h = min(h, exact.real(damped_inputs.SAMPLE_TIMES[self.piece() + 1]) - self.t)
         if self.held:
             return self.hold(stop)
         # Fast motion and short presliding take shorter steps.
@@ -175,7 +176,7 @@ def motion(row, kind, stop):
 
 
 def inputs_of(row):
-    return {name: mp.mpf(float.fromhex(row[name])) for name in damped.INPUTS}
+    return {name: mp.mpf(float.fromhex(row[name])) for name in damped_inputs.INPUTS}
 
 
 def wrong(row):
@@ -229,7 +230,7 @@ def check(name, every, rng):
         fail(name, "columns differ from the generator's")
     if counted(name, rows) not in (exact.ROOM / "README.md").read_text():
         fail("README.md lacks the line", counted(name, rows))
-    all_cases = list(damped.cases())
+    all_cases = list(damped_inputs.cases())
     lengths = [(number, i) for number, case in enumerate(all_cases) for i in range(len(case[3]))]
     if name == "damped.csv" and [row["id"] for row in rows] != [f"damped-{a:03d}-{b}" for a, b in lengths]:
         fail(name, "rows are not the cases of the generator")
@@ -239,7 +240,7 @@ def check(name, every, rng):
         number, i = map(int, row["id"].split("-")[1:])
         _, inputs, kind, times, _ = all_cases[number]
         given = [*damped.texts(inputs), kind, float(times[i]).hex()]
-        if [row[column] for column in [*damped.INPUTS, "samples", "t"]] != given:
+        if [row[column] for column in [*damped_inputs.INPUTS, "samples", "t"]] != given:
             fail(name, "is not what its generator draws:", row)
         if name == "damped.csv":
             if found := wrong(row):
@@ -247,7 +248,7 @@ def check(name, every, rng):
             continue
         known = [
             by
-            for by in damped.INPUTS
+            for by in damped_inputs.INPUTS
             if row[f"dtheta_d{by}"] != "nan" and (by != "velocity0" or row[f"dtheta_d{by}"] != "0")
         ]
         if found := slopes_wrong(row, known if every else rng.sample(known, 2)):

@@ -264,6 +264,13 @@ impl Trajectory {
         joined
     }
 
+    /// [`Trajectory::rests`] between two times, cut there.
+    #[must_use]
+    pub fn rests_within(&self, start: f64, stop: f64) -> Vec<(f64, f64)> {
+        let inside = |(from, to): (f64, f64)| (from.max(start), to.min(stop));
+        self.rests().into_iter().map(inside).filter(|(from, to)| from < to).collect()
+    }
+
     /// Logarithmic decrements ln(theta_n/theta_(n+2)) of the turning angles on one side, one period apart, with the time of the
     /// second; NaN where the angles differ in sign or vanish.
     ///
