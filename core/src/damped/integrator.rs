@@ -10,7 +10,7 @@ use super::equation::Equation;
 use super::jet::{COSINE, Jet, SINE, SLIP, VELOCITY};
 use super::roots::{first_root, rootless, value_and_slope};
 use super::segment::{Event, Segment, step_length};
-use super::taylor::{INVERSE, ORDER};
+use super::taylor::ORDER;
 use super::torque_jet::{TorqueJet, rotated};
 use crate::domain::Domain;
 use crate::float::Dd;
@@ -148,7 +148,7 @@ impl State {
             }
             // The first coefficient that does not vanish is the same for both signs, but for dry friction, which is smaller
             // than the pull where it does not hold.
-            let first = jet.hi[VELOCITY].iter().find(|v| **v != 0.0);
+            let first = jet.velocity.iter().find(|v| **v != 0.0);
             self.side = if first.is_some_and(|v| *v < 0.0) { -1.0 } else { 1.0 };
             self.decided = true;
         }
@@ -168,10 +168,8 @@ impl State {
         let converged = self.fill(equation, &torque, jet);
         let mut segment = self.segment();
         segment.side = self.side;
-        let velocity = &jet.hi[VELOCITY];
-        for ((slope, v), inverse) in segment.slopes.iter_mut().zip(velocity).zip(&INVERSE[1..]) {
-            *slope = v * inverse.hi;
-        }
+        segment.slopes = jet.slopes;
+        let velocity = &jet.velocity;
         let end = if converged.is_finite() { knot } else { knot.min(stop) };
         let left = self.until(end);
         let last = converged >= left;
@@ -180,7 +178,7 @@ impl State {
         let mut passed = root.unwrap_or(length);
         let mut exactly = Dd::from(passed);
         let slips = self.values[SLIP].hi != 0.0;
-        let mut ahead = jet.at(passed, &segment.slopes, slips);
+        let mut ahead = jet.at(passed, slips);
         let turns = root.is_some() || ahead[VELOCITY].hi * self.side < 0.0;
         if turns {
             // What the root in double misses; the angle changes only by its square.

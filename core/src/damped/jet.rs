@@ -9,7 +9,7 @@
 //! double and 21 in double-double; and for each of s, c, v and theta a sum of 18 terms in double and 7 in double-double.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
-use super::taylor::{INVERSE, LONG, ORDER, Series, double, number, on_circle};
+use super::taylor::{Four, INVERSE, LONG, ORDER, Series, double, four, four_mul_add, number, on_circle};
 use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
@@ -34,15 +34,29 @@ pub(super) struct Piece {
     pub slip: f64,
 }
 
-/// Coefficients of powers of time of s, c, u and v; the low words of the first.
+/// Coefficients of powers of time of s, c, v and the angle, a row for each power, and of u.
 #[derive(Clone, Debug)]
 pub(super) struct Jet {
-    pub hi: [Series; 4],
-    pub lo: [[f64; LONG]; 4],
+    /// Of s, c, v, and of the powers 1, 2, ... in the angle; the low words of the first.
+    rows: [[f64; 4]; ORDER + 1],
+    low_rows: [[f64; 4]; LONG],
+    /// Of u.
+    slip: Series,
+    low_slip: [f64; LONG],
+    /// The columns of v and of the angle.
+    pub velocity: Series,
+    pub slopes: Series,
 }
 
 impl Jet {
-    pub const ZERO: Jet = Jet { hi: [[0.0; ORDER + 1]; 4], lo: [[0.0; LONG]; 4] };
+    pub const ZERO: Jet = Jet {
+        rows: [[0.0; 4]; ORDER + 1],
+        low_rows: [[0.0; 4]; LONG],
+        slip: [0.0; ORDER + 1],
+        low_slip: [0.0; LONG],
+        velocity: [0.0; ORDER + 1],
+        slopes: [0.0; ORDER + 1],
+    };
 
     /// From the values of s, c, u, v. `at_limit`: the acceleration is 0, as it is when a stuck pendulum is released.
     pub fn fill(&mut self, start: &[Dd; 4], piece: &Piece, torque: &TorqueJet, at_limit: bool) {
@@ -56,8 +70,14 @@ impl Jet {
     }
 
     /// s, c, u, v and the change of the angle a time later, as far as the series converges; s and c on the circle.
-    pub fn at(&self, time: f64, slopes: &Series, slips: bool) -> [Dd; 5] {
-        single(Sum { jet: self, time, slopes, slips })
+    pub fn at(&self, time: f64, slips: bool) -> [Dd; 5] {
+        single(Sum { jet: self, time, slips })
+    }
+
+    /// The sizes of the coefficients of s, c, v and of u at one power.
+    pub fn sizes(&self, k: usize) -> [f64; 4] {
+        let [sine, cosine, velocity, _] = self.rows[k];
+        [sine.abs(), cosine.abs(), velocity.abs(), self.slip[k].abs()]
     }
 }
 
@@ -67,22 +87,6 @@ struct Recurrence<'a, const DRAG: bool, const SLIPS: bool> {
     piece: &'a Piece,
     torque: &'a TorqueJet,
     at_limit: bool,
-}
-
-/// Coefficient k of x v, in double-double.
-#[inline(always)]
-fn long_product<L: Lane>(
-    x: &[Unnormalised<L>; LONG],
-    v: &[Unnormalised<L>; LONG],
-    k: usize,
-) -> Unnormalised<L> {
-    let mut sum = x[0] * v[k];
-    let mut j = 0;
-    while j < k {
-        sum = sum + x[k - j] * v[j];
-        j += 1;
-    }
-    sum
 }
 
 /// Coefficient k >= 4 of x v, the latest coefficients last.
@@ -111,49 +115,70 @@ impl<const DRAG: bool, const SLIPS: bool> Kernel for Recurrence<'_, DRAG, SLIPS>
     #[inline(always)]
     fn run<L: Lane>(self) {
         let Recurrence { jet, start, piece, torque, at_limit } = self;
-        let zero = L::splat(0.0);
-        let none = [double::<L>(0.0); LONG];
-        let (mut s, mut c, mut u, mut v) = (none, none, none, none);
-        s[0] = Unnormalised::splat(start[SINE]);
-        c[0] = Unnormalised::splat(start[COSINE]);
-        u[0] = Unnormalised::splat(start[SLIP]);
-        v[0] = Unnormalised::splat(start[VELOCITY]);
+        // Rows of s, c, u, v.
+        let mut long = [Four::<L>::zero(); LONG];
+        long[0] = Four::of([
+            Unnormalised::splat(start[SINE]),
+            Unnormalised::splat(start[COSINE]),
+            Unnormalised::splat(start[SLIP]),
+            Unnormalised::splat(start[VELOCITY]),
+        ]);
         let omega2 = Unnormalised::<L>::splat(piece.omega2);
         let mut k = 0;
         while k < LONG - 1 {
-            let inverse = Unnormalised::<L>::splat(INVERSE[k + 1]);
+            let mut sums = long[0].times(long[k].at(VELOCITY));
+            if k > 0 {
+                // The two products with the latest row last.
+                sums = sums.plus(long[k].times(long[0].at(VELOCITY)));
+                let (mut middle, mut j) = (Four::zero(), 1);
+                while j < k {
+                    middle = middle.plus(long[k - j].times(long[j].at(VELOCITY)));
+                    j += 1;
+                }
+                sums = sums.plus(middle);
+            }
             let mut force = Unnormalised::new(L::splat(torque.hi[k]), L::splat(torque.lo[k]));
-            force = force - omega2 * s[k] - double::<L>(piece.linear) * v[k];
+            force = force - double::<L>(piece.linear) * long[k].at(VELOCITY) - omega2 * long[k].at(SINE);
             if DRAG {
-                force = force - double::<L>(piece.quadratic) * long_product(&v, &v, k);
+                force = force - double::<L>(piece.quadratic) * sums.at(VELOCITY);
             }
             if k == 0 {
                 force = force - double::<L>(piece.dry);
             }
             if SLIPS || k == 0 {
-                force = force + double::<L>(piece.dry) * u[k];
+                force = force + double::<L>(piece.dry) * long[k].at(SLIP);
             }
             if k == 0 && at_limit {
                 force = double::<L>(0.0);
             }
-            v[k + 1] = force * inverse;
-            s[k + 1] = long_product(&c, &v, k) * inverse;
-            c[k + 1] = -(long_product(&s, &v, k) * inverse);
+            let mut slip = double::<L>(0.0);
             if SLIPS {
-                u[k + 1] = -(double::<L>(piece.slip) * long_product(&u, &v, k) * inverse);
+                slip = -(double::<L>(piece.slip) * sums.at(SLIP));
             }
+            let next = Four::of([sums.at(COSINE), -sums.at(SINE), slip, force]);
+            long[k + 1] = next.times(Unnormalised::splat(INVERSE[k + 1]));
             k += 1;
         }
-        let series = [zero; ORDER + 1];
-        let (mut short_s, mut short_c, mut short_u, mut short_v) = (series, series, series, series);
+        let series = [L::splat(0.0); ORDER + 1];
+        let (mut s, mut c, mut u, mut v, mut slopes) = (series, series, series, series, series);
         let mut k = 0;
         while k < LONG {
-            let [a, b, d, e] = [s[k].tight(), c[k].tight(), u[k].tight(), v[k].tight()];
-            (short_s[k], short_c[k], short_u[k], short_v[k]) = (a.hi, b.hi, d.hi, e.hi);
-            a.lo.store(&mut jet.lo[SINE][k..=k]);
-            b.lo.store(&mut jet.lo[COSINE][k..=k]);
-            d.lo.store(&mut jet.lo[SLIP][k..=k]);
-            e.lo.store(&mut jet.lo[VELOCITY][k..=k]);
+            let slope = long[k].at(VELOCITY) * Unnormalised::splat(INVERSE[k + 1]);
+            let words = [
+                long[k].at(SINE).tight(),
+                long[k].at(COSINE).tight(),
+                long[k].at(VELOCITY).tight(),
+                slope.tight(),
+                long[k].at(SLIP).tight(),
+            ];
+            (s[k], c[k], v[k], slopes[k], u[k]) =
+                (words[0].hi, words[1].hi, words[2].hi, words[3].hi, words[4].hi);
+            let mut i = 0;
+            while i < 4 {
+                words[i].lo.store(&mut jet.low_rows[k][i..=i]);
+                i += 1;
+            }
+            words[4].lo.store(&mut jet.low_slip[k..=k]);
             k += 1;
         }
         let (omega2, linear) = (L::splat(piece.omega2.hi), L::splat(piece.linear));
@@ -161,29 +186,36 @@ impl<const DRAG: bool, const SLIPS: bool> Kernel for Recurrence<'_, DRAG, SLIPS>
         let mut k = LONG - 1;
         while k < ORDER {
             let inverse = L::splat(INVERSE[k + 1].hi);
-            let mut force = L::splat(torque.hi[k]) - linear * short_v[k];
+            let mut force = L::splat(torque.hi[k]) - linear * v[k];
             if DRAG {
-                force = force - quadratic * product(&short_v, &short_v, k);
+                force = force - quadratic * product(&v, &v, k);
             }
             if SLIPS {
-                force = dry.mul_add(short_u[k], force);
+                force = dry.mul_add(u[k], force);
             }
-            let rise = product(&short_c, &short_v, k);
-            let fall = product(&short_s, &short_v, k);
+            let rise = product(&c, &v, k);
+            let fall = product(&s, &v, k);
             if SLIPS {
-                short_u[k + 1] = -(slip * product(&short_u, &short_v, k) * inverse);
+                u[k + 1] = -(slip * product(&u, &v, k) * inverse);
             }
-            short_v[k + 1] = (force - omega2 * short_s[k]) * inverse;
-            short_s[k + 1] = rise * inverse;
-            short_c[k + 1] = -(fall * inverse);
+            v[k + 1] = (force - omega2 * s[k]) * inverse;
+            s[k + 1] = rise * inverse;
+            c[k + 1] = -(fall * inverse);
+            slopes[k + 1] = v[k + 1] * L::splat(INVERSE[k + 2].hi);
             k += 1;
         }
         let mut k = 0;
         while k <= ORDER {
-            short_s[k].store(&mut jet.hi[SINE][k..=k]);
-            short_c[k].store(&mut jet.hi[COSINE][k..=k]);
-            short_u[k].store(&mut jet.hi[SLIP][k..=k]);
-            short_v[k].store(&mut jet.hi[VELOCITY][k..=k]);
+            let row = &mut jet.rows[k];
+            s[k].store(&mut row[0..1]);
+            c[k].store(&mut row[1..2]);
+            v[k].store(&mut row[2..3]);
+            slopes[k].store(&mut row[3..4]);
+            v[k].store(&mut jet.velocity[k..=k]);
+            slopes[k].store(&mut jet.slopes[k..=k]);
+            if SLIPS || k == 0 {
+                u[k].store(&mut jet.slip[k..=k]);
+            }
             k += 1;
         }
     }
@@ -192,37 +224,7 @@ impl<const DRAG: bool, const SLIPS: bool> Kernel for Recurrence<'_, DRAG, SLIPS>
 struct Sum<'a> {
     jet: &'a Jet,
     time: f64,
-    slopes: &'a Series,
     slips: bool,
-}
-
-/// The sum of a series at a time, its first words in double-double.
-#[inline(always)]
-fn long_sum<L: Lane>(hi: &Series, first: &[Unnormalised<L>; LONG], t: L) -> Unnormalised<L> {
-    let mut tail = L::load(&hi[ORDER..]);
-    let mut k = ORDER;
-    while k > LONG {
-        k -= 1;
-        tail = tail.mul_add(t, L::load(&hi[k..]));
-    }
-    let time = Unnormalised::from_double(t);
-    let mut sum = Unnormalised::from_double(tail);
-    while k > 0 {
-        k -= 1;
-        sum = sum * time + first[k];
-    }
-    sum
-}
-
-#[inline(always)]
-fn words<L: Lane>(jet: &Jet, place: usize) -> [Unnormalised<L>; LONG] {
-    let mut words = [double::<L>(0.0); LONG];
-    let mut k = 0;
-    while k < LONG {
-        words[k] = Unnormalised::new(L::load(&jet.hi[place][k..]), L::load(&jet.lo[place][k..]));
-        k += 1;
-    }
-    words
 }
 
 impl Kernel for Sum<'_> {
@@ -230,24 +232,38 @@ impl Kernel for Sum<'_> {
     type Place = Jet;
     #[inline(always)]
     fn run<L: Lane>(self) -> [Dd; 5] {
-        let Sum { jet, time, slopes, slips } = self;
+        let Sum { jet, time, slips } = self;
         let t = L::splat(time);
-        let v_words = words::<L>(jet, VELOCITY);
-        let mut slope_words = v_words;
-        let mut k = 1;
-        while k < LONG {
-            slope_words[k] = v_words[k] * Unnormalised::splat(INVERSE[k + 1]);
-            k += 1;
+        let mut tail = four::<L>(&jet.rows[ORDER]);
+        let mut k = ORDER;
+        while k > LONG {
+            k -= 1;
+            tail = four_mul_add(tail, t, four(&jet.rows[k]));
         }
-        let mut s = long_sum(&jet.hi[SINE], &words(jet, SINE), t);
-        let mut c = long_sum(&jet.hi[COSINE], &words(jet, COSINE), t);
-        let v = long_sum(&jet.hi[VELOCITY], &v_words, t);
-        let change = long_sum(slopes, &slope_words, t) * Unnormalised::from_double(t);
-        let mut u = Dd::new(jet.hi[SLIP][0], jet.lo[SLIP][0]);
+        let mut sum = Four { hi: tail, lo: [L::splat(0.0); 4] };
+        while k > 0 {
+            k -= 1;
+            sum = sum.times_double(t).plus(Four { hi: four(&jet.rows[k]), lo: four(&jet.low_rows[k]) });
+        }
+        let mut u = Dd::new(jet.slip[0], jet.low_slip[0]);
         if slips {
-            u = number(long_sum(&jet.hi[SLIP], &words(jet, SLIP), t));
+            let mut tail = L::load(&jet.slip[ORDER..]);
+            let mut k = ORDER;
+            while k > LONG {
+                k -= 1;
+                tail = tail.mul_add(t, L::load(&jet.slip[k..]));
+            }
+            let mut sum = Unnormalised::from_double(tail);
+            while k > 0 {
+                k -= 1;
+                let word = Unnormalised::new(L::load(&jet.slip[k..]), L::load(&jet.low_slip[k..]));
+                sum = sum * Unnormalised::from_double(t) + word;
+            }
+            u = number(sum);
         }
+        let (mut s, mut c) = (sum.at(0), sum.at(1));
         on_circle(&mut s, &mut c);
-        [number(s), number(c), u, number(v), number(change)]
+        let change = sum.at(3) * Unnormalised::from_double(t);
+        [number(s), number(c), u, number(sum.at(2)), number(change)]
     }
 }

@@ -13,14 +13,18 @@ const LEAST: f64 = 1.0 / (1u64 << 30) as f64;
 /// No polynomial of a step needs more than some ten intervals; beyond, only the signs at the ends are compared.
 const MOST_INTERVALS: usize = 1000;
 
-/// Value and slope at x.
+/// Value and slope at x: of the even and the odd powers by themselves, so that the sums need not wait for each other.
 pub(super) fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
-    let (mut value, mut slope) = (0.0, 0.0);
-    for c in c.iter().rev() {
-        slope = slope * x + value;
-        value = value * x + c;
+    let square = x * x;
+    let (mut even, mut odd, mut even_slope, mut odd_slope) = (0.0, 0.0, 0.0, 0.0);
+    for pair in c.chunks(2).rev() {
+        even_slope = even_slope * square + even;
+        odd_slope = odd_slope * square + odd;
+        even = even * square + pair[0];
+        odd = odd * square + pair.get(1).copied().unwrap_or(0.0);
     }
-    (value, slope)
+    // The slopes of the two sums are by the square of x.
+    (odd * x + even, odd + 2.0 * (odd_slope * square + even_slope * x))
 }
 
 /// Whether the polynomial is seen at once to have no root in (0, end]: between its ends it is nowhere farther from its chord than
@@ -133,11 +137,14 @@ fn shift(b: &[f64; COUNT], by: f64) -> [f64; COUNT] {
     shifted
 }
 
-/// The root in [0, width], over whose ends the sign changes: Newton's steps, halving where they leave the bracket.
+/// The root in [0, width], over whose ends the sign changes: Newton's steps from where the chord vanishes, halving where they leave
+/// the bracket.
 pub(super) fn bracketed(b: &[f64], width: f64) -> f64 {
     let negative = b[0] < 0.0;
+    let end = value_and_slope(b, width).0;
     let (mut low, mut high) = (0.0, width);
-    let mut x = 0.5 * width;
+    let chord = width * (b[0] / (b[0] - end));
+    let mut x = if chord >= 0.0 && chord <= width { chord } else { 0.5 * width };
     // A halving gains one bit, a Newton step doubles the digits: 60 suffice for a double.
     for _ in 0..60 {
         let (value, slope) = value_and_slope(b, x);
@@ -150,9 +157,11 @@ pub(super) fn bracketed(b: &[f64], width: f64) -> f64 {
             high = x
         }
         let newton = x - value / slope;
-        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-        if next == x {
-            return x;
+        let inside = newton >= low && newton <= high;
+        let next = if inside { newton } else { 0.5 * (low + high) };
+        // Where two of Newton's points agree to half of the digits, the second has all.
+        if next == x || (inside && (next - x).abs() < 1e-9 * width) {
+            return next;
         }
         x = next;
     }

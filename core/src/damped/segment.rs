@@ -1,10 +1,10 @@
 //! A piece of the motion on which the angle is one polynomial of time and the velocity has one sign, and the length that the
 //! polynomial may have.
 
-use super::jet::{COSINE, Jet, Piece, SINE, SLIP, VELOCITY};
+use super::jet::{Jet, Piece};
 use super::roots::{bracketed, value_and_slope};
-use super::taylor::{ORDER, Series};
-use crate::float::Dd;
+use super::taylor::{INVERSE, ORDER, Series};
+use crate::float::{Dd, exponent};
 
 /// How a segment begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,53 +87,57 @@ impl Segment {
     }
 }
 
-/// What a step may leave out, of the size of each variable.
-const TOLERANCE: f64 = 1.0 / (1u128 << 66) as f64;
+/// What a step may leave out, of the size of each variable: a power of two.
+const TOLERANCE: f64 = -66.0;
 
 /// Length of a step whose terms of the two highest orders are at most 2^-66 of each variable; infinite for a motion that is a
 /// polynomial. The terms left out are 0.15 of that, since 2^(-66/24) = 0.15 is the ratio of one term to the next.
 pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
-    let row = |k: usize, place: usize| jet.hi[place][k].abs();
-    let mut speed = (0..4).map(|k| row(k, VELOCITY)).fold(0.0, f64::max);
+    let mut speed = jet.velocity[..4].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     if speed == 0.0 {
-        speed = (0..=ORDER).map(|k| row(k, VELOCITY)).fold(0.0, f64::max);
+        speed = jet.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     }
     if speed == 0.0 {
         return f64::INFINITY;
     }
-    if !jet.hi[VELOCITY][ORDER].is_finite() {
+    if !jet.velocity[ORDER].is_finite() {
         return 0.0;
     }
-    let circular = f64::min(1.0, f64::max(row(0, SINE), speed));
+    let circular = 1.0 / f64::min(1.0, f64::max(jet.sizes(0)[0], speed));
+    let inverse = 1.0 / speed;
+    let (pulled, slips) = (piece.omega2.hi != 0.0, piece.slip != 0.0);
     let mut shortest = f64::INFINITY;
     for k in [ORDER - 1, ORDER] {
-        let mut size = row(k, VELOCITY) / speed;
-        if piece.omega2.hi != 0.0 {
-            size = size.max(row(k, SINE) / circular).max(row(k, COSINE) / circular);
+        let [sine, cosine, velocity, slip] = jet.sizes(k);
+        let mut size = velocity * inverse;
+        if pulled {
+            size = size.max(sine.max(cosine) * circular);
         }
-        if piece.slip != 0.0 {
-            size = size.max(row(k, SLIP) * piece.dry.abs() / speed);
+        if slips {
+            size = size.max(slip * piece.dry.abs() * inverse);
         }
         if size != 0.0 {
-            shortest = shortest.min(root(TOLERANCE / size, k));
+            shortest = shortest.min(exp2((TOLERANCE - log2(size)) * INVERSE[k].hi));
         }
     }
     shortest
 }
 
-/// The k-th root to one percent: what the step needs.
-fn root(value: f64, k: usize) -> f64 {
-    if !(value.is_normal() && value > 0.0) {
-        return if value == 0.0 { 0.0 } else { 1.0 };
-    }
+/// The logarithm to base 2 of a positive number, to 0.01: what a step needs of it.
+fn log2(value: f64) -> f64 {
     let bits = value.to_bits();
-    let whole = (bits >> 52) as f64 - 1023.0;
     let part = f64::from_bits(bits & ((1 << 52) - 1) | (1023 << 52)) - 1.0;
-    // log2(1 + x) and 2^x on [0, 1] by parabolas.
-    let logarithm = (whole + part * (1.35 - 0.35 * part)) / k as f64;
-    let floor = logarithm.floor();
-    let rest = logarithm - floor;
-    (1.0 + rest * (0.66 + 0.34 * rest)) * crate::float::exponent::exp2(floor as i32)
+    // log2(1 + x) on [0, 1] by a parabola.
+    (bits >> 52) as f64 - 1023.0 + part * (1.35 - 0.35 * part)
+}
+
+/// 2^value for -1000 < value < 1000, to 1 %; beyond, as there.
+fn exp2(value: f64) -> f64 {
+    let value = value.clamp(-1000.0, 1000.0);
+    let whole = (value + 1024.0) as i32 - 1024;
+    let rest = value - f64::from(whole);
+    // 2^x on [0, 1] by a parabola.
+    (1.0 + rest * (0.66 + 0.34 * rest)) * exponent::exp2(whole)
 }
 
 #[cfg(test)]
@@ -144,8 +148,8 @@ mod tests {
     fn roots_are_good_enough() {
         for i in -300..300 {
             let value = 10f64.powi(i) * 1.7;
-            let ratio = root(value, 24) / value.powf(1.0 / 24.0);
-            assert!((ratio - 1.0).abs() < 0.01, "{value} {ratio}");
+            let ratio = exp2(log2(value) / 24.0) / value.powf(1.0 / 24.0);
+            assert!((ratio - 1.0).abs() < 0.015, "{value} {ratio}");
         }
     }
 }
