@@ -15,7 +15,7 @@ use super::torque_jet::{TorqueJet, rotated};
 use crate::domain::Domain;
 use crate::float::Dd;
 
-/// The largest number of segments of a motion: each takes 0.3 kB.
+/// The largest number of segments of a motion: each takes a third of a kB.
 pub const MOST_SEGMENTS: usize = 1_000_000;
 
 /// Presliding has settled where it leaves less out of dry friction.
@@ -222,7 +222,7 @@ impl State {
     fn hold(&mut self, equation: &Equation, knot: f64, stop: f64) -> Segment {
         let mut segment = self.segment();
         let torque = equation.torque(self.time, self.sinusoid);
-        // The series of the sinusoid serves one radian: 1/24! is 2^-79.
+        // The series of the sinusoid serves one radian: 1/30! is 2^-107.
         let served = 0.5 * equation.longest();
         let end = if served.is_finite() { knot } else { knot.min(stop) };
         let left = self.until(end);

@@ -2,11 +2,11 @@
 //!
 //! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
 //! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
-//! Coefficients below LONG are double-doubles, because a step is 2^(-66/24) = 0.15 of the radius of convergence: the term of order
-//! LONG is below 0.15^7 = 2e-6 of the motion, and its rounding error below 2^-72.
+//! Coefficients below LONG are double-doubles, because a step is 2^(-66/30) = 0.22 of the radius of convergence: the term of order
+//! LONG is below 0.22^9 = 1e-6 of the motion, and its rounding error below 2^-72.
 //!
-//! One step is, for each of s and c (and |v| v, and u, where they act), 24 25/2 - 21 = 279 multiplications with additions in
-//! double and 21 in double-double; and for each of s, c, v and theta a sum of 18 terms in double and 7 in double-double.
+//! One step is, for each of s and c (and |v| v, and u, where they act), 30 31/2 - 36 = 429 multiplications with additions in
+//! double and 36 in double-double; and for each of s, c, v and theta a sum of 22 terms in double and 9 in double-double.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
 use super::taylor::{Four, INVERSE, LONG, ORDER, Series, double, four, four_mul_add, number, on_circle};

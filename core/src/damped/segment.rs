@@ -91,7 +91,7 @@ impl Segment {
 const TOLERANCE: f64 = -66.0;
 
 /// Length of a step whose terms of the two highest orders are at most 2^-66 of each variable; infinite for a motion that is a
-/// polynomial. The terms left out are 0.15 of that, since 2^(-66/24) = 0.15 is the ratio of one term to the next.
+/// polynomial. The terms left out are 0.28 of that, since 2^(-66/30) = 0.22 is the ratio of one term to the next.
 pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
     let mut speed = jet.velocity[..4].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     if speed == 0.0 {

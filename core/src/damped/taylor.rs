@@ -4,10 +4,11 @@ use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::Lane;
 
-/// Highest power of time: ceil(-ln(tolerance)/2) + 1 for a tolerance of 2^-66 (Jorba & Zou).
-pub(super) const ORDER: usize = 24;
+/// Highest power of time. For a tolerance of 2^-66 the rule of Jorba & Zou, ceil(-ln(tolerance)/2) + 1 = 24, counts the products in
+/// double only; with those in double-double, whose number does not grow with the order, 30 was measured to take a fifth less time.
+pub(super) const ORDER: usize = 30;
 /// How many coefficients of the lowest orders are double-doubles.
-pub(super) const LONG: usize = 7;
+pub(super) const LONG: usize = 9;
 
 /// The coefficients of one function of time.
 pub(super) type Series = [f64; ORDER + 1];

@@ -55,7 +55,7 @@ class DampedPendulum(Events):
     Notes
     -----
     Without friction and torque it answers as `Pendulum` does, bit for bit. Otherwise the motion is integrated when it is asked
-    for, up to a million steps (some twenty in a period) from t = 0; answers do not depend on what was asked before.
+    for, up to a million steps (some fifteen in a period) from t = 0; answers do not depend on what was asked before.
     Times that are not reached give NaN: beyond that many steps, beyond a motion without bound, outside of the samples of the
     torque, and before 0 with presliding.
 
