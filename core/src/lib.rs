@@ -11,6 +11,8 @@
 //! | one state a step later | [`advance`] |
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
 //! | u'' + alpha u + beta u^3 + gamma u^5 = 0 | [`CubicQuintic`] |
+//! | friction and torque: the motion over an interval | [`DampedPendulum`], [`Friction`], [`Torque`], [`Trajectory`] |
+//! | its derivatives | [`DampedSensitivity`] |
 //! | approximations by name, and how far they are off | [`approx`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
@@ -24,6 +26,7 @@
 //! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
 
 pub mod approx;
+pub mod damped;
 pub mod elliptic;
 mod float;
 mod lanes;
@@ -33,6 +36,10 @@ pub mod pendulum;
 
 mod domain;
 
+pub use damped::{
+    DampedJacobian, DampedPendulum, DampedSensitivity, Friction, Interpolation, Torque, Trajectory,
+    half_swing,
+};
 pub use domain::Domain;
 pub use elliptic::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, Parameter, SecondKind,

@@ -1,6 +1,6 @@
 """The exact nonlinear pendulum, in every regime, right to the last digits.
 
-``Pendulum`` is one orbit and answers at any time; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
+``Pendulum`` is one orbit and answers at any time; ``DampedPendulum`` has friction and torque; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
 ``libration.elliptic``; ``approx`` holds the approximations by name, and
 ``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from . import pendulum as pendulum
     from . import plot as plot
     from ._core import __version__
+    from .damped import DampedPendulum, Friction, Torque
     from .elliptic import (
         JacobiComplexValues,
         JacobiValues,
@@ -67,14 +68,17 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CubicQuintic",
+    "DampedPendulum",
     "Duffing",
     "DuffingForm",
     "Fourier",
+    "Friction",
     "JacobiComplexValues",
     "JacobiValues",
     "OscillatorRegime",
     "Pendulum",
     "Regime",
+    "Torque",
     "__version__",
     "action",
     "advance",
@@ -126,7 +130,7 @@ if not TYPE_CHECKING:
         if name == "__version__":
             found = import_module("._core", __name__).__version__
         elif name in __all__:
-            rooms = (import_module(f".{room}", __name__) for room in ("pendulum", "oscillator", "elliptic"))
+            rooms = (import_module(f".{room}", __name__) for room in ("pendulum", "damped", "oscillator", "elliptic"))
             found = getattr(next(room for room in rooms if name in room.__all__), name)
         elif name in ("approx", "elliptic", "oscillator", "papers", "pendulum", "plot"):
             found = import_module(f".{name}", __name__)

@@ -34,7 +34,7 @@ mod host;
 #[path = "plain.rs"]
 mod host;
 
-pub use dispatch::wide;
+pub use dispatch::{single, wide};
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
 pub use lane::{Kernel, Lane, WIDEST};

@@ -1,0 +1,155 @@
+//! A piece of the motion on which the angle is one polynomial of time and the velocity has one sign, and the length that the
+//! polynomial may have.
+
+use super::jet::{Jet, Piece};
+use super::roots::{bracketed, value_and_slope};
+use super::taylor::{INVERSE, ORDER, Series};
+use crate::float::{Dd, exponent};
+
+/// How a segment begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Event {
+    /// The start of the motion.
+    Start,
+    /// Only the polynomial changes.
+    Step,
+    /// The velocity changes its sign.
+    Turn,
+    /// Dry friction holds the pendulum.
+    Stop,
+    /// It holds it no longer.
+    Release,
+}
+
+/// Angle and velocity from a time on, in the unit of time of the equation.
+#[derive(Clone, Debug)]
+pub(super) struct Segment {
+    pub start: Dd,
+    pub length: f64,
+    pub theta: Dd,
+    /// Coefficients of the powers 1, 2, ... of time in the angle.
+    pub slopes: Series,
+    pub event: Event,
+    /// Sign of the velocity; 0 where dry friction holds.
+    pub side: f64,
+    pub sine: f64,
+    pub cosine: f64,
+    /// What presliding leaves out of dry friction at the start.
+    pub slip: f64,
+}
+
+impl Segment {
+    /// Angle and velocity a time since the start.
+    pub fn at(&self, since: f64) -> (f64, f64) {
+        let (change, velocity) = self.change(since);
+        (self.theta.hi + (self.theta.lo + change), velocity)
+    }
+
+    /// The change of the angle, and the velocity.
+    pub fn change(&self, since: f64) -> (f64, f64) {
+        let (mut change, mut velocity) = (0.0, 0.0);
+        for (k, c) in self.slopes.iter().enumerate().rev() {
+            change = change * since + c;
+            velocity = velocity * since + (k + 1) as f64 * c;
+        }
+        (change * since, velocity)
+    }
+
+    /// Whether it is not at rest.
+    pub fn moves(&self) -> bool {
+        self.slopes.iter().any(|slope| *slope != 0.0)
+    }
+
+    /// The time since the start at which the angle is `theta`: the start belongs to the segment, the end to the next one. Of a rest
+    /// only its beginning counts.
+    pub fn passage(&self, next: Option<&Segment>, theta: f64) -> Option<f64> {
+        let from = (self.theta - Dd::from(theta)).value();
+        if from == 0.0 {
+            return (self.moves() || self.event != Event::Step).then_some(0.0);
+        }
+        let to = next
+            .map_or_else(|| from + self.change(self.length).0, |next| (next.theta - Dd::from(theta)).value());
+        if (to < 0.0) == (from < 0.0) || (to == 0.0 && next.is_some()) {
+            return None;
+        }
+        let mut polynomial = [from; ORDER + 2];
+        polynomial[1..].copy_from_slice(&self.slopes);
+        Some(bracketed(&polynomial, self.length))
+    }
+
+    /// The acceleration a time since the start.
+    pub fn acceleration(&self, since: f64) -> f64 {
+        let mut velocity = [0.0; ORDER + 1];
+        for (k, (v, c)) in velocity.iter_mut().zip(&self.slopes).enumerate() {
+            *v = (k + 1) as f64 * c;
+        }
+        value_and_slope(&velocity, since).1
+    }
+}
+
+/// What a step may leave out, of the size of each variable: a power of two.
+const TOLERANCE: f64 = -66.0;
+
+/// Length of a step whose terms of the two highest orders are at most 2^-66 of each variable; infinite for a motion that is a
+/// polynomial. The terms left out are 0.28 of that, since 2^(-66/30) = 0.22 is the ratio of one term to the next.
+pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
+    let mut speed = jet.velocity[..4].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    if speed == 0.0 {
+        speed = jet.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    }
+    if speed == 0.0 {
+        return f64::INFINITY;
+    }
+    if !jet.velocity[ORDER].is_finite() {
+        return 0.0;
+    }
+    let circular = 1.0 / f64::min(1.0, f64::max(jet.sizes(0)[0], speed));
+    let inverse = 1.0 / speed;
+    let (pulled, slips) = (piece.omega2.hi != 0.0, piece.slip != 0.0);
+    let mut shortest = f64::INFINITY;
+    for k in [ORDER - 1, ORDER] {
+        let [sine, cosine, velocity, slip] = jet.sizes(k);
+        let mut size = velocity * inverse;
+        if pulled {
+            size = size.max(sine.max(cosine) * circular);
+        }
+        if slips {
+            size = size.max(slip * piece.dry.abs() * inverse);
+        }
+        if size != 0.0 {
+            shortest = shortest.min(exp2((TOLERANCE - log2(size)) * INVERSE[k].hi));
+        }
+    }
+    shortest
+}
+
+/// The logarithm to base 2 of a positive number, to 0.01: what a step needs of it.
+fn log2(value: f64) -> f64 {
+    let bits = value.to_bits();
+    let part = f64::from_bits(bits & ((1 << 52) - 1) | (1023 << 52)) - 1.0;
+    // log2(1 + x) on [0, 1] by a parabola.
+    (bits >> 52) as f64 - 1023.0 + part * (1.35 - 0.35 * part)
+}
+
+/// 2^value for -1000 < value < 1000, to 1 %; beyond, as there.
+fn exp2(value: f64) -> f64 {
+    let value = value.clamp(-1000.0, 1000.0);
+    let whole = (value + 1024.0) as i32 - 1024;
+    let rest = value - f64::from(whole);
+    // 2^x on [0, 1] by a parabola.
+    (1.0 + rest * (0.66 + 0.34 * rest)) * exponent::exp2(whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_are_good_enough() {
+        for i in -300..300 {
+            let value = 10f64.powi(i) * 1.7;
+            let ratio = exp2(log2(value) / 24.0) / value.powf(1.0 / 24.0);
+            assert!((ratio - 1.0).abs() < 0.015, "{value} {ratio}");
+        }
+    }
+}
