@@ -63,7 +63,7 @@ CALLS = {
     "states of their own": "libration.motion(same(1e3, 10**8), same(1.0, 10**8), same(0.3, 10**8))",
     "whole turns": "swing.turns(same(1e3, 10**8))",
     "a set-up for every row": "libration.theta(np.linspace(0, 9, 10**4)[:, None], 1.0, np.linspace(0, 9, 10**5))",
-    "an accumulation": "libration._core.incomplete_f_m.accumulate(np.full(10**7, 0.5))",
+    "an accumulation": "libration._core.incomplete_e_m.accumulate(np.full(10**7, 0.5))",
     "errors of a secular formula": "approx.angle('small-m').of(swing).error(10000)",
     "ranges over many periods": "approx.angle('fourier:50').ranges(1e-3, 10000)",
     "angles by a long series": "approx.angle('fourier:500').of(Pendulum(3.14159)).theta(same(0.7, 10**8).copy())",
