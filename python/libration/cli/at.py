@@ -88,7 +88,7 @@ def motion_columns(motion: "Pendulum", instants: Sequence[float]) -> list[Column
     ]
     if motion.regime == "rotation":
         turns, angle = motion.turns(t)
-        whole = np.where(np.isnan(theta), np.nan, turns)
+        whole = np.where(np.isnan(angle), np.nan, turns)
         found += [("turns", "", whole), ("angle", "rad", angle), ("angle", "deg", degrees(angle))]
     return found
 
@@ -97,7 +97,8 @@ def degrees(radians: "Floats") -> "Floats":
     """The same in degrees."""
     import numpy as np
 
-    turned: Floats = np.degrees(radians)
+    with np.errstate(over="ignore"):
+        turned: Floats = np.degrees(radians)
     return turned
 
 
@@ -116,7 +117,11 @@ def print_one(columns: Sequence[Column], style: NumberStyle) -> None:
     for name, unit, values in columns:
         shown.setdefault(name, []).append(f"{style.shown(float(values[0]), DIGITS)} {unit}".rstrip())
     if "turns" in shown:
-        shown["turns"] = [f"{shown['turns'][0]} whole turns and {' = '.join(shown.pop('angle'))}"]
+        angle = " = ".join(shown.pop("angle"))
+        unknown = nans(columns[5][2])
+        shown["turns"] = [
+            "not known, the angle is too large" if unknown else f"{shown['turns'][0]} whole turns and {angle}"
+        ]
     print_lines([(name, " = ".join(texts)) for name, texts in shown.items()])
 
 
