@@ -287,3 +287,7 @@ def test_what_is_beyond_the_doubles_is_told_in_words(capsys):
     assert shown.err == ""
     assert "theta     -1e+308 rad = -inf deg\n" in shown.out
     assert "turns     not known, the angle is too large\n" in shown.out
+    assert main("at 1s,2s --theta0 170deg --velocity0 -1e308 --omega0 1".split()) == 0
+    shown = capsys.readouterr()
+    assert "nan" not in shown.out
+    assert shown.out.endswith("\n-: not known, the angle is too large\n")
