@@ -68,6 +68,7 @@ def said(capsys, tmp_path, monkeypatch):
         (["cubic-quintic", "--q", "1"], "did you mean --beta?"),
         (["period", "--", "--theta0", "1"], "unknown option '--theta0'; options stand before --"),
         (["period", "150"], "unknown word '150'; a value follows its option, and several are joined by commas"),
+        (["period", "--theta0", "'150", "deg'"], "unknown word 'deg''; this shell takes double quotes, "),
         (["period", "--theta0", "150", "deg"], "unknown word 'deg'; a unit stands with its number, as in 150deg; see"),
         (["--versio"], "libration: unknown option '--versio'; did you mean --version?"),
         (["solve"], "libration solve: missing --theta0, the initial angle, such as --theta0 170deg"),

@@ -250,6 +250,9 @@ def test_omega2_of_any_sign(printed, omega2):
         ("period --theta0 1 --only agm:x", "--only = agm:x: must be "),
         ("period --theta0 1 --plot a.png --chart b.png", "--plot = a.png and --chart = b.png: are one option"),
         ("period --theta0 1 --chart a.pdf", "--chart = a.pdf: must end in .png or .svg"),
+        ("at 1 --theta0 1 --from-top --omega0 1e200", "--omega0 = 1e+200: with --from-top gives a square of omega0"),
+        ("at 1 --theta0 1 --from-top --omega0 1e-200", "--omega0 = 1e-200: with --from-top gives a square of omega0"),
+        ("period --theta0 1 --from-top --length 1e-320m", "with --from-top gives a square of omega0 that is beyond"),
         ("compare --theta0 1 --from-top --with linear", "which is about theta = 0; leave out --from-top"),
     ],
 )
@@ -276,3 +279,15 @@ def test_npz_has_the_si_columns(printed):
     printed("at", "1s,2s", "--theta0", "1", "--omega0", "1", "--out", "a.npz")
     with np.load("a.npz") as archive:
         assert archive["theta"].tolist() == Pendulum(1.0).theta([1.0, 2.0]).tolist()
+
+
+def test_what_is_beyond_the_doubles_is_told_in_words(capsys):
+    assert main("at 1 --theta0 170deg --velocity0 -1e308 --omega0 1".split()) == 0
+    shown = capsys.readouterr()
+    assert shown.err == ""
+    assert "theta     -1e+308 rad = -inf deg\n" in shown.out
+    assert "turns     not known, the angle is too large\n" in shown.out
+    assert main("at 1s,2s --theta0 170deg --velocity0 -1e308 --omega0 1".split()) == 0
+    shown = capsys.readouterr()
+    assert "nan" not in shown.out
+    assert shown.out.endswith("\n-: not known, the angle is too large\n")

@@ -1,5 +1,6 @@
 """`libration at`: the angle and the velocity at one instant, or at a few."""
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -37,6 +38,7 @@ EXAMPLES = (
     "libration at 1s,2s,1min --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --digits 5",
 )
 DIGITS = 10
+TOO_LARGE = "the angle is too large"
 TOO_FAR = "it is more than 2^53 half periods away"
 
 
@@ -88,7 +90,7 @@ def motion_columns(motion: "Pendulum", instants: Sequence[float]) -> list[Column
     ]
     if motion.regime == "rotation":
         turns, angle = motion.turns(t)
-        whole = np.where(np.isnan(theta), np.nan, turns)
+        whole = np.where(np.isnan(angle), np.nan, turns)
         found += [("turns", "", whole), ("angle", "rad", angle), ("angle", "deg", degrees(angle))]
     return found
 
@@ -97,7 +99,8 @@ def degrees(radians: "Floats") -> "Floats":
     """The same in degrees."""
     import numpy as np
 
-    turned: Floats = np.degrees(radians)
+    with np.errstate(over="ignore"):
+        turned: Floats = np.degrees(radians)
     return turned
 
 
@@ -116,7 +119,9 @@ def print_one(columns: Sequence[Column], style: NumberStyle) -> None:
     for name, unit, values in columns:
         shown.setdefault(name, []).append(f"{style.shown(float(values[0]), DIGITS)} {unit}".rstrip())
     if "turns" in shown:
-        shown["turns"] = [f"{shown['turns'][0]} whole turns and {' = '.join(shown.pop('angle'))}"]
+        angle = " = ".join(shown.pop("angle"))
+        unknown = nans(columns[5][2])
+        shown["turns"] = [f"not known, {TOO_LARGE}" if unknown else f"{shown['turns'][0]} whole turns and {angle}"]
     print_lines([(name, " = ".join(texts)) for name, texts in shown.items()])
 
 
@@ -125,12 +130,17 @@ def print_several(columns: Sequence[Column], style: NumberStyle) -> None:
     heads = [f"{name} [{unit}]" if unit else name for name, unit, _ in columns]
     plain = ("t", "turns")
     rows = [
-        [style.shown(value, DIGITS) if name in plain else style.aligned(value, DIGITS) for name, value, _ in row]
+        [
+            style.shown(value, DIGITS) if name in plain and not math.isnan(value) else style.aligned(value, DIGITS)
+            for name, value, _ in row
+        ]
         for row in instants_of(columns)
     ]
     print_table(heads, rows)
     if nans(columns[1][2]):
         print(f"\n-: not known, {TOO_FAR}")
+    elif any(nans(values) for _, _, values in columns):
+        print(f"\n-: not known, {TOO_LARGE}")
 
 
 COMMAND = command(

@@ -210,11 +210,15 @@ def reason(error: Exception, name: str) -> str:
 
 def measured(name: str, made: Solution, periods: float) -> Measured:
     """The largest error over so many periods, and when a numerical swing goes over the top (else NaN), or a Refusal."""
+    import numpy as np
+
     from libration.approx._numerical import NumericalSolution
 
     try:
-        top = made.over_the_top(periods) if isinstance(made, NumericalSolution) else math.nan
-        return made.error(periods), top
+        # SciPy's solvers may leave the doubles.
+        with np.errstate(all="ignore"):
+            top = made.over_the_top(periods) if isinstance(made, NumericalSolution) else math.nan
+            return made.error(periods), top
     except ValueError as error:
         raise refusal("--with", name, reason(error, name)) from error
 

@@ -255,8 +255,12 @@ def unknown(ctx: click.Context, word: str) -> str:
         hint = "options stand before --" if name in known else meant(name.lstrip("-"), known, help_page)
         return f"unknown option {quoted(name)}; {hint}"
     hint = help_page
-    if word[:1].isdigit():
-        hint = f"a value follows its option, and several are joined by commas, without blanks; {help_page}"
+    if word.endswith("'"):
+        # cmd of Windows passes them on.
+        hint = f'this shell takes double quotes, "like this"; {help_page}'
+    elif word[:1].isdigit():
+        # PowerShell parts what is joined by commas.
+        hint = f"a value follows its option, and several are joined by commas, in PowerShell in quotes; {help_page}"
     elif "--theta0" in known and word.strip() and len(word) <= LONGEST_UNIT:
         hint = f"a unit stands with its number, as in 150deg; {help_page}"
     return f"unknown word {quoted(word)}; {hint}"

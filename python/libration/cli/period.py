@@ -344,7 +344,7 @@ COMMAND = command(
         Value(
             "--only",
             "NAMES",
-            "formulas by name, as exact,linear,bernoulli; exact is the period itself (default all)",
+            "formulas by name, as linear,cromer; exact is the period itself (default all)",
             "the results",
             offered=formulas,
         ),

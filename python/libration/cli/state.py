@@ -2,6 +2,7 @@
 
 import math
 import re
+import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -105,15 +106,21 @@ class State:
         """The keyword arguments of Pendulum; from the top, the pendulum is one whose omega2 is below 0."""
         if not self.from_top:
             return self.values
+        square = self.squared
+        named = next((name for name in ("length", "omega0") if name in self.values), None)
+        if named and not sys.float_info.min <= square <= sys.float_info.max:
+            reason = "with --from-top gives a square of omega0 that is beyond the doubles"
+            raise refusal(f"--{named}", f"{self.values[named]:g}", reason)
         kept = {name: self.values[name] for name in ("theta0", "velocity0")}
-        return kept | {"omega2": -self.squared}
+        return kept | {"omega2": -square}
 
     @property
     def squared(self) -> float:
         """The square of the angular frequency of small swings; 1 if none is given."""
         if "length" in self.values:
             return self.values["gravity"] / self.values["length"]
-        return self.values.get("omega2", self.values.get("omega0", 1.0) ** 2)
+        omega0 = self.values.get("omega0", 1.0)
+        return self.values.get("omega2", omega0 * omega0)
 
     def at(self, theta0: float) -> "State":
         """The same with another initial angle."""
