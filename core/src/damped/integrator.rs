@@ -18,8 +18,8 @@ use crate::float::Dd;
 /// The largest number of segments of a motion: each takes a third of a kB.
 pub const MOST_SEGMENTS: usize = 1_000_000;
 
-/// Presliding has settled where it leaves less out of dry friction.
-const SETTLED: f64 = 1e-24;
+/// Presliding has settled where what it leaves out of dry friction changes the velocity by less than a step may.
+const SETTLED: f64 = 1.0 / (1u128 << 68) as f64;
 
 struct State {
     time: Dd,
@@ -193,7 +193,9 @@ impl State {
         self.turn_phase(equation, exactly);
         let moving = ahead[VELOCITY].hi != 0.0;
         let [sine, cosine, slip, v, change] = ahead;
-        let slip = if slip.hi.abs() < SETTLED { Dd::ZERO } else { slip };
+        let speed = v.hi.abs().max(velocity[0].abs()).max(velocity[1].abs());
+        let settled = slip.hi.abs() * equation.dry.abs() <= SETTLED * speed;
+        let slip = if settled { Dd::ZERO } else { slip };
         *self = State {
             time: if last && !turns { Dd::from(end) } else { self.time + exactly },
             theta: self.theta + change,
