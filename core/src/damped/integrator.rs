@@ -81,6 +81,10 @@ pub(super) fn integrate(
             let order = if equation.sense > 0.0 { "before" } else { "after" };
             let reached = equation.seconds(segment.start.value());
             let allowed = format!("{order} {reached:?} s, where the motion grows without bound");
+            if segments.is_empty() {
+                // The start is known.
+                segments.push(Segment { length: 0.0, slopes: [0.0; ORDER + 1], ..segment });
+            }
             return (segments, Some(refused(equation, stop, allowed)));
         }
         segments.push(segment);

@@ -1,6 +1,7 @@
 //! The motion of a pendulum with friction over an interval of time: values at any time in it, and times of what happens.
 
 use super::branch::{Branch, since};
+use super::circular::of_double;
 use super::damped_pendulum::DampedPendulum;
 use super::segment::{Event, Segment};
 use crate::domain::Domain;
@@ -215,7 +216,11 @@ impl Trajectory {
     #[must_use]
     pub fn energy(&self, t: f64) -> f64 {
         let (theta, velocity) = self.motion(t);
-        Orbit::new(theta, velocity, self.pendulum.frequency).map_or(f64::NAN, |orbit| orbit.energy())
+        let omega2 = self.pendulum.frequency.omega2();
+        // 1 - cos = 2 sin^2 of half the angle; from the other equilibrium 1 + cos = 2 cos^2.
+        let (sine, cosine) = of_double(0.5 * theta);
+        let distance = if omega2 < 0.0 { cosine } else { sine };
+        0.5 * velocity * velocity + 2.0 * omega2.abs() * distance.square().value()
     }
 
     /// All times from `start` to `stop` (in s, both included) at which the angle is `theta`, rising; a pendulum that rests there
