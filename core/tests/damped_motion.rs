@@ -228,10 +228,11 @@ fn energies_are_those_of_orbits() {
 /// Where not even the first step is possible, the start is still there.
 #[test]
 fn a_start_that_goes_nowhere() {
-    let driving = Friction::new(-1e300, 0.0, 0.0, 0.0).unwrap();
-    let pendulum = DampedPendulum::new(1.0, 1e250, force(), driving, Torque::NONE).unwrap();
+    let driving = Friction::new(0.0, -1e200, 0.0, 0.0).unwrap();
+    let pendulum = DampedPendulum::new(1.0, 2.0, force(), driving, Torque::NONE).unwrap();
     let trajectory = pendulum.reachable(0.0, 1e-3);
-    assert_eq!(trajectory.motion(0.0), (1.0, 1e250));
+    assert_eq!(trajectory.motion(0.0), (1.0, 2.0));
+    assert_eq!((trajectory.interval(), trajectory.steps()), ((0.0, 0.0), 1));
     assert_eq!(trajectory.turns(0.0).angle, 1.0);
     assert!(trajectory.theta(1e-3).is_nan());
     let _ = DampedSensitivity::new(&trajectory).unwrap().at(0.0);
