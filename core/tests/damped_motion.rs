@@ -3,7 +3,8 @@
 use crate::ruler::bits;
 use libration::damped::LazyTrajectory;
 use libration::{
-    DampedPendulum, DampedSensitivity, Frequency, Friction, InstructionSet, Interpolation, Torque, Trajectory,
+    DampedPendulum, DampedSensitivity, Frequency, Friction, InstructionSet, Interpolation, Orbit, Torque,
+    Trajectory,
 };
 
 fn force() -> Frequency {
@@ -203,4 +204,36 @@ fn lazy_trajectories_are_trajectories() {
     let refused = lazy.over(0.0, 1.0).unwrap_err().to_string();
     assert!(refused.starts_with("stop = 1.0: must be before 0.666"), "{refused}");
     assert_eq!(lazy.over(0.0, f64::NAN).unwrap_err().to_string(), "stop = NaN: must be finite");
+}
+
+/// Of the same states: the energy of an orbit; also where it hangs from the other side.
+#[test]
+fn energies_are_those_of_orbits() {
+    let mut all = trajectories();
+    let friction = Friction::new(0.1, 0.0, 0.0, 0.0).unwrap();
+    let upside_down = Frequency::from_omega2(-2.0).unwrap();
+    let pendulum = DampedPendulum::new(0.1, 0.0, upside_down, friction, Torque::NONE).unwrap();
+    all.push(pendulum.trajectory(0.0, 30.0).unwrap());
+    for trajectory in all {
+        for t in times(&trajectory) {
+            let (theta, velocity) = trajectory.motion(t);
+            let orbit = Orbit::new(theta, velocity, trajectory.pendulum().frequency()).unwrap();
+            let (energy, truth) = (trajectory.energy(t), orbit.energy());
+            assert!((energy - truth).abs() <= 1e-15 * truth.max(1e-300), "{t} {energy} {truth}");
+        }
+    }
+    assert!(trajectories()[0].energy(51.0).is_nan());
+}
+
+/// Where not even the first step is possible, the start is still there.
+#[test]
+fn a_start_that_goes_nowhere() {
+    let driving = Friction::new(0.0, -1e200, 0.0, 0.0).unwrap();
+    let pendulum = DampedPendulum::new(1.0, 2.0, force(), driving, Torque::NONE).unwrap();
+    let trajectory = pendulum.reachable(0.0, 1e-3);
+    assert_eq!(trajectory.motion(0.0), (1.0, 2.0));
+    assert_eq!((trajectory.interval(), trajectory.steps()), ((0.0, 0.0), 1));
+    assert_eq!(trajectory.turns(0.0).angle, 1.0);
+    assert!(trajectory.theta(1e-3).is_nan());
+    let _ = DampedSensitivity::new(&trajectory).unwrap().at(0.0);
 }

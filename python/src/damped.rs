@@ -1,14 +1,13 @@
 //! The pendulum with friction and torque as a Python object.
 
-use std::sync::Arc;
-
 use libration::damped::{LazyTrajectory, PARAMETERS};
-use libration::{DampedPendulum as Core, Frequency, Friction, Interpolation, Torque, Trajectory};
+use libration::{DampedPendulum as Core, Domain, Frequency, Friction, Interpolation, Torque, Trajectory};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::orbit::{float64, refused};
+use crate::orbit::{ROWS, float64, refused};
+use crate::signals;
 
 /// An array of results.
 type Floats<'py> = Bound<'py, PyArray1<f64>>;
@@ -89,16 +88,24 @@ impl DampedPendulum {
 
     /// Angle and angular velocity at the time `t`, both NumPy float64.
     fn state<'py>(&self, py: Python<'py>, t: f64) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        let (theta, velocity) = self.along(py, &[t]).motion(t);
+        let (theta, velocity) = self.along(py, &[t], |trajectory, _| trajectory.motion(t))?;
         Ok((float64(py, theta)?, float64(py, velocity)?))
     }
 
     /// Angle and angular velocity at the times `t`.
     fn motion<'py>(&self, py: Python<'py>, t: PyReadonlyArray1<'py, f64>) -> PyResult<[Floats<'py>; 2]> {
         let t = t.as_slice()?;
-        let trajectory = self.along(py, t);
-        let (mut theta, mut velocity) = (vec![f64::NAN; t.len()], vec![f64::NAN; t.len()]);
-        py.detach(|| trajectory.motion_into(t, &mut theta, &mut velocity));
+        let (theta, velocity) = self.along(py, t, |trajectory, ended| {
+            let (mut theta, mut velocity) = (vec![f64::NAN; t.len()], vec![f64::NAN; t.len()]);
+            let blocks = t.chunks(ROWS).zip(theta.chunks_mut(ROWS).zip(velocity.chunks_mut(ROWS)));
+            for (t, (theta, velocity)) in blocks {
+                if ended(ROWS) {
+                    break;
+                }
+                trajectory.motion_into(t, theta, velocity);
+            }
+            (theta, velocity)
+        })?;
         Ok([theta.into_pyarray(py), velocity.into_pyarray(py)])
     }
 
@@ -109,17 +116,16 @@ impl DampedPendulum {
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<(Bound<'py, PyArray1<i64>>, Floats<'py>)> {
         let t = t.as_slice()?;
-        let trajectory = self.along(py, t);
-        let turns = || t.iter().map(|t| trajectory.turns(*t)).map(|turns| (turns.count, turns.angle)).unzip();
-        let (counts, angles): (Vec<i64>, Vec<f64>) = py.detach(turns);
+        let turns = self.along(py, t, |trajectory, ended| each(t, ended, |t| trajectory.turns(t)))?;
+        let (counts, angles): (Vec<i64>, Vec<f64>) =
+            turns.into_iter().map(|turns| (turns.count, turns.angle)).unzip();
         Ok((counts.into_pyarray(py), angles.into_pyarray(py)))
     }
 
     /// Energy per unit inertia at the times `t`.
     fn energy<'py>(&self, py: Python<'py>, t: PyReadonlyArray1<'py, f64>) -> PyResult<Floats<'py>> {
         let t = t.as_slice()?;
-        let trajectory = self.along(py, t);
-        let energy: Vec<f64> = py.detach(|| t.iter().map(|t| trajectory.energy(*t)).collect());
+        let energy = self.along(py, t, |trajectory, ended| each(t, ended, |t| trajectory.energy(t)))?;
         Ok(energy.into_pyarray(py))
     }
 
@@ -130,39 +136,52 @@ impl DampedPendulum {
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Vec<Floats<'py>>> {
         let t = t.as_slice()?;
-        let columns = py.detach(|| {
+        let columns = signals::detached(py, |ended| {
             let mut columns = [const { Vec::new() }; 2 * PARAMETERS.len()];
             for column in &mut columns {
                 column.resize(t.len(), f64::NAN);
             }
-            let sensitivity = self.motion.sensitivity(t)?;
-            sensitivity.at_into(t, columns.each_mut().map(Vec::as_mut_slice));
+            let sensitivity = self.motion.sensitivity_unless(t, &|| ended(ROWS))?;
+            let mut rest = columns.each_mut().map(Vec::as_mut_slice);
+            for t in t.chunks(ROWS) {
+                if ended(ROWS) {
+                    break;
+                }
+                let parts = rest.map(|column| column.split_at_mut(t.len()));
+                let mut block = Vec::with_capacity(parts.len());
+                rest = parts.map(|(now, later)| {
+                    block.push(now);
+                    later
+                });
+                if let Ok(block) = block.try_into() {
+                    sensitivity.at_into(t, block);
+                }
+            }
             Ok(columns)
-        });
+        })?;
         Ok(columns.map_err(refused)?.into_iter().map(|column| column.into_pyarray(py)).collect())
     }
 
     /// Times from `start` to `stop` at which `theta` is passed.
     fn times<'py>(&self, py: Python<'py>, theta: f64, start: f64, stop: f64) -> PyResult<Floats<'py>> {
-        let times = py.detach(|| self.motion.over(start, stop)?.times(theta, start, stop));
-        Ok(times.map_err(refused)?.into_pyarray(py))
+        let times = self.over(py, start, stop, |trajectory| trajectory.times(theta, start, stop))?;
+        Ok(times.into_pyarray(py))
     }
 
     /// Times from `start` to `stop` at which the motion turns back.
     fn turning_times<'py>(&self, py: Python<'py>, start: f64, stop: f64) -> PyResult<Floats<'py>> {
-        let times = py.detach(|| self.motion.over(start, stop)?.turning_times(start, stop));
-        Ok(times.map_err(refused)?.into_pyarray(py))
+        let times = self.over(py, start, stop, |trajectory| trajectory.turning_times(start, stop))?;
+        Ok(times.into_pyarray(py))
     }
 
     /// Intervals from `start` to `stop` over which dry friction holds the pendulum.
     fn rests(&self, py: Python<'_>, start: f64, stop: f64) -> PyResult<Vec<(f64, f64)>> {
-        let rests = py.detach(|| Ok(self.motion.over(start, stop)?.rests_within(start, stop)));
-        rests.map_err(refused)
+        self.over(py, start, stop, |trajectory| Ok(trajectory.rests_within(start, stop)))
     }
 
     /// Times from `start` to `stop` of turns, and the logarithmic decrements to them from the turns a period before.
     fn decrements<'py>(&self, py: Python<'py>, start: f64, stop: f64) -> PyResult<[Floats<'py>; 2]> {
-        let found = py.detach(|| self.motion.over(start, stop)?.decrements(start, stop)).map_err(refused)?;
+        let found = self.over(py, start, stop, |trajectory| trajectory.decrements(start, stop))?;
         let (times, decrements): (Vec<f64>, Vec<f64>) = found.into_iter().unzip();
         Ok([times.into_pyarray(py), decrements.into_pyarray(py)])
     }
@@ -176,10 +195,45 @@ impl DampedPendulum {
 }
 
 impl DampedPendulum {
-    /// The trajectory as far as these times.
-    fn along(&self, py: Python<'_>, t: &[f64]) -> Arc<Trajectory> {
-        py.detach(|| self.motion.reaching(t))
+    /// What `work` makes of the trajectory as far as these times.
+    fn along<T: Send>(
+        &self,
+        py: Python<'_>,
+        t: &[f64],
+        work: impl Fn(&Trajectory, signals::Stop<'_>) -> T + Sync,
+    ) -> PyResult<T> {
+        signals::detached(py, |ended| {
+            let trajectory = self.motion.reaching_unless(t, &|| ended(ROWS));
+            work(&trajectory, ended)
+        })
     }
+
+    /// What `work` makes of a trajectory that holds an interval.
+    fn over<T: Send>(
+        &self,
+        py: Python<'_>,
+        start: f64,
+        stop: f64,
+        work: impl Fn(&Trajectory) -> Result<T, Domain> + Sync,
+    ) -> PyResult<T> {
+        let found = signals::detached(py, |ended| {
+            let trajectory = self.motion.over_unless(start, stop, &|| ended(ROWS))?;
+            work(&trajectory)
+        })?;
+        found.map_err(refused)
+    }
+}
+
+/// One value for each time.
+fn each<T>(t: &[f64], ended: signals::Stop<'_>, value: impl Fn(f64) -> T) -> Vec<T> {
+    let mut values = Vec::with_capacity(t.len());
+    for t in t.chunks(ROWS) {
+        if ended(ROWS) {
+            break;
+        }
+        values.extend(t.iter().map(|t| value(*t)));
+    }
+    values
 }
 
 /// Adds all of this file to the module.

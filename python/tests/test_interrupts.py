@@ -40,6 +40,9 @@ BEGIN = f"""if True:
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
     swing = Pendulum(2.0)
 
+    def damped(k):
+        return libration.DampedPendulum(1.0 + k / 10**5, friction=libration.Friction(linear=1e-9))
+
     def same(value, count=10**9):
         return np.broadcast_to(value, (count,))
 
@@ -70,6 +73,8 @@ CALLS = {
     "periods of many angles": "approx.period('chachiyo').error(same(0.7, 10**8).copy())",
     "values of a polynomial": "approx.sine('best:21', phi_max=2.0).value(same(0.7, 10**8).copy())",
     "steps of a scheme": "[approx.numerical('rk4:0.00001').of(swing).error(4.0 + k / 100) for k in range(50)]",
+    "a damped motion": "[damped(k).theta(1e9) for k in range(10**4)]",
+    "derivatives of a damped motion": "[damped(k).sensitivities(np.arange(1e5)) for k in range(10**4)]",
     "SciPy's solution": "approx.numerical('odeint').of(Pendulum(3.0)).error(10000)",
 }
 

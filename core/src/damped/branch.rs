@@ -32,10 +32,18 @@ impl Branch {
         self.segments.partition_point(begun).max(1) - 1
     }
 
-    /// Angle and velocity at t in s.
-    pub fn at(&self, t: f64) -> (f64, f64) {
+    /// The same, tried near a number first: times often rise.
+    pub fn index_near(&self, time: f64, near: usize) -> usize {
+        let begun = |i: usize| self.segments.get(i).map(|segment| since(segment, time) >= 0.0);
+        let holds = |i: &usize| begun(*i) == Some(true) && begun(i + 1) != Some(true);
+        [near, near + 1].into_iter().find(holds).unwrap_or_else(|| self.index(time))
+    }
+
+    /// Angle and velocity at t in s; `near` is the number of the segment that was asked for last.
+    pub fn at(&self, t: f64, near: &mut usize) -> (f64, f64) {
         let time = self.equation.time(t);
-        let segment = self.segment(time);
+        *near = self.index_near(time, *near);
+        let segment = &self.segments[*near];
         let (theta, velocity) = segment.at(since(segment, time));
         (theta, self.equation.sense * ldexp(velocity, self.equation.power))
     }
@@ -48,12 +56,17 @@ pub(super) fn since(segment: &Segment, time: f64) -> f64 {
 
 impl DampedPendulum {
     /// The integration in both senses of time, and why one does not reach its end, if so.
-    pub(super) fn branches(&self, start: f64, stop: f64) -> ([Branch; 2], Option<Domain>) {
+    pub(super) fn branches(
+        &self,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> ([Branch; 2], Option<Domain>) {
         let branch = |sense: f64, end: f64| {
             let equation = Equation::new(self.velocity0, self.frequency, self.friction, &self.torque, sense);
             let most = if sense < 0.0 && end == 0.0 { 0 } else { MOST_SEGMENTS };
             let time = equation.time(end);
-            let (segments, refused) = integrate(&equation, self.theta0, self.velocity0, time, most);
+            let (segments, refused) = integrate(&equation, self.theta0, self.velocity0, time, most, ended);
             (Branch { equation, segments }, refused.filter(|_| most > 0))
         };
         let ((backward, early), (forward, late)) = (branch(-1.0, start), branch(1.0, stop));

@@ -4,6 +4,7 @@
 //! (variational.rs).
 
 use super::branch::{Branch, since};
+use super::integrator::ASKED_EVERY;
 use super::segment::Segment;
 use super::trajectory::Trajectory;
 use super::variational::{ColumnJet, Columns, PARAMETERS};
@@ -51,15 +52,26 @@ impl DampedSensitivity {
     /// # Errors
     /// Where an exact motion takes too many steps to be integrated.
     pub fn new(trajectory: &Trajectory) -> Result<DampedSensitivity, Domain> {
+        DampedSensitivity::new_unless(trajectory, &|| false)
+    }
+
+    /// [`DampedSensitivity::new`], where `ended` is asked now and then: once it is true, the derivatives mean nothing.
+    ///
+    /// # Errors
+    /// As for [`DampedSensitivity::new`].
+    pub fn new_unless(
+        trajectory: &Trajectory,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<DampedSensitivity, Domain> {
         let (start, stop) = trajectory.interval();
         let branches = match trajectory.branches() {
             Some(branches) => Arc::clone(branches),
-            None => match trajectory.pendulum().branches(start, stop) {
+            None => match trajectory.pendulum().branches(start, stop, ended) {
                 (branches, None) => Arc::new(branches),
                 (_, Some(refused)) => return Err(refused),
             },
         };
-        let starts = [0, 1].map(|i| along(&branches[i]));
+        let starts = [0, 1].map(|i| along(&branches[i], ended));
         Ok(DampedSensitivity { branches, starts, interval: (start, stop) })
     }
 
@@ -96,7 +108,8 @@ impl DampedSensitivity {
         let side = usize::from(t >= 0.0);
         let Branch { equation, segments } = &self.branches[side];
         let time = equation.time(t);
-        let number = self.branches[side].index(time);
+        let near = last.as_ref().map_or(0, |(.., number, _)| *number);
+        let number = self.branches[side].index_near(time, near);
         let segment: &Segment = &segments[number];
         let start = &self.starts[side][number];
         let columns = if segment.side == 0.0 {
@@ -116,10 +129,12 @@ impl DampedSensitivity {
 }
 
 /// The derivatives at the start of every segment.
-fn along(Branch { equation, segments }: &Branch) -> Vec<Columns> {
+fn along(Branch { equation, segments }: &Branch, ended: &dyn Fn() -> bool) -> Vec<Columns> {
     let mut starts: Vec<Columns> = Vec::with_capacity(segments.len());
     let mut now = Columns::start(equation);
+    let mut gave_up = false;
     for (i, segment) in segments.iter().enumerate() {
+        gave_up |= i % ASKED_EVERY == ASKED_EVERY - 1 && ended();
         match i.checked_sub(1).map(|before| &segments[before]) {
             Some(before) => now = now.begun(equation, before, segment),
             // Held from the start, a push stops at once.
@@ -127,7 +142,7 @@ fn along(Branch { equation, segments }: &Branch) -> Vec<Columns> {
             None => {}
         }
         starts.push(now);
-        if segment.side != 0.0 {
+        if segment.side != 0.0 && !gave_up {
             now = ColumnJet::new(equation, segment, &now).at(segment.length);
         }
     }

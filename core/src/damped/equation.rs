@@ -27,7 +27,7 @@ pub(super) struct Equation {
     pub linear: f64,
     pub quadratic: f64,
     pub dry: f64,
-    /// In rad; 0 where friction changes sign at once.
+    /// In rad; 0 where dry friction changes sign at once, or is none.
     pub presliding: f64,
     pub constant: f64,
     pub amplitude: f64,
@@ -86,7 +86,7 @@ impl Equation {
             linear: 2.0 * sense * ldexp(friction.linear(), -power),
             quadratic: sense * friction.quadratic(),
             dry: sense * ldexp(friction.dry(), -2 * power),
-            presliding: friction.presliding(),
+            presliding: if friction.dry() == 0.0 { 0.0 } else { friction.presliding() },
             constant: ldexp(torque.constant(), -2 * power),
             amplitude,
             frequency: driving,

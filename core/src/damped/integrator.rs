@@ -18,8 +18,11 @@ use crate::float::Dd;
 /// The largest number of segments of a motion: each takes a third of a kB.
 pub const MOST_SEGMENTS: usize = 1_000_000;
 
-/// Presliding has settled where it leaves less out of dry friction.
-const SETTLED: f64 = 1e-24;
+/// Segments between two questions to the caller.
+pub(super) const ASKED_EVERY: usize = 512;
+
+/// Presliding has settled where what it leaves out of dry friction changes the velocity by less than a step may.
+const SETTLED: f64 = 1.0 / (1u128 << 68) as f64;
 
 struct State {
     time: Dd,
@@ -37,7 +40,7 @@ struct State {
 }
 
 /// Segments from time 0 until they go beyond `stop`, at most `most`, and why they do not, if so. Times are in the unit and the
-/// sense of the equation.
+/// sense of the equation. `ended` is asked now and then: once it is true, the segments are too few and mean nothing.
 ///
 /// The last segment is as long as the others, so that segments up to a later stop begin with these.
 pub(super) fn integrate(
@@ -46,6 +49,7 @@ pub(super) fn integrate(
     velocity0: f64,
     stop: f64,
     most: usize,
+    ended: &dyn Fn() -> bool,
 ) -> (Vec<Segment>, Option<Domain>) {
     let mut state = State::new(equation, theta0, velocity0);
     let mut segments = Vec::new();
@@ -55,6 +59,9 @@ pub(super) fn integrate(
             let reached = equation.seconds(state.time.value());
             let allowed = format!("within {most} steps of the integration, which end at {reached:?} s");
             return (segments, Some(refused(equation, stop, allowed)));
+        }
+        if segments.len() % ASKED_EVERY == ASKED_EVERY - 1 && ended() {
+            break;
         }
         let knot = equation.next_knot(state.time);
         let segment = if state.side == 0.0 {
@@ -74,6 +81,10 @@ pub(super) fn integrate(
             let order = if equation.sense > 0.0 { "before" } else { "after" };
             let reached = equation.seconds(segment.start.value());
             let allowed = format!("{order} {reached:?} s, where the motion grows without bound");
+            if segments.is_empty() {
+                // The start is known.
+                segments.push(Segment { length: 0.0, slopes: [0.0; ORDER + 1], ..segment });
+            }
             return (segments, Some(refused(equation, stop, allowed)));
         }
         segments.push(segment);
@@ -193,7 +204,9 @@ impl State {
         self.turn_phase(equation, exactly);
         let moving = ahead[VELOCITY].hi != 0.0;
         let [sine, cosine, slip, v, change] = ahead;
-        let slip = if slip.hi.abs() < SETTLED { Dd::ZERO } else { slip };
+        let speed = v.hi.abs().max(velocity[0].abs()).max(velocity[1].abs());
+        let settled = slip.hi.abs() * equation.dry.abs() <= SETTLED * speed;
+        let slip = if settled { Dd::ZERO } else { slip };
         *self = State {
             time: if last && !turns { Dd::from(end) } else { self.time + exactly },
             theta: self.theta + change,
@@ -274,16 +287,16 @@ mod tests {
         let force = Frequency::from_omega0(1.0).unwrap();
         for (sense, argument, stop) in [(1.0, "stop", "100.0"), (-1.0, "start", "-100.0")] {
             let equation = Equation::new(0.0, force, friction, &Torque::NONE, sense);
-            let (some, refused) = integrate(&equation, 1.0, 0.0, 100.0, 10);
+            let (some, refused) = integrate(&equation, 1.0, 0.0, 100.0, 10, &|| false);
             let refused = refused.unwrap();
             assert_eq!(some.len(), 10);
             assert_eq!((refused.argument, refused.given.as_str()), (argument, stop));
             let start = "within 10 steps of the integration, which end at ";
             assert!(refused.allowed.starts_with(start), "{}", refused.allowed);
-            let (all, refused) = integrate(&equation, 1.0, 0.0, 100.0, 1000);
+            let (all, refused) = integrate(&equation, 1.0, 0.0, 100.0, 1000, &|| false);
             assert!(refused.is_none() && all.len() > some.len());
             // Segments do not depend on where they stop.
-            let (fewer, _) = integrate(&equation, 1.0, 0.0, 37.3, 1000);
+            let (fewer, _) = integrate(&equation, 1.0, 0.0, 37.3, 1000, &|| false);
             for (a, b) in all.iter().zip(&fewer) {
                 assert_eq!((a.start, a.length, a.theta, a.slopes), (b.start, b.length, b.theta, b.slopes));
             }

@@ -6,7 +6,7 @@ use super::damped_pendulum::DampedPendulum;
 use super::damped_sensitivity::DampedSensitivity;
 use super::trajectory::Trajectory;
 use crate::domain::Domain;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A trajectory is made longer by half of itself at least, so that rising times cost no more than three times the longest.
 const GROWTH: f64 = 1.5;
@@ -44,7 +44,14 @@ impl LazyTrajectory {
     /// A trajectory that holds all of these times that the motion reaches ([`DampedPendulum::reachable`]).
     #[must_use]
     pub fn reaching(&self, times: &[f64]) -> Arc<Trajectory> {
-        self.known(times).trajectory
+        self.reaching_unless(times, &|| false)
+    }
+
+    /// [`LazyTrajectory::reaching`], where `ended` is asked now and then: once it is true, the trajectory means nothing, and is
+    /// not kept.
+    #[must_use]
+    pub fn reaching_unless(&self, times: &[f64], ended: &dyn Fn() -> bool) -> Arc<Trajectory> {
+        self.known(times, ended).trajectory
     }
 
     /// The derivatives along [`LazyTrajectory::reaching`].
@@ -52,14 +59,28 @@ impl LazyTrajectory {
     /// # Errors
     /// As for [`DampedSensitivity::new`].
     pub fn sensitivity(&self, times: &[f64]) -> Result<Arc<DampedSensitivity>, Domain> {
-        let known = self.known(times);
+        self.sensitivity_unless(times, &|| false)
+    }
+
+    /// [`LazyTrajectory::sensitivity`], where `ended` is asked now and then, as in [`LazyTrajectory::reaching_unless`].
+    ///
+    /// # Errors
+    /// As for [`DampedSensitivity::new`].
+    pub fn sensitivity_unless(
+        &self,
+        times: &[f64],
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Arc<DampedSensitivity>, Domain> {
+        let known = self.known(times, ended);
         if let Some(sensitivity) = known.sensitivity {
             return Ok(sensitivity);
         }
-        let sensitivity = Arc::new(DampedSensitivity::new(&known.trajectory)?);
-        let mut now = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        if Arc::ptr_eq(&now.trajectory, &known.trajectory) {
-            now.sensitivity = Some(Arc::clone(&sensitivity));
+        let sensitivity = Arc::new(DampedSensitivity::new_unless(&known.trajectory, ended)?);
+        if !ended() {
+            let mut kept = self.kept();
+            if Arc::ptr_eq(&kept.trajectory, &known.trajectory) {
+                kept.sensitivity = Some(Arc::clone(&sensitivity));
+            }
         }
         Ok(sensitivity)
     }
@@ -69,35 +90,60 @@ impl LazyTrajectory {
     /// # Errors
     /// Where the motion does not reach it, as for [`DampedPendulum::trajectory`], or an end is not finite.
     pub fn over(&self, start: f64, stop: f64) -> Result<Arc<Trajectory>, Domain> {
+        self.over_unless(start, stop, &|| false)
+    }
+
+    /// [`LazyTrajectory::over`], where `ended` is asked now and then, as in [`LazyTrajectory::reaching_unless`].
+    ///
+    /// # Errors
+    /// As for [`LazyTrajectory::over`].
+    pub fn over_unless(
+        &self,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Arc<Trajectory>, Domain> {
         Domain::check("start", start, start.is_finite(), "finite")?;
         Domain::check("stop", stop, stop.is_finite(), "finite")?;
-        let trajectory = self.reaching(&[start, stop]);
+        let trajectory = self.reaching_unless(&[start, stop], ended);
         let (first, last) = trajectory.interval();
-        if start.min(0.0) < first || stop.max(0.0) > last {
+        if !ended() && (start.min(0.0) < first || stop.max(0.0) > last) {
             self.pendulum.trajectory(start.min(0.0), stop.max(0.0))?;
         }
         Ok(trajectory)
     }
 
-    fn known(&self, times: &[f64]) -> Known {
+    fn known(&self, times: &[f64], ended: &dyn Fn() -> bool) -> Known {
         let (mut start, mut stop) = (0.0, 0.0);
         for t in times.iter().filter(|t| t.is_finite()) {
             (start, stop) = (f64::min(start, *t), f64::max(stop, *t));
         }
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = self.kept().clone();
         let [first, last] = known.asked;
-        if start < first || stop > last {
-            let grown = |asked: f64, before: f64| {
-                if asked.abs() > before.abs() {
-                    asked.abs().max(GROWTH * before.abs()).copysign(asked)
-                } else {
-                    before
-                }
-            };
-            known.asked = [grown(start, first), grown(stop, last)];
-            known.trajectory = Arc::new(self.pendulum.reachable(known.asked[0], known.asked[1]));
-            known.sensitivity = None;
+        if start >= first && stop <= last {
+            return known;
         }
-        known.clone()
+        let grown = |asked: f64, before: f64| {
+            if asked.abs() > before.abs() {
+                asked.abs().max(GROWTH * before.abs()).copysign(asked)
+            } else {
+                before
+            }
+        };
+        let asked = [grown(start, first), grown(stop, last)];
+        // Not under the lock: `ended` may ask for this trajectory itself.
+        let trajectory = Arc::new(self.pendulum.reachable_unless(asked[0], asked[1], ended));
+        let longer = Known { asked, trajectory, sensitivity: None };
+        if !ended() {
+            let mut kept = self.kept();
+            if asked[0] <= kept.asked[0] && asked[1] >= kept.asked[1] {
+                *kept = longer.clone();
+            }
+        }
+        longer
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -105,14 +105,11 @@ pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
     }
     let circular = 1.0 / f64::min(1.0, f64::max(jet.sizes(0)[0], speed));
     let inverse = 1.0 / speed;
-    let (pulled, slips) = (piece.omega2.hi != 0.0, piece.slip != 0.0);
+    let slips = piece.slip != 0.0;
     let mut shortest = f64::INFINITY;
     for k in [ORDER - 1, ORDER] {
         let [sine, cosine, velocity, slip] = jet.sizes(k);
-        let mut size = velocity * inverse;
-        if pulled {
-            size = size.max(sine.max(cosine) * circular);
-        }
+        let mut size = (velocity * inverse).max(sine.max(cosine) * circular);
         if slips {
             size = size.max(slip * piece.dry.abs() * inverse);
         }

@@ -101,7 +101,13 @@ impl Torque {
         for pair in times.windows(2) {
             Domain::check("torque time", pair[1], pair[0] < pair[1], "later than the one before it")?;
         }
-        let pieces = (0..times.len() - 1).map(|i| piece(times, values, i, interpolation)).collect();
+        let pieces: Vec<[Dd; 4]> =
+            (0..times.len() - 1).map(|i| piece(times, values, i, interpolation)).collect();
+        for (value, piece) in values.iter().zip(&pieces) {
+            let finite = piece.iter().all(|c| c.hi.is_finite() && c.lo.is_finite());
+            let allowed = "such that the polynomial from it to the next stays in the range of doubles";
+            Domain::check("torque value", *value, finite, allowed)?;
+        }
         self.samples = Some(Arc::new(Samples { times: times.to_vec(), pieces }));
         Ok(self)
     }

@@ -1,6 +1,7 @@
 //! The motion of a pendulum with friction over an interval of time: values at any time in it, and times of what happens.
 
 use super::branch::{Branch, since};
+use super::circular::of_double;
 use super::damped_pendulum::DampedPendulum;
 use super::segment::{Event, Segment};
 use crate::domain::Domain;
@@ -54,7 +55,7 @@ impl DampedPendulum {
         if self.remembers() {
             Domain::check("start", start, start == 0.0, "0 with presliding")?;
         }
-        match self.over(start, stop) {
+        match self.over(start, stop, &|| false) {
             (trajectory, None) => Ok(trajectory),
             (_, Some(refused)) => Err(refused),
         }
@@ -64,13 +65,20 @@ impl DampedPendulum {
     /// would give an error, and from or to 0 where they are on the wrong side of it, or no number.
     #[must_use]
     pub fn reachable(&self, start: f64, stop: f64) -> Trajectory {
+        self.reachable_unless(start, stop, &|| false)
+    }
+
+    /// [`DampedPendulum::reachable`], where `ended` is asked now and then: once it is true, the trajectory is cut short and means
+    /// nothing.
+    #[must_use]
+    pub fn reachable_unless(&self, start: f64, stop: f64, ended: &dyn Fn() -> bool) -> Trajectory {
         let (first, last) = match &self.torque.samples {
             Some(samples) => (samples.times[0], samples.times[samples.times.len() - 1]),
             None => (f64::MIN, f64::MAX),
         };
         let first = if self.remembers() { 0.0 } else { first };
         // max and min take the other number where one is NaN.
-        self.over(start.min(0.0).max(first), stop.max(0.0).min(last)).0
+        self.over(start.min(0.0).max(first), stop.max(0.0).min(last), ended).0
     }
 
     /// Whether an earlier state has to be known: that of presliding.
@@ -78,14 +86,14 @@ impl DampedPendulum {
         self.friction.dry() != 0.0 && self.friction.presliding() != 0.0
     }
 
-    fn over(&self, start: f64, stop: f64) -> (Trajectory, Option<Domain>) {
+    fn over(&self, start: f64, stop: f64, ended: &dyn Fn() -> bool) -> (Trajectory, Option<Domain>) {
         let interval = [start, stop];
         let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency);
         if let (true, Ok(orbit)) = (self.friction.is_none() && self.torque.is_none(), orbit) {
             let motion = Motion::Exact(Box::new(orbit));
             return (Trajectory { pendulum: self.clone(), motion, interval }, None);
         }
-        let (branches, refused) = self.branches(start, stop);
+        let (branches, refused) = self.branches(start, stop, ended);
         let interval = [start.max(branches[0].end()), stop.min(branches[1].end())];
         (
             Trajectory { pendulum: self.clone(), motion: Motion::Integrated(Arc::new(branches)), interval },
@@ -140,6 +148,11 @@ impl Trajectory {
     /// Angle and angular velocity at t, bit for bit those of [`Trajectory::theta`] and [`Trajectory::velocity`].
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
+        self.motion_near(t, &mut [0; 2])
+    }
+
+    /// [`Trajectory::motion`]; `near` are the segments of both senses of time that were asked for last.
+    fn motion_near(&self, t: f64, near: &mut [usize; 2]) -> (f64, f64) {
         if !self.holds(t) {
             return (f64::NAN, f64::NAN);
         }
@@ -148,7 +161,10 @@ impl Trajectory {
         }
         match &self.motion {
             Motion::Exact(orbit) => orbit.motion(t),
-            Motion::Integrated(branches) => branches[usize::from(t > 0.0)].at(t),
+            Motion::Integrated(branches) => {
+                let side = usize::from(t > 0.0);
+                branches[side].at(t, &mut near[side])
+            }
         }
     }
     /// [`Trajectory::motion`] of every time, bit for bit; panics where the lengths differ.
@@ -163,8 +179,9 @@ impl Trajectory {
             }
             return;
         }
+        let mut near = [0; 2];
         for ((t, theta), velocity) in t.iter().zip(theta).zip(velocity) {
-            (*theta, *velocity) = self.motion(*t);
+            (*theta, *velocity) = self.motion_near(*t, &mut near);
         }
     }
 
@@ -199,7 +216,11 @@ impl Trajectory {
     #[must_use]
     pub fn energy(&self, t: f64) -> f64 {
         let (theta, velocity) = self.motion(t);
-        Orbit::new(theta, velocity, self.pendulum.frequency).map_or(f64::NAN, |orbit| orbit.energy())
+        let omega2 = self.pendulum.frequency.omega2();
+        // 1 - cos = 2 sin^2 of half the angle; from the other equilibrium 1 + cos = 2 cos^2.
+        let (sine, cosine) = of_double(0.5 * theta);
+        let distance = if omega2 < 0.0 { cosine } else { sine };
+        0.5 * velocity * velocity + 2.0 * omega2.abs() * distance.square().value()
     }
 
     /// All times from `start` to `stop` (in s, both included) at which the angle is `theta`, rising; a pendulum that rests there
