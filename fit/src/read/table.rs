@@ -1,0 +1,410 @@
+//! From text to columns of numbers: title lines, the header, the line of units, the rows, headers that return.
+
+use std::borrow::Cow;
+
+use super::dialect::{Dialect, MOST_COLUMNS, Separator};
+use super::heads::{Head, are_units};
+use super::lines::{Line, line_at, lines};
+use super::numbers::{self, Cell, Forms, Mark};
+use super::record::{Dropped, leave_out};
+use super::refusal::{Refusal, quoted};
+
+/// Lines above the first row that may hold names and units.
+const PREAMBLE: usize = 40;
+/// Rows that decide how wide a row is.
+const SAMPLE: usize = 200;
+
+/// A table of numbers as the file has it.
+pub(super) struct Table<'a> {
+    text: &'a str,
+    dialect: Dialect,
+    /// One for each column.
+    pub heads: Vec<Head>,
+    /// Whether the file names its columns.
+    pub headed: bool,
+    /// The numbers, NaN where a cell has none.
+    pub columns: Vec<Vec<f64>>,
+    /// The line of each row.
+    pub lines: Vec<u32>,
+    starts: Vec<u32>,
+    marks: Vec<Mark>,
+    /// Rows above which the header stands again.
+    pub restarts: Vec<usize>,
+    /// Samples in a second that a line above the rows states.
+    pub rate: Option<f64>,
+    /// Whether it is a text file of Vernier's Logger Pro.
+    pub vernier: bool,
+    pub understood: Vec<String>,
+    pub dropped: Vec<Dropped>,
+}
+
+/// Numbers, words and blanks of a line.
+#[derive(Clone, Copy, Default)]
+struct Count {
+    numbers: usize,
+    words: usize,
+}
+
+fn counted(cells: &[Cow<'_, str>]) -> Count {
+    let mut count = Count::default();
+    for cell in cells {
+        if numbers::is_number(cell) {
+            count.numbers += 1;
+        } else if !numbers::is_missing(cell) {
+            count.words += 1;
+        }
+    }
+    count
+}
+
+impl<'a> Table<'a> {
+    /// Reads a text.
+    pub(super) fn of(text: &'a str) -> Result<Table<'a>, Refusal> {
+        let dialect = Dialect::of(text)?;
+        let (width, words) = usual_row(text, &dialect)?;
+        let mut table = Table {
+            text,
+            dialect,
+            heads: Vec::new(),
+            headed: false,
+            columns: Vec::new(),
+            lines: Vec::new(),
+            starts: Vec::new(),
+            marks: Vec::new(),
+            restarts: Vec::new(),
+            rate: None,
+            vernier: text.trim_start().starts_with("Vernier Format"),
+            understood: Vec::new(),
+            dropped: Vec::new(),
+        };
+        let preamble = table.rows(width, words)?;
+        if table.lines.is_empty() {
+            return Err(Refusal::fault(None, "holds no row of numbers"));
+        }
+        table.header(&preamble, width)?;
+        table.numbers()?;
+        Ok(table)
+    }
+
+    /// Finds the rows; gives the lines above them.
+    fn rows(&mut self, width: usize, words: usize) -> Result<Vec<Line<'a>>, Refusal> {
+        let mut preamble: Vec<Line<'a>> = Vec::new();
+        let mut header: Vec<String> = Vec::new();
+        let mut cells: Vec<Cow<'a, str>> = Vec::new();
+        for line in lines(self.text) {
+            let comment = line.text.trim_start().starts_with('#');
+            if self.lines.is_empty() {
+                self.dialect.cells(line, &mut cells)?;
+                let count = counted(&cells);
+                // A remark may stand beside the first row; a title that holds a number begins with a word.
+                let remarked =
+                    count.numbers > 1 && count.words <= count.numbers && numbers::is_number(&cells[0]);
+                let row = !comment && count.numbers > 0 && (count.words <= words || remarked);
+                if !row {
+                    if self.dialect.separator == Separator::Pairs {
+                        leave_out(&mut self.dropped, "no row of the table", line.number);
+                    } else if preamble.len() < PREAMBLE {
+                        preamble.push(line);
+                    } else {
+                        preamble.rotate_left(1);
+                        preamble[PREAMBLE - 1] = line;
+                    }
+                } else if cells.len() < width && count.numbers < width {
+                    if !self.states(&preamble, line) {
+                        leave_out(&mut self.dropped, "cut short", line.number);
+                    } else {
+                        preamble.clear();
+                    }
+                } else if cells.len() > width && self.states(&preamble, line) {
+                    preamble.clear();
+                } else {
+                    header = names_of(&preamble);
+                    self.push(line);
+                }
+                continue;
+            }
+            if comment {
+                continue;
+            }
+            self.dialect.cells(line, &mut cells)?;
+            let count = counted(&cells);
+            if count.numbers > 0 && count.words <= count.numbers.max(words) {
+                let zeros = self.vernier
+                    && cells.iter().all(|cell| numbers::cell(cell, Mark::Point) == Cell::Number(0.0));
+                if zeros {
+                    self.restarts.push(self.lines.len());
+                } else {
+                    self.push(line);
+                }
+            } else if count.numbers + count.words == 0 {
+                leave_out(&mut self.dropped, "empty", line.number);
+            } else if header.contains(&line.text.trim().to_owned()) || count.words > 1 && count.words == width
+            {
+                if self.restarts.last() != Some(&self.lines.len()) {
+                    self.restarts.push(self.lines.len());
+                }
+            } else {
+                leave_out(&mut self.dropped, "no row of the table", line.number);
+            }
+        }
+        self.restarts.retain(|row| *row < self.lines.len());
+        Ok(preamble)
+    }
+
+    fn push(&mut self, line: Line<'a>) {
+        self.lines.push(line.number as u32);
+        self.starts.push(line.start as u32);
+    }
+
+    /// Whether a line of numbers belongs to the line of names above it, not to the rows: it may state the rate.
+    fn states(&mut self, preamble: &[Line<'a>], line: Line<'a>) -> bool {
+        let parts = |text: &'a str| text.split([',', ';', '\t']).map(str::trim);
+        let Some(above) = preamble.last() else { return false };
+        if parts(above.text).count() < 2 || parts(above.text).count() != parts(line.text).count() {
+            return false;
+        }
+        for (name, value) in parts(above.text).zip(parts(line.text)) {
+            let name = name.to_lowercase();
+            let rated = ["rate", "fps", "hz", "frequency"].iter().any(|word| name.contains(word));
+            if let Some(value) =
+                value.parse().ok().filter(|value: &f64| rated && value.is_finite() && *value > 0.0)
+            {
+                self.rate = Some(value);
+            }
+        }
+        true
+    }
+
+    /// The heads of the columns from the lines above the rows.
+    fn header(&mut self, preamble: &[Line<'a>], width: usize) -> Result<(), Refusal> {
+        if !self.dialect.names.is_empty() {
+            self.heads = self.dialect.names.iter().map(|name| Head::of(name)).collect();
+            let unnamed = self.heads.iter_mut().enumerate().filter(|(_, head)| head.written.is_empty());
+            unnamed.for_each(|(k, head)| *head = Head::numbered(k));
+            self.headed = true;
+            return Ok(());
+        }
+        let mut above: Vec<(Line<'a>, Vec<String>)> = Vec::new();
+        for line in preamble {
+            above.push((*line, self.header_cells(*line, width)?));
+        }
+        let mut units = None;
+        if let Some((_, cells)) = above.last().filter(|(_, cells)| are_units(cells)) {
+            // A line of units below a line of names; alone it names the columns.
+            if above.len() > 1 && above[above.len() - 2].1.iter().any(|cell| !cell.is_empty()) {
+                units = Some(cells.clone());
+                above.pop();
+            }
+        }
+        let heads = |cells: &[String]| -> Vec<Head> { cells.iter().map(|cell| Head::of(cell)).collect() };
+        let known = |heads: &[Head]| heads.iter().filter(|head| head.meaning.is_some()).count();
+        let filled = |cells: &[String]| cells.iter().filter(|cell| !cell.is_empty()).count();
+        // Logger Pro has the long names above the short ones.
+        let mut best: Option<(usize, usize)> = None;
+        for (k, (_, cells)) in above.iter().enumerate().rev().take(4) {
+            let score = known(&heads(cells));
+            let full =
+                filled(cells) * 2 >= width.min(cells.len()).max(1) && (score > 0 || filled(cells) >= width);
+            if full && best.is_none_or(|(_, most)| score > most || self.vernier && score == most) {
+                best = Some((k, score));
+            }
+        }
+        let names = best.map(|(k, _)| above.remove(k).1);
+        self.refuse_decimal_commas(names.as_ref().map(Vec::len), width)?;
+        if let Some(cells) = names {
+            self.headed = true;
+            self.heads = heads(&cells);
+        }
+        self.heads.truncate(MOST_COLUMNS);
+        let count = self.heads.len();
+        let width = width.max(if self.headed { count.min(width + 1) } else { 0 });
+        self.heads.truncate(width);
+        self.heads.extend((count..width).map(Head::numbered));
+        for (k, head) in self.heads.iter_mut().enumerate() {
+            if let Some(cell) = units.as_ref().and_then(|units| units.get(k)) {
+                *head = head.clone().with_unit(cell);
+            }
+            if head.written.is_empty() {
+                *head = Head { unit: head.unit, ..Head::numbered(k) };
+            }
+        }
+        Ok(())
+    }
+
+    /// The cells of a line above the rows, by the separator that gives as many as a row has.
+    fn header_cells(&self, line: Line<'a>, width: usize) -> Result<Vec<String>, Refusal> {
+        let text = line.text.trim_start_matches([' ', '#']);
+        let text = if line.text.trim_start().starts_with('#') { text } else { line.text };
+        let mut cells = Vec::new();
+        self.dialect.cells(Line { text, ..line }, &mut cells)?;
+        let own: Vec<String> = cells.iter().map(|cell| cell.trim().to_owned()).collect();
+        if own.len() == width {
+            return Ok(own);
+        }
+        let one = |separator: char| -> Vec<String> {
+            text.split(separator)
+                .take(MOST_COLUMNS)
+                .map(|cell| cell.trim().trim_matches('"').to_owned())
+                .collect()
+        };
+        let wide = |cells: &Vec<String>| cells.len() >= width && cells.len() <= width + 1;
+        let gaps: Vec<String> = text
+            .split("  ")
+            .map(|cell| cell.trim().to_owned())
+            .filter(|cell| !cell.is_empty())
+            .take(MOST_COLUMNS)
+            .collect();
+        let others = [one('\t'), one(';'), one(','), gaps, bracketed(text)];
+        Ok(others.into_iter().find(wide).filter(|_| width > 1).unwrap_or(own))
+    }
+
+    /// Commas that separate and mark the decimals too: nobody can tell them apart.
+    fn refuse_decimal_commas(&self, names: Option<usize>, width: usize) -> Result<(), Refusal> {
+        if self.dialect.separator != Separator::One(',') || width < 4 || width % 2 == 1 {
+            return Ok(());
+        }
+        if names.is_some_and(|names| names * 2 != width) {
+            return Ok(());
+        }
+        let mut digits = vec![None; width];
+        let mut cells = Vec::new();
+        for (start, line) in self.starts.iter().zip(&self.lines).take(SAMPLE) {
+            let text = line_at(self.text, *start as usize);
+            if text.contains('"') {
+                return Ok(());
+            }
+            self.dialect.cells(Line { number: *line as usize, start: 0, text }, &mut cells)?;
+            for (k, cell) in cells.iter().enumerate().take(width) {
+                let whole = cell.trim_start_matches(['-', '+']);
+                let whole = !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
+                let fraction = k % 2 == 0 || !cell.starts_with(['-', '+']);
+                // Decimals of a column written to a fixed number of places have one length.
+                let fixed = k % 2 == 0 || *digits[k].get_or_insert(cell.len()) == cell.len();
+                if !whole || !fraction || names.is_none() && !fixed {
+                    return Ok(());
+                }
+            }
+        }
+        let line = self.lines.first().map(|line| *line as usize);
+        let reason = "a decimal comma and a comma between columns cannot be told apart; \
+                      separate columns with semicolons or tabs, or put cells in quotes";
+        Err(Refusal::fault(line, reason))
+    }
+
+    /// Reads every cell: first how each column writes its numbers, then the numbers.
+    fn numbers(&mut self) -> Result<(), Refusal> {
+        let width = self.heads.len();
+        // Full rows have a byte for every cell; a file of short rows under one long row is no table.
+        if self.lines.len() * width > 4 * self.text.len() + (1 << 16) {
+            let reason =
+                format!("has {} rows for {width} columns, and most cells are missing", self.lines.len());
+            return Err(Refusal::fault(None, reason));
+        }
+        let mut forms = vec![Forms::default(); width];
+        self.each_row(|line, cells, _| {
+            for (form, cell) in forms.iter_mut().zip(cells) {
+                form.count(cell, line);
+            }
+        })?;
+        let marks: Vec<Mark> = forms.iter().map(Forms::mark).collect();
+        let mut columns = vec![Vec::with_capacity(self.lines.len()); width];
+        self.each_row(|_, cells, _| {
+            for (k, column) in columns.iter_mut().enumerate() {
+                column.push(match cells.get(k).map_or(Cell::Missing, |cell| numbers::cell(cell, marks[k])) {
+                    Cell::Number(value) => value,
+                    Cell::Missing | Cell::Text => f64::NAN,
+                });
+            }
+        })?;
+        let commas = marks.iter().filter(|mark| **mark == Mark::Comma).count();
+        for (k, (form, mark)) in forms.iter().zip(&marks).enumerate() {
+            let name = &self.heads[k].written;
+            if let Some(line) = form.mixed() {
+                let note =
+                    format!("Column {} has decimal commas and decimal points (line {line}).", quoted(name));
+                self.understood.push(note);
+            }
+            if matches!(mark, Mark::PointThousands | Mark::CommaThousands) {
+                self.understood.push(format!("Column {} has thousands separators.", quoted(name)));
+            } else if *mark == Mark::Comma && (commas == 1 || k == 0) {
+                let which = if commas > 1 { "The file".into() } else { format!("Column {}", quoted(name)) };
+                self.understood.push(format!("{which} has decimal commas."));
+            }
+        }
+        (self.columns, self.marks) = (columns, marks);
+        Ok(())
+    }
+
+    fn each_row(&self, mut take: impl FnMut(u32, &[Cow<'_, str>], usize)) -> Result<(), Refusal> {
+        let mut cells = Vec::new();
+        for (row, (start, line)) in self.starts.iter().zip(&self.lines).enumerate() {
+            let text = line_at(self.text, *start as usize);
+            self.dialect.cells(Line { number: *line as usize, start: *start as usize, text }, &mut cells)?;
+            take(*line, &cells, row);
+        }
+        Ok(())
+    }
+
+    /// What separates its cells.
+    pub(super) fn separator(&self) -> Separator {
+        self.dialect.separator
+    }
+
+    /// A cell as written.
+    pub(super) fn written(&self, row: usize, column: usize) -> String {
+        let mut cells = Vec::new();
+        let text = line_at(self.text, self.starts[row] as usize);
+        let line = Line { number: self.lines[row] as usize, start: 0, text };
+        // The line was cut before without a fault.
+        let _ = self.dialect.cells(line, &mut cells);
+        cells.get(column).map(|cell| cell.clone().into_owned()).unwrap_or_default()
+    }
+
+    /// The place value of the last digit of a cell.
+    pub(super) fn resolution(&self, row: usize, column: usize) -> Option<f64> {
+        numbers::resolution(&self.written(row, column), self.marks[column])
+    }
+}
+
+/// How many cells a row has, and how many of them are words.
+fn usual_row(text: &str, dialect: &Dialect) -> Result<(usize, usize), Refusal> {
+    let mut seen: Vec<((usize, usize), usize)> = Vec::new();
+    let mut cells = Vec::new();
+    for line in lines(text).filter(|line| !line.text.trim_start().starts_with('#')) {
+        dialect.cells(line, &mut cells)?;
+        let count = counted(&cells);
+        if count.numbers == 0 || count.words > count.numbers {
+            continue;
+        }
+        let key = (cells.len(), count.words);
+        match seen.iter_mut().find(|each| each.0 == key) {
+            Some(each) => each.1 += 1,
+            None => seen.push((key, 1)),
+        }
+        if seen.iter().map(|each| each.1).sum::<usize>() >= SAMPLE {
+            break;
+        }
+    }
+    // Of equally frequent ones the first: a sort that keeps the order.
+    seen.sort_by_key(|each| usize::MAX - each.1);
+    let width = seen.first().map_or(1, |each| each.0.0);
+    let words = seen.iter().filter(|each| each.0.0 == width).map(|each| each.0.1).min().unwrap_or(0);
+    Ok((width, words))
+}
+
+/// The lines above the rows, as they would stand again in the middle of the file.
+fn names_of(preamble: &[Line<'_>]) -> Vec<String> {
+    preamble.iter().rev().take(4).map(|line| line.text.trim().to_owned()).collect()
+}
+
+/// Words separated by blanks, with a unit in brackets beside its name: `Time (s) Angle (deg)`.
+fn bracketed(text: &str) -> Vec<String> {
+    let mut cells: Vec<String> = Vec::new();
+    for part in text.split_whitespace().take(MOST_COLUMNS) {
+        match cells.last_mut() {
+            Some(last) if part.starts_with(['(', '[']) => *last = format!("{last} {part}"),
+            _ => cells.push(part.to_owned()),
+        }
+    }
+    cells
+}
