@@ -52,7 +52,7 @@ pub(super) fn recordings(stamps: &[(usize, f64)], restarts: &[usize]) -> Recordi
             if earlier.is_some_and(|earlier| before - earlier > FEW * step && follows(earlier, time)) {
                 // The stamp before was far ahead.
                 found.strays.extend(run.pop().map(|stray| stray.0));
-            } else if fall > FEW * step && next.is_some_and(|next| follows(before, next)) {
+            } else if next.is_some_and(|next| follows(before, next) && next - time > 4.0 * step) {
                 found.strays.push(row);
                 continue;
             } else {

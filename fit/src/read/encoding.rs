@@ -17,6 +17,12 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<String>), Re
             },
         },
     };
+    if !encoding.is_ascii_compatible() {
+        let (text, _) = encoding.decode_with_bom_removal(bytes);
+        refuse_binary(text.as_bytes())?;
+        return Ok((text, note));
+    }
+    refuse_binary(bytes)?;
     let (text, _) = encoding.decode_with_bom_removal(bytes);
     // A UTF-8 mark before text that is not UTF-8: some tools write one in front of Latin-1.
     let (text, note) = if encoding == encoding_rs::UTF_8 && text.contains('\u{fffd}') {
@@ -30,16 +36,14 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<(Cow<'_, str>, Option<String>), Re
     } else {
         (text, note)
     };
-    if let Some(at) = text.bytes().position(is_binary) {
-        let byte = text.as_bytes()[at];
-        return Err(Refusal::fault(
-            None,
-            format!(
-                "is not text: byte {at} is 0x{byte:02x}; allowed is a table of text, or XLSX, XLS, ZIP, TRK"
-            ),
-        ));
-    }
     Ok((text, note))
+}
+
+/// Refuses what no text holds, with its place.
+fn refuse_binary(bytes: &[u8]) -> Result<(), Refusal> {
+    let Some(at) = bytes.iter().position(|byte| is_binary(*byte)) else { return Ok(()) };
+    let allowed = "a table of text, or XLSX, XLS, ZIP, TRK";
+    Err(Refusal::fault(None, format!("is not text: byte {at} is 0x{:02x}; allowed is {allowed}", bytes[at])))
 }
 
 /// What a text file does not contain: control characters other than tab, line feed, vertical tab, form feed, return.

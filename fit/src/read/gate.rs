@@ -15,7 +15,7 @@ pub(super) fn events(table: &Table<'_>, options: &Options, record: &mut Record) 
     let Some(time) = (0..table.heads.len()).find(|k| table.heads[*k].meaning == Some(Meaning::Time)) else {
         return Ok(false);
     };
-    if gates.is_empty() || options.times_only || !options.columns.is_empty() {
+    if gates.is_empty() || !options.columns.is_empty() {
         return Ok(false);
     }
     let factor = table.heads[time].unit.map_or(1.0, |unit| unit.factor);

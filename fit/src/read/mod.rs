@@ -3,10 +3,10 @@
 //! | step | file |
 //! |---|---|
 //! | bytes to text | `encoding`, `archive`, `workbook`, `workbook_xml`, `workbook_binary`, `tracker_project` |
-//! | text to columns of numbers | `lines`, `dialect`, `numbers`, `table` |
-//! | what a column is | `heads`, `names`, `units`, `groups`, `profile`, `select`, `axes` |
-//! | instants | `clock`, `stamps` |
-//! | the motion | `angle`, `circle`, `track`, `gate`, `motion` |
+//! | text to columns of numbers | `lines`, `dialect`, `numbers`, `header`, `table` |
+//! | what a column is | `heads`, `names`, `units`, `columns`, `groups`, `profile`, `select`, `axes`, `vectors` |
+//! | runs and instants | `runs`, `clock`, `stamps` |
+//! | the motion | `angle`, `circle`, `track`, `gate`, `scales`, `motion` |
 //!
 //! Time grows with the bytes, unpacked. Memory stays below 64 times the bytes of the unpacked text and 16 MB, whatever
 //! they are; an archive may unpack to 200 times its size and 1 MB.
@@ -16,10 +16,12 @@ mod archive;
 mod axes;
 mod circle;
 mod clock;
+mod columns;
 mod dialect;
 mod encoding;
 mod gate;
 mod groups;
+mod header;
 mod heads;
 mod lines;
 mod motion;
@@ -29,6 +31,8 @@ mod options;
 mod profile;
 mod record;
 mod refusal;
+mod runs;
+mod scales;
 mod select;
 mod stamps;
 mod table;

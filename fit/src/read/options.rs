@@ -52,8 +52,6 @@ pub struct Options {
     pub run: Option<usize>,
     /// The distance from pivot to tracked point in m, where the track is too short to tell.
     pub length: Option<f64>,
-    /// Whether only the instants are wanted: `solve --times`.
-    pub times_only: bool,
 }
 
 impl Options {

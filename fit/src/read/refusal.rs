@@ -55,7 +55,9 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Fault { file, line, reason } => {
-                write!(f, "{}: ", plain(file))?;
+                if !file.is_empty() {
+                    write!(f, "{}: ", plain(file))?;
+                }
                 if let Some(line) = line {
                     write!(f, "line {line}: ")?;
                 }

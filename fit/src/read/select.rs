@@ -24,8 +24,6 @@ pub(super) enum Chosen {
     Gate(usize, Option<usize>),
     /// Periods against angles of release.
     Swings(usize, usize),
-    /// Only instants are wanted.
-    Nothing,
 }
 
 /// The choice for one group, with its guesses.
@@ -50,35 +48,6 @@ struct Choice<'t> {
     radial: Option<Profile>,
 }
 
-/// The profile of every column.
-pub(super) fn profiles(table: &Table<'_>) -> Vec<Profile> {
-    table.columns.iter().map(|column| Profile::of(column.iter().copied())).collect()
-}
-
-/// Refuses tables that a tool computed from a record.
-pub(super) fn refuse_computed(heads: &[Head]) -> Result<(), Refusal> {
-    match heads.iter().find(|head| head.meaning == Some(Meaning::Computed)) {
-        Some(head) => {
-            let what = words(&head.written);
-            let what = if what.contains("autoko")
-                || what.contains("autoco")
-                || what.contains("shift")
-                || what.contains("versch")
-            {
-                "an autocorrelation"
-            } else {
-                "a spectrum"
-            };
-            let reason = format!(
-                "column {} belongs to {what}, not to a motion; give the file of the raw data",
-                quoted(&head.written)
-            );
-            Err(Refusal::fault(None, reason))
-        }
-        None => Ok(()),
-    }
-}
-
 /// Chooses for a group.
 pub(super) fn select(
     table: &Table<'_>,
@@ -98,7 +67,7 @@ pub(super) fn select(
         radial: None,
     };
     let time = choice.time()?;
-    let chosen = if options.times_only { Chosen::Nothing } else { choice.values(time)? };
+    let chosen = choice.values(time)?;
     Ok(Selection { time, chosen, understood: choice.understood, radial: choice.radial })
 }
 
@@ -173,9 +142,6 @@ impl Choice<'_> {
             self.understood.push(format!("Time is column {name}: it rises by even steps."));
             return Ok(Some(column));
         }
-        if best.is_some() && self.options.times_only {
-            return Ok(best);
-        }
         Ok(None)
     }
 
@@ -212,8 +178,13 @@ impl Choice<'_> {
         }
         let with_period = self.stated(Role::Period)?;
         let free = |k: &usize| Some(*k) != time && self.profiles[*k].count > 0;
-        let (moving, still): (Vec<usize>, Vec<usize>) =
-            self.group.columns.iter().copied().filter(free).partition(|k| !self.profiles[*k].constant());
+        let (moving, still): (Vec<usize>, Vec<usize>) = self
+            .group
+            .columns
+            .iter()
+            .copied()
+            .filter(free)
+            .partition(|k| self.profiles[*k].count < 2 || !self.profiles[*k].constant());
         let motion = |k: &&usize| {
             matches!(
                 self.heads[**k].meaning,
@@ -260,6 +231,11 @@ impl Choice<'_> {
         // Where the header is borrowed, `x` is the time and `y` the motion.
         unsaid.extend(x.into_iter().chain(y));
         unsaid.sort_unstable();
+        // What counts the rows is no motion, and may stand beside one.
+        let counters = unsaid.iter().filter(|k| self.counter(**k)).count();
+        if counters < unsaid.len() {
+            unsaid.retain(|k| !self.counter(*k));
+        }
         self.by_look(&unsaid, &moving, &still)
     }
 
@@ -342,6 +318,11 @@ impl Choice<'_> {
     fn by_look(&mut self, unsaid: &[usize], moving: &[usize], still: &[usize]) -> Result<Chosen, Refusal> {
         match unsaid {
             [] => {
+                let empty = |k: &&usize| self.profiles[**k].count == 0 && self.heads[**k].meaning.is_some();
+                if let Some(column) = self.group.columns.iter().find(empty) {
+                    let name = quoted(&self.heads[*column].written);
+                    return Err(Refusal::fault(None, format!("column {name} holds no number")));
+                }
                 let all = self.names(&self.group.columns);
                 let reason = if moving.is_empty() && !still.is_empty() {
                     format!("no column moves: {}", listed(&self.names(still)))
@@ -357,7 +338,9 @@ impl Choice<'_> {
                 let name = quoted(&self.heads[*column].written);
                 self.understood
                     .push(format!("The angle is column {name}: no other column moves with the time."));
-                Ok(Chosen::One(self.scaled(*column), *column))
+                let length = self.heads[*column].unit.is_some_and(|unit| unit.dimension == Dimension::Length);
+                let quantity = if length { Quantity::AngleUnscaled } else { self.scaled(*column) };
+                Ok(Chosen::One(quantity, *column))
             }
             [x, y] if !self.headed && self.on_circle(*x, *y) => {
                 let names = (quoted(&self.heads[*x].written), quoted(&self.heads[*y].written));

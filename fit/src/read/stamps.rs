@@ -45,7 +45,7 @@ pub(super) fn factor(
         return Err(Refusal::fault(None, reason));
     }
     // Whole numbers in steps that no sampled pendulum has in seconds are ticks.
-    let ticks = profile.whole && profile.count > 2 && !options.times_only;
+    let ticks = profile.whole && profile.count > 2;
     let (factor, name) = match profile.step {
         step if ticks && step > 500.0 => (1e-6, "us"),
         step if ticks && (step >= 2.0 || profile.count > 200) => (1e-3, "ms"),

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::dialect::{Dialect, MOST_COLUMNS, Separator};
-use super::heads::{Head, are_units};
+use super::dialect::{Dialect, Separator};
+use super::header::heads;
+use super::heads::Head;
 use super::lines::{Line, line_at, lines};
 use super::numbers::{self, Cell, Forms, Mark};
 use super::record::{Dropped, leave_out};
@@ -81,7 +82,16 @@ impl<'a> Table<'a> {
         if table.lines.is_empty() {
             return Err(Refusal::fault(None, "holds no row of numbers"));
         }
-        table.header(&preamble, width)?;
+        let first = table.lines.iter().zip(&table.starts).take(SAMPLE);
+        let first = first.map(|(line, start)| Line {
+            number: *line as usize,
+            start: *start as usize,
+            text: line_at(text, *start as usize),
+        });
+        let first: Vec<Line<'_>> = first.collect();
+        let named = heads(&table.dialect, &preamble, &first, width, table.vernier)?;
+        table.headed = named.is_some();
+        table.heads = named.unwrap_or_else(|| (0..width).map(Head::numbered).collect());
         table.numbers()?;
         Ok(table)
     }
@@ -136,6 +146,9 @@ impl<'a> Table<'a> {
                 } else {
                     self.push(line);
                 }
+            } else if count.numbers + count.words == 0 && cells.iter().any(|cell| !cell.is_empty()) {
+                // `NaN` is a sample that is missing: where a rate stands for times it has its instant.
+                self.push(line);
             } else if count.numbers + count.words == 0 {
                 leave_out(&mut self.dropped, "empty", line.number);
             } else if header.contains(&line.text.trim().to_owned()) || count.words > 1 && count.words == width
@@ -173,122 +186,6 @@ impl<'a> Table<'a> {
             }
         }
         true
-    }
-
-    /// The heads of the columns from the lines above the rows.
-    fn header(&mut self, preamble: &[Line<'a>], width: usize) -> Result<(), Refusal> {
-        if !self.dialect.names.is_empty() {
-            self.heads = self.dialect.names.iter().map(|name| Head::of(name)).collect();
-            let unnamed = self.heads.iter_mut().enumerate().filter(|(_, head)| head.written.is_empty());
-            unnamed.for_each(|(k, head)| *head = Head::numbered(k));
-            self.headed = true;
-            return Ok(());
-        }
-        let mut above: Vec<(Line<'a>, Vec<String>)> = Vec::new();
-        for line in preamble {
-            above.push((*line, self.header_cells(*line, width)?));
-        }
-        let mut units = None;
-        if let Some((_, cells)) = above.last().filter(|(_, cells)| are_units(cells)) {
-            // A line of units below a line of names; alone it names the columns.
-            if above.len() > 1 && above[above.len() - 2].1.iter().any(|cell| !cell.is_empty()) {
-                units = Some(cells.clone());
-                above.pop();
-            }
-        }
-        let heads = |cells: &[String]| -> Vec<Head> { cells.iter().map(|cell| Head::of(cell)).collect() };
-        let known = |heads: &[Head]| heads.iter().filter(|head| head.meaning.is_some()).count();
-        let filled = |cells: &[String]| cells.iter().filter(|cell| !cell.is_empty()).count();
-        // Logger Pro has the long names above the short ones.
-        let mut best: Option<(usize, usize)> = None;
-        for (k, (_, cells)) in above.iter().enumerate().rev().take(4) {
-            let score = known(&heads(cells));
-            let full =
-                filled(cells) * 2 >= width.min(cells.len()).max(1) && (score > 0 || filled(cells) >= width);
-            if full && best.is_none_or(|(_, most)| score > most || self.vernier && score == most) {
-                best = Some((k, score));
-            }
-        }
-        let names = best.map(|(k, _)| above.remove(k).1);
-        self.refuse_decimal_commas(names.as_ref().map(Vec::len), width)?;
-        if let Some(cells) = names {
-            self.headed = true;
-            self.heads = heads(&cells);
-        }
-        self.heads.truncate(MOST_COLUMNS);
-        let count = self.heads.len();
-        let width = width.max(if self.headed { count.min(width + 1) } else { 0 });
-        self.heads.truncate(width);
-        self.heads.extend((count..width).map(Head::numbered));
-        for (k, head) in self.heads.iter_mut().enumerate() {
-            if let Some(cell) = units.as_ref().and_then(|units| units.get(k)) {
-                *head = head.clone().with_unit(cell);
-            }
-            if head.written.is_empty() {
-                *head = Head { unit: head.unit, ..Head::numbered(k) };
-            }
-        }
-        Ok(())
-    }
-
-    /// The cells of a line above the rows, by the separator that gives as many as a row has.
-    fn header_cells(&self, line: Line<'a>, width: usize) -> Result<Vec<String>, Refusal> {
-        let text = line.text.trim_start_matches([' ', '#']);
-        let text = if line.text.trim_start().starts_with('#') { text } else { line.text };
-        let mut cells = Vec::new();
-        self.dialect.cells(Line { text, ..line }, &mut cells)?;
-        let own: Vec<String> = cells.iter().map(|cell| cell.trim().to_owned()).collect();
-        if own.len() == width {
-            return Ok(own);
-        }
-        let one = |separator: char| -> Vec<String> {
-            text.split(separator)
-                .take(MOST_COLUMNS)
-                .map(|cell| cell.trim().trim_matches('"').to_owned())
-                .collect()
-        };
-        let wide = |cells: &Vec<String>| cells.len() >= width && cells.len() <= width + 1;
-        let gaps: Vec<String> = text
-            .split("  ")
-            .map(|cell| cell.trim().to_owned())
-            .filter(|cell| !cell.is_empty())
-            .take(MOST_COLUMNS)
-            .collect();
-        let others = [one('\t'), one(';'), one(','), gaps, bracketed(text)];
-        Ok(others.into_iter().find(wide).filter(|_| width > 1).unwrap_or(own))
-    }
-
-    /// Commas that separate and mark the decimals too: nobody can tell them apart.
-    fn refuse_decimal_commas(&self, names: Option<usize>, width: usize) -> Result<(), Refusal> {
-        if self.dialect.separator != Separator::One(',') || width < 4 || width % 2 == 1 {
-            return Ok(());
-        }
-        if names.is_some_and(|names| names * 2 != width) {
-            return Ok(());
-        }
-        let mut digits = vec![None; width];
-        let mut cells = Vec::new();
-        for (start, line) in self.starts.iter().zip(&self.lines).take(SAMPLE) {
-            let text = line_at(self.text, *start as usize);
-            if text.contains('"') {
-                return Ok(());
-            }
-            self.dialect.cells(Line { number: *line as usize, start: 0, text }, &mut cells)?;
-            for (k, cell) in cells.iter().enumerate().take(width) {
-                let whole = cell.trim_start_matches(['-', '+']);
-                let whole = !whole.is_empty() && whole.bytes().all(|byte| byte.is_ascii_digit());
-                let fraction = k % 2 == 0 || !cell.starts_with(['-', '+']);
-                // Decimals of a column written to a fixed number of places have one length.
-                let fixed = k % 2 == 0 || *digits[k].get_or_insert(cell.len()) == cell.len();
-                if !whole || !fraction || names.is_none() && !fixed {
-                    return Ok(());
-                }
-            }
-        }
-        let line = self.lines.first().map(|line| *line as usize);
-        let reason = "a decimal comma and a comma between columns cannot be told apart; \
-                      separate columns with semicolons or tabs, or put cells in quotes";
-        Err(Refusal::fault(line, reason))
     }
 
     /// Reads every cell: first how each column writes its numbers, then the numbers.
@@ -395,16 +292,4 @@ fn usual_row(text: &str, dialect: &Dialect) -> Result<(usize, usize), Refusal> {
 /// The lines above the rows, as they would stand again in the middle of the file.
 fn names_of(preamble: &[Line<'_>]) -> Vec<String> {
     preamble.iter().rev().take(4).map(|line| line.text.trim().to_owned()).collect()
-}
-
-/// Words separated by blanks, with a unit in brackets beside its name: `Time (s) Angle (deg)`.
-fn bracketed(text: &str) -> Vec<String> {
-    let mut cells: Vec<String> = Vec::new();
-    for part in text.split_whitespace().take(MOST_COLUMNS) {
-        match cells.last_mut() {
-            Some(last) if part.starts_with(['(', '[']) => *last = format!("{last} {part}"),
-            _ => cells.push(part.to_owned()),
-        }
-    }
-    cells
 }

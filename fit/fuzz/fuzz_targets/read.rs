@@ -1,0 +1,41 @@
+//! Any bytes: `cargo +nightly fuzz run read fit/fuzz/corpus fit/fuzz/seeds -- -max_len=65536 -timeout=5 -malloc_limit_mb=64`.
+//! The reader must end with a record that keeps its promises or with one line; libFuzzer counts time and memory.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use libration_fit::{Kind, Options, Role, read};
+
+fuzz_target!(|bytes: &[u8]| {
+    // The first byte states some options.
+    let Some((&flags, bytes)) = bytes.split_first() else { return };
+    let mut options = Options::default();
+    if flags & 1 != 0 {
+        options.rate = Some(30.0);
+    }
+    if flags & 2 != 0 {
+        options.run = Some(2);
+    }
+    if flags & 4 != 0 {
+        options.columns.push((Role::Angle, "2".to_owned()));
+    }
+    if flags & 8 != 0 {
+        options.length = Some(0.5);
+    }
+    match read("file", bytes, &options) {
+        Ok(record) => {
+            assert!(record.time.iter().all(|time| time.is_finite()));
+            for (k, pair) in record.time.windows(2).enumerate() {
+                assert!(pair[0] <= pair[1] || record.breaks.contains(&(k + 1)) || record.kind != Kind::Samples);
+            }
+            for series in &record.series {
+                assert!(record.kind == Kind::Swings || series.values.len() == record.time.len() || record.time.is_empty());
+                assert!(record.kind != Kind::Samples || series.values.iter().all(|value| value.is_finite()));
+            }
+            assert!(record.understood.iter().all(|sentence| !sentence.contains(['\n', '\r', '\x1b'])));
+        }
+        Err(refusal) => {
+            let line = refusal.to_string();
+            assert!(!line.contains(['\n', '\r', '\x1b']) && line.len() < 4000, "{line}");
+        }
+    }
+});
