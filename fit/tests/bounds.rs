@@ -102,3 +102,10 @@ fn many_bad_rows() {
     let seesaw: String = (0..100_000).map(|k| format!("{},{}\n", (k * 7919) % 100_003, k % 5)).collect();
     let _ = bounded("seesaw", format!("t,theta\n{seesaw}").as_bytes());
 }
+
+#[test]
+fn a_run_for_every_two_rows_of_a_long_name() {
+    let name = "theta ".to_owned() + &"long ".repeat(20_000);
+    let falls: String = (0..200_000).map(|k| if k % 2 == 0 { "5,1\n" } else { "9,2\n" }).collect();
+    let _ = bounded("falls", format!("t,{name}\n{falls}").as_bytes());
+}

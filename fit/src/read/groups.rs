@@ -37,22 +37,22 @@ pub(super) fn groups(heads: &[Head]) -> Vec<Group> {
 
 /// `t1;theta1;t2;theta2`, `Time A, Pos A, Time B, Pos B`: several clocks, each with a suffix.
 fn by_suffix(heads: &[Head], clocks: &[usize]) -> Option<Vec<Option<String>>> {
-    let key = |k: usize| suffix(&heads[k].name).map(|(_, key)| key.to_owned());
+    let key = |k: usize| suffix(&heads[k].name).map_or(String::new(), |(_, key)| key.to_owned());
     let mut seen = Vec::new();
     for clock in clocks {
-        let key = key(*clock)?;
+        let key = key(*clock);
         if seen.contains(&key) {
             return None;
         }
         seen.push(key);
     }
-    let found = |k: usize| key(k).filter(|key| seen.contains(key));
+    let found = |k: usize| Some(key(k)).filter(|key| seen.contains(key));
     (seen.len() > 1).then(|| (0..heads.len()).map(found).collect())
 }
 
 /// `Time, Angle, Time, Angle` or `t, x, y, x, y`: the k-th column of a name belongs to the k-th run.
 fn by_repetition(heads: &[Head]) -> Option<Vec<Option<String>>> {
-    let names: Vec<String> = heads.iter().map(|head| words(&head.name)).collect();
+    let names: Vec<String> = heads.iter().map(|head| words(&head.written)).collect();
     let meant = |k: usize| {
         heads[k].meaning.is_some_and(|meaning| !matches!(meaning, Meaning::Uncertainty | Meaning::Index))
     };

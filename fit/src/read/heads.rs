@@ -52,7 +52,7 @@ impl Head {
 pub(super) fn suffix(name: &str) -> Option<(&str, &str)> {
     let stem = name.trim_end_matches(|each: char| each.is_ascii_digit());
     if stem.len() < name.len() && !stem.is_empty() {
-        return Some((stem.trim_end_matches([' ', '_', '#', '-']), &name[stem.len()..]));
+        return Some((stem.trim_end_matches([' ', '_', '#', '-', '.']), &name[stem.len()..]));
     }
     let (stem, letter) = name.rsplit_once([' ', '_'])?;
     let mut letters = letter.chars();
@@ -112,9 +112,13 @@ fn without_run(written: &str) -> (String, Option<String>) {
     for word in ["run #", "run#", "run ", "lauf #", "lauf "] {
         if let Some(at) = lower.rfind(word).filter(|at| *at > 0) {
             let (name, run) = (&written[..at], &written[at..]);
-            let digits = run[word.len()..].trim();
-            if !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) {
-                return (name.trim_end_matches([' ', ',', ';', '-', '_']).to_owned(), Some(words(run)));
+            let rest = run[word.len()..].trim_start();
+            let after = rest.trim_start_matches(|each: char| each.is_ascii_digit());
+            let digits = &rest[..rest.len() - after.len()];
+            // A unit may follow: `Angle, Run #1 (rad)`.
+            if !digits.is_empty() && (after.is_empty() || after.starts_with([' ', '('])) {
+                let name = name.trim_end_matches([' ', ',', ';', '-', '_']);
+                return (format!("{name} {}", after.trim()).trim().to_owned(), Some(format!("run {digits}")));
             }
         }
     }

@@ -138,6 +138,9 @@ fn finish(
         }
         Chosen::Gate(period, transit) => {
             record.kind = Kind::Gate;
+            if selection.time.is_none() {
+                record.time = Vec::new();
+            }
             let series = |quantity, column: usize| {
                 let factor = table.heads[column]
                     .unit

@@ -71,7 +71,7 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
     {
         return Some(Uncertainty);
     }
-    if has(&["absolut", "betrag", "magnitude", "modul"]) || is(&["abs", "norm"]) {
+    if has(&["absolut", "betrag", "magnitude", "modul"]) || is(&["abs", "norm", "tgf"]) {
         return Some(Absolute);
     }
     if has(&["unnamed", "packet", "frame"])
@@ -82,30 +82,34 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
     if has(&["comment", "kommentar", "remark"]) || word(&["run", "serie", "series", "trial", "number"]) {
         return Some(Label);
     }
-    if has(&["state", "zustand", "gate"]) {
-        return Some(State);
-    }
     if has(&["transit", "dunkel", "dark", "verdunk", "blocked"]) {
         return Some(Transit);
     }
     if has(&["period", "schwingungsdauer"]) || is(&["half swing"]) || name.trim() == "T" {
         return Some(Period);
     }
+    if has(&["state", "zustand", "gate"]) {
+        return Some(State);
+    }
     let angular = has(&["angul", "winkel", "rotation", "gyro", "angol"]);
     if has(&["accel", "beschleunig", "acel", "acceler"])
-        || is(&["ax", "ay", "az", "acc x", "acc y", "acc z", "accx", "accy", "accz"])
+        || is(&["ax", "ay", "az", "acc x", "acc y", "acc z", "accx", "accy", "accz", "gfx", "gfy", "gfz"])
     {
         return Some(if angular { AngularAcceleration } else { LinearAcceleration });
     }
-    if is(&["alpha", "α"]) {
+    // Newton's dots as combining characters.
+    if name.contains('\u{307}') {
+        return Some(Velocity);
+    }
+    if name.contains('\u{308}') || is(&["alpha", "α"]) || has(&["ddot", "dot dot"]) {
         return Some(AngularAcceleration);
     }
     if has(&["velocity", "geschwindigkeit", "velocid", "vitesse", "speed"]) {
         return Some(if angular { Velocity } else { Other });
     }
-    if has(&["gyro", "omega", "ω", "thetadot", "theta dot"])
+    if has(&["gyro", "omega", "ω", "thetadot", "theta dot", "angvel", "ang vel", "drehrate"])
         || words.starts_with("rotation")
-        || is(&["gx", "gy", "gz", "w", "dtheta dt", "theta punkt"])
+        || is(&["gx", "gy", "gz", "wx", "wy", "wz", "w", "dtheta dt", "theta punkt"])
     {
         return Some(Velocity);
     }

@@ -69,7 +69,7 @@ pub(super) fn cell(text: &str, mark: Mark) -> Cell {
     plain.parse().map_or(Cell::Text, |value| finite(value, text))
 }
 
-/// Seconds of a clock's reading: `1:02:03.5`, `0:01:02:50` with hundredths, `02:03.5`, with or without a date in front.
+/// Seconds of a clock's reading: `1:02:03.5`, `0:01:02:50` with hundredths or thousandths, `02:03.5`, with or without a date in front.
 fn clock(text: &str) -> Option<f64> {
     let time = text.rsplit([' ', 'T']).next()?.trim_end_matches('Z');
     let mut seconds = 0.0;
@@ -78,7 +78,11 @@ fn clock(text: &str) -> Option<f64> {
         let digits = part.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
         let value: f64 = part.replace(',', ".").parse().ok().filter(|_| digits && part.len() < 20)?;
         parts += 1;
-        seconds = if parts == 4 { seconds + value / 100.0 } else { seconds * 60.0 + value };
+        seconds = if parts == 4 {
+            seconds + value / if part.len() == 3 { 1000.0 } else { 100.0 }
+        } else {
+            seconds * 60.0 + value
+        };
     }
     (2..=4).contains(&parts).then_some(seconds)
 }

@@ -1,6 +1,8 @@
 //! The runs in a table: the rows of a group that have a time and a value, cut where a recording begins again, and the
 //! choice of one.
 
+use std::rc::Rc;
+
 use super::clock;
 use super::groups::Group;
 use super::names::Meaning;
@@ -15,8 +17,8 @@ use super::table::Table;
 
 /// One run that the table holds.
 pub(super) struct Run {
-    pub group: Group,
-    pub selection: Selection,
+    pub group: Rc<Group>,
+    pub selection: Rc<Selection>,
     pub stamps: Vec<(usize, f64)>,
     /// Whether its motion is more than a last digit that flickers.
     pub moves: f64,
@@ -41,9 +43,12 @@ pub(super) fn runs_of(
     record: &mut Record,
 ) -> Result<(), Refusal> {
     let needed = needed(&selection.chosen);
+    let (group, selection) = (Rc::new(group), Rc::new(selection));
     let rate =
         options.rate.filter(|_| selection.time.is_none()).or(table.rate.filter(|_| selection.time.is_none()));
-    let swings = matches!(selection.chosen, Chosen::Swings(..));
+    // Tables of periods need no times.
+    let swings = matches!(selection.chosen, Chosen::Swings(..))
+        || matches!(selection.chosen, Chosen::Gate(..)) && selection.time.is_none();
     if selection.time.is_none() && rate.is_none() && !swings {
         let free: Vec<String> =
             (group.columns.iter().filter(|k| !needed.contains(k) && profiles[**k].count > 0))
@@ -110,7 +115,7 @@ pub(super) fn runs_of(
             let profile = Profile::of(stamps.iter().map(|stamp| table.columns[*column][stamp.0]));
             profile.range() / profile.most.abs().max(profile.least.abs()).max(f64::MIN_POSITIVE)
         });
-        runs.push(Run { group: group.clone(), selection: selection.clone(), stamps, moves });
+        runs.push(Run { group: Rc::clone(&group), selection: Rc::clone(&selection), stamps, moves });
     }
     Ok(())
 }

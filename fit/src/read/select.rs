@@ -213,6 +213,12 @@ impl Choice<'_> {
             return Ok(Chosen::One(self.scaled(column), column));
         }
         let (x, y) = (among(Some(Meaning::X)), among(Some(Meaning::Y)));
+        let third = self.group.columns.iter().find(|k| words(&self.heads[**k].name) == "z");
+        if let (false, Some(z)) = (x.is_empty() || y.is_empty(), third) {
+            let names = self.names(&[x[0], y[0], *z]);
+            let answer = "--column velocity=NAME or --column acceleration=NAME, or both --column x=NAME and --column y=NAME";
+            return Err(Refusal::question("what do the three axes hold?", names, answer));
+        }
         if let ([x], [y]) = (&x[..], &y[..]) {
             return Ok(Chosen::Track(*x, *y));
         }
@@ -318,8 +324,15 @@ impl Choice<'_> {
     fn by_look(&mut self, unsaid: &[usize], moving: &[usize], still: &[usize]) -> Result<Chosen, Refusal> {
         match unsaid {
             [] => {
+                // A distance without a pivot: small swings have its period.
+                let distance =
+                    |k: &&usize| self.heads[**k].unit.is_some_and(|unit| unit.dimension == Dimension::Length);
+                if let [column] = moving.iter().filter(distance).copied().collect::<Vec<usize>>()[..] {
+                    return Ok(Chosen::One(Quantity::AngleUnscaled, column));
+                }
                 let empty = |k: &&usize| self.profiles[**k].count == 0 && self.heads[**k].meaning.is_some();
-                if let Some(column) = self.group.columns.iter().find(empty) {
+                let alone = moving.is_empty() && still.is_empty();
+                if let Some(column) = self.group.columns.iter().find(empty).filter(|_| alone) {
                     let name = quoted(&self.heads[*column].written);
                     return Err(Refusal::fault(None, format!("column {name} holds no number")));
                 }

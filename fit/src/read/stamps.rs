@@ -46,7 +46,11 @@ pub(super) fn factor(
     }
     // Whole numbers in steps that no sampled pendulum has in seconds are ticks.
     let ticks = profile.whole && profile.count > 2;
+    let since_1970 = |from: f64| profile.whole && profile.least > from && profile.least < 1e3 * from;
     let (factor, name) = match profile.step {
+        _ if since_1970(1e17) => (1e-9, "ns since 1970"),
+        _ if since_1970(1e14) => (1e-6, "us since 1970"),
+        _ if since_1970(1e11) => (1e-3, "ms since 1970"),
         step if ticks && step > 500.0 => (1e-6, "us"),
         step if ticks && (step >= 2.0 || profile.count > 200) => (1e-3, "ms"),
         _ => return Ok((1.0, None)),
@@ -91,8 +95,10 @@ pub(super) fn in_order(
     table: &Table<'_>,
     record: &mut Record,
 ) -> Stamps {
-    let digits = column.and_then(|column| rounded(&stamps, column, table));
-    let order = clock::ordered(&mut stamps, digits.is_some());
+    let round = |stamps: &[(usize, f64)]| column.and_then(|column| rounded(stamps, column, table));
+    let coarse = round(&stamps).is_some();
+    let order = clock::ordered(&mut stamps, coarse);
+    let digits = round(&stamps).filter(|_| order.breaks.is_empty());
     if order.moved + order.twice.len() > 0 {
         let (moved, twice) = (order.moved, order.twice.len());
         let duplicates = if twice == 1 { "duplicate" } else { "duplicates" };
