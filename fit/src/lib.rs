@@ -6,4 +6,4 @@
 
 pub mod read;
 
-pub use read::{Kind, Options, Quantity, Record, Refusal, Role, Series, read};
+pub use read::{Instants, Kind, Options, Quantity, Record, Refusal, Role, Series, Unread, instants, read};

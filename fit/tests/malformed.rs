@@ -110,17 +110,17 @@ fn clocks_that_cannot_be() {
         "f.csv: line 3: time goes backwards in column \"t\"; times must rise",
     );
     refused(
-        "t [h],theta\n0,1\n1,2\n2,1\n",
-        "f.csv: column \"t [h]\" is in \"h\"; times take s, ms, us, ns, min",
+        "t [d],theta\n0,1\n1,2\n2,1\n",
+        "f.csv: column \"t [d]\" is in \"d\"; times take s, ms, us, ns, min, h",
     );
     refused(
         "time (furlong),theta\n0,1\n1,2\n2,1\n",
-        "f.csv: column \"time (furlong)\" is in \"furlong\"; times take s, ms, us, ns, min",
+        "f.csv: column \"time (furlong)\" is in \"furlong\"; times take s, ms, us, ns, min, h",
     );
     refused_with(
         "a (V),theta\n0,1\n1,2\n2,1\n",
         Options::default().column("time=a").unwrap(),
-        "f.csv: column \"a (V)\" is no time by its unit; times take s, ms, us, ns, min",
+        "f.csv: column \"a (V)\" is no time by its unit; times take s, ms, us, ns, min, h",
     );
     refused(
         "theta (deg)\n1\n2\n1\n",
@@ -217,7 +217,7 @@ fn what_is_stated_and_cannot_hold() {
     refused_with(text, unit("angle=parsec"), "f.csv: --unit angle=parsec: must be rad, deg, turn or N/turn");
     refused_with(text, unit("angle=s"), "f.csv: --unit angle=s: must be rad, deg, turn or N/turn");
     refused_with(text, unit("angle=0/turn"), "f.csv: --unit angle=0/turn: must be rad, deg, turn or N/turn");
-    refused_with(text, unit("time=rad"), "f.csv: --unit time=rad: must be one of s, ms, us, ns, min");
+    refused_with(text, unit("time=rad"), "f.csv: --unit time=rad: must be one of s, ms, us, ns, min, h");
 }
 
 #[test]

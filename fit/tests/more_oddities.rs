@@ -50,3 +50,29 @@ fn columns_that_a_data_frame_renamed() {
     assert_eq!((record.run, record.time.len()), ((2, 2), 4));
     near(&degrees(&record), &[20.0, 19.0, 17.0, 15.0], 1e-12);
 }
+
+#[test]
+fn comments_of_other_programs() {
+    for mark in ["#", "%", "//", "# %"] {
+        let record =
+            record(&format!("{mark} exported\n{mark} t theta\n  0.0  20.0\n  0.1  18.5\n  0.2  14.3\n"));
+        near(&record.time, &[0.0, 0.1, 0.2], 0.0);
+        assert_eq!(record.series[0].name, "theta");
+    }
+    let record = record("# sample rate: 100 Hz\ntheta_deg\n20\n18.5\n14.3\n");
+    near(&record.time, &[0.0, 0.01, 0.02], 0.0);
+    says(&record, "100 samples in a second, as a line above the rows says");
+}
+
+#[test]
+fn units_beside_every_number() {
+    let record = record("t,theta\n0 ms,20.0 deg\n100 ms,18.5 deg\n200 ms,14.3 deg\n");
+    near(&record.time, &[0.0, 0.1, 0.2], 0.0);
+    near(&degrees(&record), &[20.0, 18.5, 14.3], 1e-12);
+    let line = refusal(b"t,theta\n0 ms,20.0 deg\n100 ms,0.3 rad\n200 ms,14.3 deg\n", &Options::default())
+        .to_string();
+    assert_eq!(
+        line,
+        "file.csv: line 3: column \"theta\" has values in \"deg\" and in \"rad\"; write one unit"
+    );
+}

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use super::lines::{Line, lines};
+use super::lines::{Line, comment, lines};
 use super::numbers;
 use super::refusal::Refusal;
 
@@ -39,7 +39,7 @@ impl Dialect {
     /// The dialect of a text.
     pub(super) fn of(text: &str) -> Result<Dialect, Refusal> {
         let (mut numeric, mut worded) = (Vec::new(), Vec::new());
-        for line in lines(text).filter(|line| !line.text.trim_start().starts_with('#')) {
+        for line in lines(text).filter(|line| comment(line.text).is_none()) {
             short_enough(line)?;
             let start = line.text.trim_start().trim_start_matches('"').bytes().next().unwrap_or(b' ');
             if matches!(start, b'0'..=b'9' | b'+' | b'-' | b'.' | b',' | b';' | b'(' | b'[' | 0xe2) {

@@ -2,7 +2,7 @@
 
 use super::dialect::{Dialect, MOST_COLUMNS, Separator};
 use super::heads::{Head, are_units};
-use super::lines::Line;
+use super::lines::{Line, comment};
 use super::refusal::Refusal;
 
 /// The heads of the columns from the lines above the rows; `None` where no line names them. The first rows tell decimal
@@ -65,8 +65,7 @@ pub(super) fn heads(
 
 /// The cells of a line above the rows, by the separator that gives as many as a row has.
 fn header_cells(dialect: &Dialect, line: Line<'_>, width: usize) -> Result<Vec<String>, Refusal> {
-    let text = line.text.trim_start_matches([' ', '#']);
-    let text = if line.text.trim_start().starts_with('#') { text } else { line.text };
+    let text = comment(line.text).unwrap_or(line.text);
     let mut cells = Vec::new();
     dialect.cells(Line { text, ..line }, &mut cells)?;
     let own: Vec<String> = cells.iter().map(|cell| cell.trim().to_owned()).collect();

@@ -4,6 +4,10 @@
 use super::names::{Meaning, meaning, words};
 use super::units::{Dimension, Unit, unit};
 
+/// Brackets of a cell that are looked into.
+const MOST_MARKS: usize = 32;
+const LONGEST_UNIT: usize = 42;
+
 /// What the head of a column says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Head {
@@ -129,7 +133,7 @@ fn without_run(written: &str) -> (String, Option<String>) {
 fn without_unit(text: &str) -> (String, Option<Unit>, Option<String>) {
     let mut unknown = None;
     // Brackets: the first pair that holds a unit.
-    for (at, opening) in text.match_indices(['(', '[']) {
+    for (at, opening) in text.match_indices(['(', '[']).take(MOST_MARKS) {
         let closing = if opening == "(" { ')' } else { ']' };
         let Some(length) = text[at + 1..].find(closing) else { continue };
         let inner = &text[at + 1..at + 1 + length];
@@ -145,18 +149,20 @@ fn without_unit(text: &str) -> (String, Option<Unit>, Option<String>) {
             unknown = Some((before.to_owned(), inner.to_owned()));
         }
     }
-    for (at, _) in text.match_indices('/') {
+    // No unit is longer, so that the work grows with the length and not with its square.
+    let near_the_end = |at: &usize| text.len() - at <= LONGEST_UNIT;
+    for at in text.match_indices('/').map(|each| each.0).filter(near_the_end) {
         if let Some(found) = unit(&text[at + 1..]) {
             return (text[..at].trim().to_owned(), Some(found), None);
         }
     }
-    for (at, word) in text.match_indices(" in ") {
+    for (at, word) in text.match_indices(" in ").take(MOST_MARKS) {
         let suffix = text[at + word.len()..].split(' ').next().unwrap_or("");
         if let Some(found) = unit(suffix) {
             return (text[..at].trim().to_owned(), Some(found), None);
         }
     }
-    for (at, mark) in text.match_indices([' ', '_']) {
+    for (at, mark) in text.match_indices([' ', '_']).filter(|each| near_the_end(&each.0)) {
         let (name, suffix) = (text[..at].trim(), &text[at + 1..]);
         // A single letter behind a name tells columns apart: `Pos A`, `theta_r`; only s and m are units there.
         let letter = suffix.chars().count() == 1;

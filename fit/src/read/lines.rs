@@ -47,3 +47,10 @@ pub(super) fn line_at(text: &str, start: usize) -> &str {
     let rest = &text[start..];
     rest.split(['\n', '\r']).next().unwrap_or("")
 }
+
+/// What stands behind the mark of a comment: `#`, `%` or `//`; `None` if the line has none.
+pub(super) fn comment(text: &str) -> Option<&str> {
+    let text = text.trim_start();
+    let marked = text.starts_with(['#', '%']) || text.starts_with("//");
+    marked.then(|| text.trim_start_matches(['#', '%', '/', ' ']))
+}

@@ -6,6 +6,7 @@
 //! | text to columns of numbers | `lines`, `dialect`, `numbers`, `header`, `table` |
 //! | what a column is | `heads`, `names`, `units`, `columns`, `groups`, `profile`, `select`, `axes`, `vectors` |
 //! | runs and instants | `runs`, `clock`, `stamps` |
+//! | times to compute at | `instants` |
 //! | the motion | `angle`, `circle`, `track`, `gate`, `scales`, `motion` |
 //!
 //! Time grows with the bytes, unpacked. Memory stays below 64 times the bytes of the unpacked text and 16 MB, whatever
@@ -23,6 +24,7 @@ mod gate;
 mod groups;
 mod header;
 mod heads;
+mod instants;
 mod lines;
 mod motion;
 mod names;
@@ -44,6 +46,7 @@ mod workbook;
 mod workbook_binary;
 mod workbook_xml;
 
+pub use instants::{Instants, Unread, instants};
 pub use options::{Options, Role};
 pub use record::{Dropped, Kind, Pivot, Quantity, Record, Series};
 pub use refusal::Refusal;

@@ -1,5 +1,7 @@
 //! Numbers as people and tools write them: decimal point or comma, thousands separators, a Fortran exponent, a true minus.
 
+use super::units::{Dimension, unit};
+
 /// How the numbers of one column are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mark {
@@ -27,6 +29,19 @@ const MISSING: [&str; 17] = [
     "undefined", "-", "--", "---",
 ];
 
+/// Number and unit of a cell such as `20.0 deg`.
+pub(super) fn with_unit(text: &str) -> Option<(&str, &str)> {
+    let bytes = text.as_bytes();
+    let starts = matches!(bytes.first()?, b'0'..=b'9' | b'+' | b'-' | b'.');
+    let ends = !bytes.last()?.is_ascii_digit();
+    let (number, word) = text.rsplit_once(' ').filter(|_| starts && ends && text.len() < 60)?;
+    let known = unit(word).is_some_and(|unit| {
+        use Dimension::{Angle, AngularVelocity, Length, Time};
+        matches!(unit.dimension, Angle | AngularVelocity | Length | Time)
+    });
+    known.then(|| (number.trim_end(), word))
+}
+
 /// Reads one cell.
 pub(super) fn cell(text: &str, mark: Mark) -> Cell {
     let text = bare(text);
@@ -40,6 +55,9 @@ pub(super) fn cell(text: &str, mark: Mark) -> Cell {
     }
     if !matches!(starts, b'0'..=b'9' | b'+' | b'-' | b'.' | b',' | 0xe2) {
         return Cell::Text;
+    }
+    if let Some((number, _)) = with_unit(text) {
+        return cell(number, mark);
     }
     if text.len() < 40 && text.contains(':') {
         return clock(text).map_or(Cell::Text, Cell::Number);
@@ -212,7 +230,7 @@ fn is_grouped(text: &str, separator: char) -> bool {
 /// The place value of the last digit of a number as written: 0.1 for `1.00E+01`.
 pub(super) fn resolution(text: &str, mark: Mark) -> Option<f64> {
     let point = if matches!(mark, Mark::Comma | Mark::CommaThousands) { ',' } else { '.' };
-    let text = bare(text);
+    let text = bare(with_unit(text).map_or(text, |(number, _)| number));
     let (mantissa, exponent) = match text.find(['e', 'E', 'd', 'D']) {
         Some(at) => (&text[..at], text[at + 1..].parse::<i32>().ok()?),
         None => (text, 0),

@@ -42,6 +42,14 @@ impl Refusal {
         Refusal::Question { file: String::new(), question, candidates, answer }
     }
 
+    /// What a fault says without file and line.
+    pub(super) fn reason(&self) -> String {
+        match self {
+            Refusal::Fault { reason, .. } => reason.clone(),
+            Refusal::Question { question, .. } => question.clone(),
+        }
+    }
+
     /// The same with the name of the file: the rooms below do not know it.
     pub(super) fn of(mut self, name: &str) -> Refusal {
         match &mut self {

@@ -27,7 +27,7 @@ pub(super) fn factor(
             Some(unit) => Ok((unit.factor, None)),
             None => Err(Refusal::fault(
                 None,
-                format!("--unit time={}: must be one of s, ms, us, ns, min", plain(text)),
+                format!("--unit time={}: must be one of s, ms, us, ns, min, h", plain(text)),
             )),
         };
     }
@@ -35,13 +35,18 @@ pub(super) fn factor(
         if unit.dimension == Dimension::Time {
             return Ok((unit.factor, None));
         }
-        let reason =
-            format!("column {} is no time by its unit; times take s, ms, us, ns, min", quoted(&head.written));
+        let reason = format!(
+            "column {} is no time by its unit; times take s, ms, us, ns, min, h",
+            quoted(&head.written)
+        );
         return Err(Refusal::fault(None, reason));
     }
     if let Some(text) = &head.unknown_unit {
-        let reason =
-            format!("column {} is in {}; times take s, ms, us, ns, min", quoted(&head.written), quoted(text));
+        let reason = format!(
+            "column {} is in {}; times take s, ms, us, ns, min, h",
+            quoted(&head.written),
+            quoted(text)
+        );
         return Err(Refusal::fault(None, reason));
     }
     // Whole numbers in steps that no sampled pendulum has in seconds are ticks.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::dialect::{Dialect, Separator};
 use super::header::heads;
 use super::heads::Head;
-use super::lines::{Line, line_at, lines};
+use super::lines::{Line, comment, line_at, lines};
 use super::numbers::{self, Cell, Forms, Mark};
 use super::record::{Dropped, leave_out};
 use super::refusal::{Refusal, quoted};
@@ -91,6 +91,7 @@ impl<'a> Table<'a> {
         let first: Vec<Line<'_>> = first.collect();
         let named = heads(&table.dialect, &preamble, &first, width, table.vernier)?;
         table.headed = named.is_some();
+        table.rate = table.rate.or_else(|| preamble.iter().find_map(|line| stated_rate(line.text)));
         table.heads = named.unwrap_or_else(|| (0..width).map(Head::numbered).collect());
         table.numbers()?;
         Ok(table)
@@ -102,7 +103,7 @@ impl<'a> Table<'a> {
         let mut header: Vec<String> = Vec::new();
         let mut cells: Vec<Cow<'a, str>> = Vec::new();
         for line in lines(self.text) {
-            let comment = line.text.trim_start().starts_with('#');
+            let comment = comment(line.text).is_some();
             if self.lines.is_empty() {
                 self.dialect.cells(line, &mut cells)?;
                 let count = counted(&cells);
@@ -198,14 +199,32 @@ impl<'a> Table<'a> {
             return Err(Refusal::fault(None, reason));
         }
         let mut forms = vec![Forms::default(); width];
-        self.each_row(|line, cells, _| {
-            for (form, cell) in forms.iter_mut().zip(cells) {
+        let mut units: Vec<Option<String>> = vec![None; width];
+        let mut two = None;
+        self.each_row(|line, cells| {
+            for (k, (form, cell)) in forms.iter_mut().zip(cells).enumerate() {
                 form.count(cell, line);
+                if let Some((_, unit)) = numbers::with_unit(cell) {
+                    let first = units[k].get_or_insert_with(|| unit.to_owned());
+                    if first != unit && two.is_none() {
+                        two = Some((k, line, first.clone(), unit.to_owned()));
+                    }
+                }
             }
         })?;
+        if let Some((k, line, first, other)) = two {
+            let (name, first, other) = (quoted(&self.heads[k].written), quoted(&first), quoted(&other));
+            let reason = format!("column {name} has values in {first} and in {other}; write one unit");
+            return Err(Refusal::fault(Some(line as usize), reason));
+        }
+        for (head, unit) in self.heads.iter_mut().zip(&units) {
+            if let (None, Some(unit)) = (head.unit, unit) {
+                *head = head.clone().with_unit(unit);
+            }
+        }
         let marks: Vec<Mark> = forms.iter().map(Forms::mark).collect();
         let mut columns = vec![Vec::with_capacity(self.lines.len()); width];
-        self.each_row(|_, cells, _| {
+        self.each_row(|_, cells| {
             for (k, column) in columns.iter_mut().enumerate() {
                 column.push(match cells.get(k).map_or(Cell::Missing, |cell| numbers::cell(cell, marks[k])) {
                     Cell::Number(value) => value,
@@ -232,12 +251,12 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
-    fn each_row(&self, mut take: impl FnMut(u32, &[Cow<'_, str>], usize)) -> Result<(), Refusal> {
+    fn each_row(&self, mut take: impl FnMut(u32, &[Cow<'_, str>])) -> Result<(), Refusal> {
         let mut cells = Vec::new();
-        for (row, (start, line)) in self.starts.iter().zip(&self.lines).enumerate() {
+        for (start, line) in self.starts.iter().zip(&self.lines) {
             let text = line_at(self.text, *start as usize);
             self.dialect.cells(Line { number: *line as usize, start: *start as usize, text }, &mut cells)?;
-            take(*line, &cells, row);
+            take(*line, &cells);
         }
         Ok(())
     }
@@ -267,7 +286,7 @@ impl<'a> Table<'a> {
 fn usual_row(text: &str, dialect: &Dialect) -> Result<(usize, usize), Refusal> {
     let mut seen: Vec<((usize, usize), usize)> = Vec::new();
     let mut cells = Vec::new();
-    for line in lines(text).filter(|line| !line.text.trim_start().starts_with('#')) {
+    for line in lines(text).filter(|line| comment(line.text).is_none()) {
         dialect.cells(line, &mut cells)?;
         let count = counted(&cells);
         if count.numbers == 0 || count.words > count.numbers {
@@ -287,6 +306,20 @@ fn usual_row(text: &str, dialect: &Dialect) -> Result<(usize, usize), Refusal> {
     let width = seen.first().map_or(1, |each| each.0.0);
     let words = seen.iter().filter(|each| each.0.0 == width).map(|each| each.0.1).min().unwrap_or(0);
     Ok((width, words))
+}
+
+/// The rate in a line such as `sample rate: 100 Hz`: one number, beside a word that says what it is.
+fn stated_rate(text: &str) -> Option<f64> {
+    let lower = text.get(..text.len().min(200))?.to_lowercase();
+    if !["rate", "fps", "hz"].iter().any(|word| lower.contains(word)) {
+        return None;
+    }
+    let parts = lower.split(|each: char| !each.is_ascii_digit() && each != '.');
+    let numbers: Vec<f64> = parts.filter_map(|part| part.parse().ok()).collect();
+    match numbers[..] {
+        [rate] if rate > 0.0 => Some(rate),
+        _ => None,
+    }
 }
 
 /// The lines above the rows, as they would stand again in the middle of the file.

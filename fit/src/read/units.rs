@@ -44,6 +44,7 @@ pub(super) fn unit(text: &str) -> Option<Unit> {
         "us" | "µs" | "usec" | "micros" | "microsecond" | "microseconds" | "mikrosekunden" => of(Time, 1e-6),
         "ns" | "nanosecond" | "nanoseconds" => of(Time, 1e-9),
         "min" | "minute" | "minutes" | "minuten" => of(Time, 60.0),
+        "h" | "hr" | "hour" | "hours" | "stunden" => of(Time, 3600.0),
         "rad" | "rads" | "radian" | "radians" | "radiant" | "radianti" | "radianes" | "radianos"
         | "radiani" => of(Angle, 1.0),
         "mrad" => of(Angle, 1e-3),
