@@ -6,7 +6,7 @@ VENV := .venv
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip install --quiet
 LOGS := target/logs
-SOURCES := Cargo.toml Cargo.lock pyproject.toml $(shell find core/src python/src -name '*.rs') core/Cargo.toml python/Cargo.toml
+SOURCES := Cargo.toml Cargo.lock pyproject.toml $(shell find core/src fit/src python/src -name '*.rs') core/Cargo.toml fit/Cargo.toml python/Cargo.toml
 
 # One interpreter for every cargo command, so that nothing is built twice.
 export PYO3_PYTHON := $(abspath $(PY))

@@ -1,3 +1,4 @@
+from collections.abc import Callable
 from typing import final
 
 import numpy as np
@@ -106,6 +107,7 @@ __all__ = [
     "incomplete_pi_k",
     "incomplete_pi_m",
     "incomplete_pi_mc",
+    "instants",
     "jacobi_complex_k",
     "jacobi_complex_m",
     "jacobi_complex_mc",
@@ -550,3 +552,4 @@ def march(
     scheme: str, start: tuple[float, float], omega2: float, step: float, count: int
 ) -> tuple[np.ndarray, np.ndarray]: ...
 def schemes() -> list[tuple[str, str, str]]: ...
+def instants(file: str, data: bytes, column: str | None, quoted: Callable[[str], str]) -> tuple[np.ndarray, str]: ...

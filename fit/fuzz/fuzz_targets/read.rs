@@ -3,10 +3,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use libration_fit::{Kind, Options, Role, read};
+use libration_fit::{Kind, Options, Role, instants, read};
 
 fuzz_target!(|bytes: &[u8]| {
-    // The first byte states some options.
+    // The first byte states some options, or asks for instants.
     let Some((&flags, bytes)) = bytes.split_first() else { return };
     let mut options = Options::default();
     if flags & 1 != 0 {
@@ -21,14 +21,27 @@ fuzz_target!(|bytes: &[u8]| {
     if flags & 8 != 0 {
         options.length = Some(0.5);
     }
+    if flags & 16 != 0 {
+        match instants("file", bytes, (flags & 1 != 0).then_some("t"), &|text| format!("{text:?}")) {
+            Ok(found) => assert!(!found.time.is_empty() && found.time.iter().all(|time| !time.is_nan())),
+            Err(unread) => assert!(!unread.reason.contains(['\n', '\r', '\x1b'])),
+        }
+        return;
+    }
     match read("file", bytes, &options) {
         Ok(record) => {
             assert!(record.time.iter().all(|time| time.is_finite()));
             for (k, pair) in record.time.windows(2).enumerate() {
-                assert!(pair[0] <= pair[1] || record.breaks.contains(&(k + 1)) || record.kind != Kind::Samples);
+                assert!(
+                    pair[0] <= pair[1] || record.breaks.contains(&(k + 1)) || record.kind != Kind::Samples
+                );
             }
             for series in &record.series {
-                assert!(record.kind == Kind::Swings || series.values.len() == record.time.len() || record.time.is_empty());
+                assert!(
+                    record.kind == Kind::Swings
+                        || series.values.len() == record.time.len()
+                        || record.time.is_empty()
+                );
                 assert!(record.kind != Kind::Samples || series.values.iter().all(|value| value.is_finite()));
             }
             assert!(record.understood.iter().all(|sentence| !sentence.contains(['\n', '\r', '\x1b'])));
