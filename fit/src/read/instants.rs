@@ -156,7 +156,7 @@ fn is_whole(cell: &str) -> bool {
 }
 
 /// Index, name and unit of the column to read.
-struct Chosen {
+struct Wanted {
     index: usize,
     name: String,
     unit: Option<Unit>,
@@ -168,7 +168,7 @@ fn chosen(
     width: usize,
     header: Option<&[Head]>,
     quoted: &dyn Fn(&str) -> String,
-) -> Result<Chosen, Unread> {
+) -> Result<Wanted, Unread> {
     let listed = |names: &mut dyn Iterator<Item = &str>, count: usize| {
         let shown: Vec<String> = names.take(12).map(quoted).collect();
         shown.join(", ") + if count > 12 { ", ..." } else { "" }
@@ -183,7 +183,7 @@ fn chosen(
                 refused(format!("{file} has no header; its columns are {has}"))
             })?,
         };
-        return Ok(Chosen { index, name: names[index].clone(), unit: None });
+        return Ok(Wanted { index, name: names[index].clone(), unit: None });
     };
     let only = |column: &str, name: fn(&Head) -> &str| {
         let mut found = (0..width).filter(|k| name(&heads[*k]) == column);
@@ -211,7 +211,7 @@ fn chosen(
         let (column, unit) = (quoted(&head.written), quoted(inside));
         return Err(unread(format!("column {column} is in {unit}; times take s, ms, min, h")));
     }
-    Ok(Chosen { index, name: head.written.clone(), unit })
+    Ok(Wanted { index, name: head.written.clone(), unit })
 }
 
 /// One column on its way from lines to doubles.
