@@ -6,4 +6,6 @@
 
 pub mod read;
 
-pub use read::{Instants, Kind, Options, Quantity, Record, Refusal, Role, Series, Unread, instants, read};
+pub use read::{
+    Kind, Options, Quantity, Record, Refusal, Role, Series, Unread, Values, Wanted, column, read,
+};

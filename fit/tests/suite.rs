@@ -3,8 +3,8 @@
 mod allocations;
 mod bounds;
 mod clocks;
+mod column;
 mod containers;
-mod instants;
 mod malformed;
 mod more_oddities;
 mod oddities;

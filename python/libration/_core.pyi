@@ -63,6 +63,7 @@ __all__ = [
     "cn_k",
     "cn_m",
     "cn_mc",
+    "column",
     "complete_e_k",
     "complete_e_m",
     "complete_e_mc",
@@ -107,7 +108,6 @@ __all__ = [
     "incomplete_pi_k",
     "incomplete_pi_m",
     "incomplete_pi_mc",
-    "instants",
     "jacobi_complex_k",
     "jacobi_complex_m",
     "jacobi_complex_mc",
@@ -552,4 +552,10 @@ def march(
     scheme: str, start: tuple[float, float], omega2: float, step: float, count: int
 ) -> tuple[np.ndarray, np.ndarray]: ...
 def schemes() -> list[tuple[str, str, str]]: ...
-def instants(file: str, data: bytes, column: str | None, quoted: Callable[[str], str]) -> tuple[np.ndarray, str]: ...
+def column(
+    data: bytes,
+    name: str | None,
+    wanted: tuple[str, str, tuple[str, ...], int, str],
+    factor: Callable[[str], str | None],
+    quoted: Callable[[str], str],
+) -> tuple[np.ndarray, str]: ...

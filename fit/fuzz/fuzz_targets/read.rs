@@ -3,10 +3,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use libration_fit::{Kind, Options, Role, instants, read};
+use libration_fit::{Kind, Options, Role, Wanted, column, read};
 
 fuzz_target!(|bytes: &[u8]| {
-    // The first byte states some options, or asks for instants.
+    // The first byte states some options, or asks for one column.
     let Some((&flags, bytes)) = bytes.split_first() else { return };
     let mut options = Options::default();
     if flags & 1 != 0 {
@@ -22,8 +22,22 @@ fuzz_target!(|bytes: &[u8]| {
         options.length = Some(0.5);
     }
     if flags & 16 != 0 {
-        match instants("file", bytes, (flags & 1 != 0).then_some("t"), &|text| format!("{text:?}")) {
-            Ok(found) => assert!(!found.time.is_empty() && found.time.iter().all(|time| !time.is_nan())),
+        let factor = |unit: &str| {
+            [("ms", "0.001"), ("min", "60")].iter().find(|each| each.0 == unit).map(|each| each.1.into())
+        };
+        let wanted = Wanted {
+            file: "file",
+            plural: "instants",
+            names: &["t".to_owned()],
+            place: usize::from(flags & 2 != 0),
+            takes: "times take ms, min",
+            factor: &factor,
+            quoted: &|text| format!("{text:?}"),
+        };
+        match column(bytes, (flags & 1 != 0).then_some("t"), &wanted) {
+            Ok(found) => {
+                assert!(!found.values.is_empty() && found.values.iter().all(|value| !value.is_nan()))
+            }
             Err(unread) => assert!(!unread.reason.contains(['\n', '\r', '\x1b'])),
         }
         return;

@@ -6,7 +6,7 @@
 //! | text to columns of numbers | `lines`, `dialect`, `numbers`, `header`, `table` |
 //! | what a column is | `heads`, `names`, `units`, `columns`, `groups`, `profile`, `select`, `axes`, `vectors` |
 //! | runs and instants | `runs`, `clock`, `stamps` |
-//! | times to compute at | `instants` |
+//! | one column, strictly | `column` |
 //! | the motion | `angle`, `circle`, `track`, `gate`, `scales`, `motion` |
 //!
 //! Time grows with the bytes, unpacked. Memory stays below 64 times the bytes of the unpacked text and 16 MB, whatever
@@ -17,6 +17,7 @@ mod archive;
 mod axes;
 mod circle;
 mod clock;
+mod column;
 mod columns;
 mod dialect;
 mod encoding;
@@ -24,7 +25,6 @@ mod gate;
 mod groups;
 mod header;
 mod heads;
-mod instants;
 mod lines;
 mod motion;
 mod names;
@@ -46,7 +46,7 @@ mod workbook;
 mod workbook_binary;
 mod workbook_xml;
 
-pub use instants::{Instants, Unread, instants};
+pub use column::{Unread, Values, Wanted, column};
 pub use options::{Options, Role};
 pub use record::{Dropped, Kind, Pivot, Quantity, Record, Series};
 pub use refusal::Refusal;

@@ -1,26 +1,42 @@
-//! Instants at which something is to be computed: one column of a text file, read strictly. Order and repetitions are kept,
-//! and what is no number is refused, for an instant left out would be an answer left out.
+//! One column of a text file, read strictly: instants to compute at, samples of a torque. Order and repetitions are kept,
+//! and what is no number is refused, for a value left out would be an answer left out.
 
 use super::dialect::{Dialect, Separator};
 use super::encoding;
-use super::heads::Head;
 use super::lines::{Line, lines};
-use super::units::{Dimension, Unit};
 
 /// Characters of a line that is read.
 const LONGEST_LINE: usize = 1 << 20;
 const SIGNS: [char; 4] = ['+', '-', '.', '\u{2212}'];
 
-/// The instants in s, and the name of their column.
+/// What a column holds.
+pub struct Wanted<'a> {
+    /// The file as a message names it.
+    pub file: &'a str,
+    /// What the column holds, as `instants`.
+    pub plural: &'a str,
+    /// Names by which it is known, in lower case.
+    pub names: &'a [String],
+    /// The column, from 0, where none has such a name.
+    pub place: usize,
+    /// The units it takes, to be read after the unit that was found: `times take s, ms`.
+    pub takes: &'a str,
+    /// A unit's factor as a decimal text; `None` for no unit.
+    pub factor: &'a dyn Fn(&str) -> Option<String>,
+    /// Shows a text of the file in a message.
+    pub quoted: &'a dyn Fn(&str) -> String,
+}
+
+/// The values in the unit of factor 1, and the name of their column.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Instants {
+pub struct Values {
     /// In the order of the file.
-    pub time: Vec<f64>,
+    pub values: Vec<f64>,
     /// The header's, or the number of the column.
     pub name: String,
 }
 
-/// Why there are no instants.
+/// Why there are no values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unread {
     /// Whether the column that was asked for is to blame, not the file.
@@ -33,50 +49,45 @@ fn unread(reason: String) -> Unread {
     Unread { column: false, reason }
 }
 
-/// Reads one column of instants: the one named, or `t`, `time`, `times`, or the first.
+/// Reads the column that `name` names, or the one that is wanted by its own names, or by its place.
 ///
 /// Lines that begin with `#` and blank lines are passed over; the first other line may be a header. Tabs, semicolons or
-/// commas separate; where tabs or semicolons do, a comma in a number is a decimal comma. `quoted` shows a text of the file
-/// in a message, and `file` is the file as a message names it.
+/// commas separate; where tabs or semicolons do, a comma in a number is a decimal comma.
 ///
 /// # Errors
 /// One line that says what was found and what is allowed.
-pub fn instants(
-    file: &str,
-    bytes: &[u8],
-    column: Option<&str>,
-    quoted: &dyn Fn(&str) -> String,
-) -> Result<Instants, Unread> {
+pub fn column(bytes: &[u8], name: Option<&str>, wanted: &Wanted<'_>) -> Result<Values, Unread> {
+    let plural = wanted.plural;
     let (text, _) = encoding::decoded(bytes).map_err(|refusal| unread(refusal.reason()))?;
     let mut rows = lines(&text).filter(|line| !line.text.trim_start_matches(' ').starts_with('#'));
     let first =
-        rows.next().ok_or_else(|| unread("holds no instants: it is empty, but for comments".into()))?;
+        rows.next().ok_or_else(|| unread(format!("holds no {plural}: it is empty, but for comments")))?;
     let separator = ['\t', ';', ','].into_iter().find(|each| first.text.contains(*each)).unwrap_or(',');
     let cells = row(first, separator)?;
-    let header = is_header(&cells).then(|| cells.iter().map(|cell| Head::of(cell)).collect::<Vec<Head>>());
+    let headed = is_header(&cells);
     let mut rows = rows.peekable();
-    if let (Some(_), Some(second)) = (&header, rows.peek()) {
+    if let (true, Some(second)) = (headed, rows.peek()) {
         refuse_two_headers(first, *second)?;
     }
-    let chosen = chosen(file, column, cells.len(), header.as_deref(), quoted)?;
-    let doubtful = header.is_none() && column.is_none() && separator == ',' && cells.len() > 1;
-    let mut reader = Column {
+    let chosen = chosen(name, &cells, headed, wanted)?;
+    let doubtful = !headed && name.is_none() && separator == ',' && cells.len() > 1;
+    let mut reader = Strict {
         separator,
         width: cells.len(),
         index: chosen.index,
-        unit: chosen.unit,
-        time: Vec::new(),
+        factor: chosen.factor,
+        values: Vec::new(),
         bad: None,
         whole: true,
         comma: false,
         point: false,
-        headed: header.is_some(),
+        headed,
     };
-    if header.is_none() {
-        reader.take(first, quoted)?;
+    if !headed {
+        reader.take(first, wanted.quoted)?;
     }
     for line in rows {
-        reader.take(line, quoted)?;
+        reader.take(line, wanted.quoted)?;
     }
     if reader.comma && reader.point {
         let reason = "has decimal commas and decimal points in one column; write the one or the other";
@@ -89,10 +100,10 @@ pub fn instants(
         let reason = "holds only whole numbers and commas: decimal commas? write points; columns? choose one by --column 1";
         return Err(unread(reason.into()));
     }
-    if reader.time.is_empty() {
-        return Err(unread(format!("holds no instants: no row follows the header in line {}", first.number)));
+    if reader.values.is_empty() {
+        return Err(unread(format!("holds no {plural}: no row follows the header in line {}", first.number)));
     }
-    Ok(Instants { time: reader.time, name: chosen.name })
+    Ok(Values { values: reader.values, name: chosen.name })
 }
 
 /// The cells of a line.
@@ -155,72 +166,90 @@ fn is_whole(cell: &str) -> bool {
     !cell.is_empty() && !cell.contains(['.', ',']) && number(cell).is_some_and(f64::is_finite)
 }
 
-/// Index, name and unit of the column to read.
-struct Wanted {
+/// Index, name and factor of the column to read; no factor for the first unit.
+struct Place {
     index: usize,
     name: String,
-    unit: Option<Unit>,
+    factor: Option<String>,
 }
 
 fn chosen(
-    file: &str,
     column: Option<&str>,
-    width: usize,
-    header: Option<&[Head]>,
-    quoted: &dyn Fn(&str) -> String,
-) -> Result<Wanted, Unread> {
-    let listed = |names: &mut dyn Iterator<Item = &str>, count: usize| {
-        let shown: Vec<String> = names.take(12).map(quoted).collect();
-        shown.join(", ") + if count > 12 { ", ..." } else { "" }
+    cells: &[String],
+    headed: bool,
+    wanted: &Wanted<'_>,
+) -> Result<Place, Unread> {
+    let (file, quoted) = (wanted.file, wanted.quoted);
+    let listed = |names: &[String]| {
+        let shown: Vec<String> = names.iter().take(12).map(|name| quoted(name)).collect();
+        shown.join(", ") + if names.len() > 12 { ", ..." } else { "" }
     };
     let refused = |reason: String| Unread { column: true, reason };
-    let Some(heads) = header else {
-        let names: Vec<String> = (1..=width).map(|k| k.to_string()).collect();
+    if column.is_none() && wanted.place >= cells.len() {
+        let reason = format!("has {} column, and the {} are in a second", cells.len(), wanted.plural);
+        return Err(unread(reason));
+    }
+    if !headed {
+        let names: Vec<String> = (1..=cells.len()).map(|k| k.to_string()).collect();
         let index = match column {
-            None => 0,
+            None => wanted.place,
             Some(column) => names.iter().position(|name| name == column).ok_or_else(|| {
-                let has = listed(&mut names.iter().map(String::as_str), width);
-                refused(format!("{file} has no header; its columns are {has}"))
+                refused(format!("{file} has no header; its columns are {}", listed(&names)))
             })?,
         };
-        return Ok(Wanted { index, name: names[index].clone(), unit: None });
-    };
-    let only = |column: &str, name: fn(&Head) -> &str| {
-        let mut found = (0..width).filter(|k| name(&heads[*k]) == column);
-        found.next().filter(|_| found.next().is_none())
-    };
+        return Ok(Place { index, name: names[index].clone(), factor: None });
+    }
+    let bare: Vec<&str> = cells.iter().map(|cell| name_and_unit(cell, wanted.factor).0).collect();
+    let only = |found: &mut dyn Iterator<Item = usize>| found.next().filter(|_| found.next().is_none());
     let index = match column {
         None => {
-            let named = |head: &Head| ["t", "time", "times"].contains(&head.name.to_lowercase().as_str());
-            heads.iter().position(named).unwrap_or(0)
+            let known = |name: &&str| wanted.names.contains(&name.to_lowercase());
+            bare.iter().position(|name| known(&name)).unwrap_or(wanted.place)
         }
-        Some(column) => only(column, |head| &head.written)
-            .or_else(|| only(column, |head| &head.name))
-            .ok_or_else(|| {
-                let known = heads.iter().any(|head| head.written == column || head.name == column);
+        Some(column) => {
+            let whole = only(&mut (0..cells.len()).filter(|k| cells[*k] == column));
+            whole.or_else(|| only(&mut (0..cells.len()).filter(|k| bare[*k] == column))).ok_or_else(|| {
+                let known = cells.iter().any(|cell| cell == column) || bare.contains(&column);
                 let several = if known { "names several columns" } else { "is no column" };
-                let has = listed(&mut heads.iter().map(|head| head.written.as_str()), width);
-                refused(format!("{several} of {file}; it has {has}"))
-            })?,
+                refused(format!("{several} of {file}; it has {}", listed(cells)))
+            })?
+        }
     };
-    let head = &heads[index];
-    let unit = head.unit.filter(|unit| unit.dimension == Dimension::Time);
-    if unit.is_none() && (head.unit.is_some() || head.unknown_unit.is_some()) {
-        let inside = head.written.strip_prefix(&head.name).unwrap_or(&head.written);
-        let inside = inside.trim_matches(|each: char| each.is_whitespace() || "[](){}/_".contains(each));
-        let (column, unit) = (quoted(&head.written), quoted(inside));
-        return Err(unread(format!("column {column} is in {unit}; times take s, ms, min, h")));
+    let factor = match name_and_unit(&cells[index], wanted.factor).1 {
+        None | Some("") => None,
+        Some(unit) => Some((wanted.factor)(unit).ok_or_else(|| {
+            let (column, unit) = (quoted(&cells[index]), quoted(unit));
+            unread(format!("column {column} is in {unit}; {}", wanted.takes))
+        })?),
+    };
+    Ok(Place { index, name: cells[index].clone(), factor: factor.filter(|factor| factor != "1") })
+}
+
+/// `t`, `ms` for the cell `t [ms]`, `t (ms)`, `t/ms` or `t_ms`; in brackets any text is a unit.
+fn name_and_unit<'c>(cell: &'c str, factor: &dyn Fn(&str) -> Option<String>) -> (&'c str, Option<&'c str>) {
+    let brackets = if cell.ends_with(']') {
+        Some('[')
+    } else if cell.ends_with(')') {
+        Some('(')
+    } else {
+        None
+    };
+    if let Some(opening) = brackets {
+        let Some(at) = cell.find(opening) else { return (cell, None) };
+        return (cell[..at].trim_end(), Some(cell[at + 1..cell.len() - 1].trim()));
     }
-    Ok(Wanted { index, name: head.written.clone(), unit })
+    let Some(at) = cell.rfind(['/', '_']) else { return (cell, None) };
+    let unit = cell[at + 1..].trim_start();
+    if factor(unit).is_some() { (cell[..at].trim_end(), Some(unit)) } else { (cell, None) }
 }
 
 /// One column on its way from lines to doubles.
-struct Column {
+struct Strict {
     separator: char,
     width: usize,
     index: usize,
-    unit: Option<Unit>,
-    time: Vec<f64>,
+    factor: Option<String>,
+    values: Vec<f64>,
     /// What the first bad row is.
     bad: Option<String>,
     /// Whether every cell is a whole number.
@@ -230,7 +259,7 @@ struct Column {
     headed: bool,
 }
 
-impl Column {
+impl Strict {
     fn take(&mut self, line: Line<'_>, quoted: &dyn Fn(&str) -> String) -> Result<(), Unread> {
         let cells = row(line, self.separator)?;
         self.whole &= cells.iter().all(|cell| is_whole(cell));
@@ -255,14 +284,14 @@ impl Column {
                     format!("{} is not a number{advice}", quoted(cell))
                 }
                 Some(value) if !value.is_finite() => format!("{} is not finite", quoted(cell)),
-                Some(_) => {
-                    self.time.push(in_seconds(text, self.unit));
+                Some(value) => {
+                    self.values.push(self.factor.as_ref().map_or(value, |factor| product(text, factor)));
                     return Ok(());
                 }
             }
         };
         if self.bad.is_none() {
-            let titled = self.headed && self.time.is_empty() && !reason.contains("write");
+            let titled = self.headed && self.values.is_empty() && !reason.contains("write");
             let advice = if titled { "; if the line above is a title, begin it with #" } else { "" };
             self.bad = Some(format!("line {} {reason}{advice}", line.number));
         }
@@ -270,38 +299,34 @@ impl Column {
     }
 }
 
-/// The double nearest to a decimal text in a unit: the product is formed in decimals, and rounded once.
-fn in_seconds(text: &str, unit: Option<Unit>) -> f64 {
-    let factor = unit.map_or(1.0, |unit| unit.factor);
-    let plain = || text.parse::<f64>().unwrap_or(f64::NAN);
-    if factor == 1.0 {
-        return plain();
-    }
+/// Sign, digits and exponent of a decimal text: 1.25e-3 is 125 and -5.
+fn decimal(text: &str) -> Option<(bool, Vec<u8>, i64)> {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let Ok(exponent) = exponent.parse::<i64>() else { return plain() };
-    if let Some(shift) = [3, 6, 9].into_iter().find(|shift| factor == [1e-3, 1e-6, 1e-9][shift / 3 - 1]) {
-        return format!("{mantissa}e{}", exponent.saturating_sub(shift as i64))
-            .parse()
-            .unwrap_or_else(|_| plain());
-    }
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let sign = if whole.starts_with('-') { "-" } else { "" };
     let digits = whole.trim_start_matches(['+', '-']).bytes().chain(decimals.bytes());
-    let digits: Vec<u8> = digits.filter(u8::is_ascii_digit).map(|digit| digit - b'0').collect();
-    // From the last digit: 60 and 3600 are whole, so the product has as many decimals.
-    let (factor, mut carry) = (factor as u32, 0);
-    let mut product: Vec<u8> = Vec::with_capacity(digits.len() + 4);
-    for digit in digits.iter().rev() {
-        carry += u32::from(*digit) * factor;
-        product.push((carry % 10) as u8 + b'0');
-        carry /= 10;
+    let digits: Vec<u8> = digits.map(|digit| digit.wrapping_sub(b'0')).collect();
+    let exponent = exponent.parse::<i64>().ok()?.checked_sub(decimals.len() as i64)?;
+    digits.iter().all(|digit| *digit < 10).then_some((whole.starts_with('-'), digits, exponent))
+}
+
+/// The double nearest to the product of two decimal texts: it is formed in decimals, and rounded once.
+fn product(number: &str, factor: &str) -> f64 {
+    let plain = || number.parse::<f64>().unwrap_or(f64::NAN);
+    let (Some((minus, a, shift)), Some((_, b, by))) = (decimal(number), decimal(factor)) else {
+        return plain();
+    };
+    let Some(exponent) = shift.checked_add(by) else { return plain() };
+    // From the last digit, as on paper.
+    let mut sums = vec![0u32; a.len() + b.len() + 1];
+    for (i, left) in a.iter().rev().enumerate() {
+        let mut carry = 0;
+        for (j, right) in b.iter().rev().enumerate() {
+            let sum = sums[i + j] + u32::from(*left) * u32::from(*right) + carry;
+            (sums[i + j], carry) = (sum % 10, sum / 10);
+        }
+        sums[i + b.len()] += carry;
     }
-    while carry > 0 {
-        product.push((carry % 10) as u8 + b'0');
-        carry /= 10;
-    }
-    product.reverse();
-    let product = String::from_utf8(product).unwrap_or_default();
-    let exponent = exponent.saturating_sub(decimals.len() as i64);
-    format!("{sign}{product}e{exponent}").parse().unwrap_or_else(|_| plain())
+    let sign = if minus { "-" } else { "" };
+    let digits: String = sums.iter().rev().map(|digit| char::from(b'0' + *digit as u8)).collect();
+    format!("{sign}{digits}e{exponent}").parse().unwrap_or_else(|_| plain())
 }

@@ -1,14 +1,39 @@
 //! Instants to compute at: one column, read strictly.
 
-use libration_fit::{Instants, Unread, instants};
+use libration_fit::{Unread, Values, Wanted, column};
 
-fn read(bytes: impl AsRef<[u8]>, column: Option<&str>) -> Result<Instants, Unread> {
-    instants("f.csv", bytes.as_ref(), column, &|text| format!("'{text}'"))
+fn factor(unit: &str) -> Option<String> {
+    let known = [
+        ("s", "1"),
+        ("ms", "0.001"),
+        ("min", "60"),
+        ("h", "3600"),
+        ("\u{3bc}s", "1E-6"),
+        ("deg", "0.0174532925199432957692369"),
+    ];
+    known.iter().find(|each| each.0 == unit).map(|each| each.1.to_owned())
+}
+
+fn wanted_at<T>(place: usize, call: impl FnOnce(&Wanted<'_>) -> T) -> T {
+    let names = ["t", "time", "times"].map(str::to_owned);
+    call(&Wanted {
+        file: "f.csv",
+        plural: "instants",
+        names: &names,
+        place,
+        takes: "times take s, ms, min, h",
+        factor: &factor,
+        quoted: &|text| format!("'{text}'"),
+    })
+}
+
+fn read(bytes: impl AsRef<[u8]>, name: Option<&str>) -> Result<Values, Unread> {
+    wanted_at(0, |wanted| column(bytes.as_ref(), name, wanted))
 }
 
 #[track_caller]
-fn holds(bytes: impl AsRef<[u8]>, column: Option<&str>, time: &[f64], name: &str) {
-    assert_eq!(read(bytes, column), Ok(Instants { time: time.to_vec(), name: name.to_owned() }));
+fn holds(bytes: impl AsRef<[u8]>, column: Option<&str>, values: &[f64], name: &str) {
+    assert_eq!(read(bytes, column), Ok(Values { values: values.to_vec(), name: name.to_owned() }));
 }
 
 #[track_caller]
@@ -93,4 +118,12 @@ fn refusals() {
     refused("t,x\n1,2\n", Some("z"), "is no column of f.csv; it has 't', 'x'");
     refused("t,t\n1,2\n", Some("t"), "names several columns of f.csv");
     refused("1,2\n", Some("t"), "f.csv has no header; its columns are '1', '2'");
+}
+
+#[test]
+fn another_place() {
+    let second = |text: &str| wanted_at(1, |wanted| column(text.as_bytes(), None, wanted));
+    assert_eq!(second("0,1.5\n1,2\n").unwrap(), Values { values: vec![1.5, 2.0], name: "2".into() });
+    assert_eq!(second("a,b [deg]\n0,180\n").unwrap().values, [core::f64::consts::PI]);
+    assert_eq!(second("1\n2\n").unwrap_err().reason, "has 1 column, and the instants are in a second");
 }
