@@ -204,7 +204,7 @@ fn chosen(
     let index = match column {
         None => {
             let known = |name: &&str| wanted.names.contains(&name.to_lowercase());
-            bare.iter().position(|name| known(&name)).unwrap_or(wanted.place)
+            bare.iter().position(known).unwrap_or(wanted.place)
         }
         Some(column) => {
             let whole = only(&mut (0..cells.len()).filter(|k| cells[*k] == column));
