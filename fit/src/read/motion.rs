@@ -44,10 +44,10 @@ pub(super) fn record(text: &str, options: &Options) -> Result<Record, Refusal> {
     let mut runs: Vec<Run> = Vec::new();
     let mut refused: Option<Refusal> = None;
     for group in groups(&table.heads) {
-        match select(&table, &profiles, &group, options) {
-            Ok(selection) => runs_of(&table, group, selection, options, &profiles, &mut runs)?,
-            Err(refusal) => refused = refused.or(Some(refusal)),
-        }
+        let selected = select(&table, &profiles, &group, options);
+        let taken =
+            selected.and_then(|selection| runs_of(&table, group, selection, options, &profiles, &mut runs));
+        refused = refused.or(taken.err());
     }
     let (run, count) = match (chosen(&runs, options, table.vernier)?, refused) {
         (Some(run), _) => (run, runs.len()),
