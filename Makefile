@@ -6,7 +6,7 @@ VENV := .venv
 PY := $(VENV)/bin/python
 PIP := $(PY) -m pip install --quiet
 LOGS := target/logs
-SOURCES := Cargo.toml Cargo.lock pyproject.toml $(shell find core/src python/src -name '*.rs') core/Cargo.toml python/Cargo.toml
+SOURCES := Cargo.toml Cargo.lock pyproject.toml $(shell find core/src fit/src python/src -name '*.rs') core/Cargo.toml fit/Cargo.toml python/Cargo.toml
 
 # One interpreter for every cargo command, so that nothing is built twice.
 export PYO3_PYTHON := $(abspath $(PY))
@@ -23,7 +23,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-.PHONY: help run quick quick-python papers accuracy test test-arm bench bench-full bench-elliptic docs wheel format lint clean kernels
+.PHONY: help run quick quick-python papers accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -168,7 +168,7 @@ test/rust: kernels
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:
-	$(call step,$(QUICK) cargo test --locked --lib --test suite)
+	$(call step,$(QUICK) cargo test --locked --lib --test suite -p libration -p libration-fit)
 
 test/python: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules python/tests python/libration)
@@ -192,6 +192,15 @@ CLEAN_INSTALL = rm -rf $(FRESH) && $(PY) -m pip wheel --quiet --no-deps --no-bui
 ARM := aarch64-unknown-linux-gnu
 export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER := aarch64-linux-gnu-gcc
 export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER := qemu-aarch64 -L /usr/aarch64-linux-gnu
+
+# cargo-fuzz in a folder of its own. A found input stands in fit/fuzz/artifacts; seeds begin with a byte that states options.
+FUZZ_TOOLS := target/fuzz-tools
+fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less (needs the nightly compiler; 5 minutes more the first time)
+	@test -x $(FUZZ_TOOLS)/bin/cargo-fuzz || cargo install --quiet --locked --root $(FUZZ_TOOLS) cargo-fuzz
+	@rustup toolchain list | grep -q nightly || rustup toolchain install nightly --profile minimal
+	@mkdir -p fit/fuzz/corpus
+	@cd fit/fuzz && PATH=$(abspath $(FUZZ_TOOLS))/bin:$$PATH CARGO_TARGET_DIR=$(abspath target/fuzz) cargo +nightly fuzz run read corpus seeds -- \
+	  -max_len=65536 -timeout=5 -malloc_limit_mb=64 -max_total_time=$(or $(seconds),600)
 
 test-arm: ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
 	@rustup target list --installed | grep -q $(ARM) || rustup target add $(ARM)

@@ -6,7 +6,14 @@ from python_imports import Folder
 from rust_imports import Crate
 from tree import finish
 
-ROOMS = {"core/src": Crate, "python/src": Crate, "python": Folder, "bench": Folder, "reference": Folder}
+ROOMS = {
+    "core/src": Crate,
+    "fit/src": Crate,
+    "python/src": Crate,
+    "python": Folder,
+    "bench": Folder,
+    "reference": Folder,
+}
 
 
 def reached(imports: dict[Path, set[Path]], start: Path) -> set[Path]:

@@ -1,3 +1,4 @@
+from collections.abc import Callable
 from typing import final
 
 import numpy as np
@@ -62,6 +63,7 @@ __all__ = [
     "cn_k",
     "cn_m",
     "cn_mc",
+    "column",
     "complete_e_k",
     "complete_e_m",
     "complete_e_mc",
@@ -550,3 +552,10 @@ def march(
     scheme: str, start: tuple[float, float], omega2: float, step: float, count: int
 ) -> tuple[np.ndarray, np.ndarray]: ...
 def schemes() -> list[tuple[str, str, str]]: ...
+def column(
+    data: bytes,
+    name: str | None,
+    wanted: tuple[str, str, tuple[str, ...], int, str],
+    factor: Callable[[str], str | None],
+    quoted: Callable[[str], str],
+) -> tuple[np.ndarray, str]: ...

@@ -6,6 +6,7 @@ mod approx;
 mod approx_period;
 mod damped;
 mod elliptic;
+mod fit;
 mod kernels;
 mod numerical;
 mod orbit;
@@ -29,5 +30,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     oscillator::add_all(module)?;
     numerical::add_all(module)?;
     elliptic::add_all(module)?;
+    fit::add_all(module)?;
     kernels::add_all(module)
 }

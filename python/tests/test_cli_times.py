@@ -5,8 +5,8 @@ import csv
 import numpy as np
 import pytest
 
-from libration.cli.parser import Refusal
-from libration.cli.times import BLOCK, even_times, file_times, name_and_unit, row
+from libration.cli.parser import Refusal, quoted
+from libration.cli.times import even_times, file_times
 
 
 @pytest.fixture
@@ -143,23 +143,27 @@ def test_lines_are_counted_over_blank_ones(read):
 
 
 @pytest.mark.parametrize(
-    ("cell", "expected"),
+    ("cell", "unit"),
     [
-        ("t", ("t", None)),
-        ("t [ms]", ("t", "ms")),
-        ("t[ ms ]", ("t", "ms")),
-        ("t [a] [b]", ("t", "a] [b")),
-        ("t (h)", ("t", "h")),
-        ("t)", ("t)", None)),
-        ("t / s", ("t", "s")),
-        ("t_start_min", ("t_start", "min")),
-        ("t_start", ("t_start", None)),
-        ("/s", ("", "s")),
-        ("", ("", None)),
+        ("t", 1),
+        ("t [ms]", 0.001),
+        ("t[ ms ]", 0.001),
+        ("t (h)", 3600),
+        ("t)", 1),
+        ("t / s", 1),
+        ("t_start_min", 60),
+        ("t_start", 1),
+        ("/s", 1),
+        ("", 1),
     ],
 )
-def test_the_unit_of_a_header(cell, expected):
-    assert name_and_unit(cell) == expected
+def test_the_unit_of_a_header(read, cell, unit):
+    assert read(f"{cell},other\n1,2\n") == ([unit], cell)
+
+
+def test_what_is_no_unit_of_a_header(read):
+    with pytest.raises(Refusal, match=r"column 't \[a\] \[b\]' is in 'a\] \[b'; times take s, ms, min, h"):
+        read("t [a] [b],other\n1,2\n")
 
 
 @pytest.mark.parametrize(
@@ -174,21 +178,25 @@ def test_the_unit_of_a_header(cell, expected):
         ('""""', ['"']),
     ],
 )
-def test_cells_in_quotes_are_those_of_the_csv_module(line, cells):
-    assert row(line, ",") == cells == next(csv.reader([line]))
+def test_cells_in_quotes_are_those_of_the_csv_module(read, line, cells):
+    assert cells == next(csv.reader([line]))
+    with pytest.raises(Refusal) as caught:
+        read(f"{line}\n", "none of them")
+    assert str(caught.value).endswith("it has " + ", ".join(map(quoted, cells)))
+
+
+COUNT = 200_007
 
 
 def test_doubles_read_back_bit_equal(read):
-    values = np.random.default_rng(1).standard_normal(2 * BLOCK + 7) * 10.0 ** np.arange(
-        -300, 300, 600 / (2 * BLOCK + 7)
-    )
+    values = np.random.default_rng(1).standard_normal(COUNT) * 10.0 ** np.arange(-300, 300, 600 / COUNT)
     got, _ = read("\n".join(map(repr, values.tolist())))
     assert np.array_equal(np.array(got).view(np.int64), values.view(np.int64))
 
 
-def test_line_number_past_the_first_block(read):
-    with pytest.raises(Refusal, match=f"line {BLOCK + 3} 'x' is not a number"):
-        read("t\n" + "1\n" * (BLOCK + 1) + "x\n")
+def test_line_number_far_down(read):
+    with pytest.raises(Refusal, match=f"line {COUNT + 3} 'x' is not a number"):
+        read("t\n" + "1\n" * (COUNT + 1) + "x\n")
 
 
 def test_even_times_hold_both_ends():

@@ -1,0 +1,78 @@
+//! More of what tools write: lists of periods, positions alone, other orders of name, run and unit, data frames.
+
+use libration_fit::{Kind, Options, Quantity, read};
+
+use super::{degrees, near, record, refusal, says};
+
+#[test]
+fn a_list_of_periods() {
+    let record = record("n;T (s)\n1;1.602\n2;1.601\n3;1.600\n");
+    assert_eq!((record.kind, record.time.len()), (Kind::Gate, 0));
+    near(&record.series(Quantity::Period).unwrap().values, &[1.602, 1.601, 1.6], 0.0);
+}
+
+#[test]
+fn a_position_alone_has_a_period() {
+    let record = record("Time (s),Position (m),Velocity (m/s)\n0,0.5,0\n0.1,0.6,0.1\n0.2,0.5,0.0\n");
+    assert_eq!(record.series[0].quantity, Quantity::AngleUnscaled);
+    assert_eq!(record.series[0].name, "Position (m)");
+}
+
+#[test]
+fn runs_named_before_the_unit() {
+    let text =
+        "\"Time (s)\",\"Angle, Run #1 (rad)\",\"Angle, Run #2 (rad)\"\n0,0.1,0.2\n0.1,0.2,0.3\n0.2,0.1,0.1\n";
+    let second = read("f", text.as_bytes(), &Options { run: Some(2), ..Options::default() }).unwrap();
+    near(&second.series[0].values, &[0.2, 0.3, 0.1], 0.0);
+    assert_eq!(second.run, (2, 2));
+}
+
+#[test]
+fn one_angle_in_two_units() {
+    let record = record("t,Angle (deg),Angle (rad)\n0,10,0.174533\n0.1,9,0.15708\n0.2,7,0.122173\n");
+    near(&degrees(&record), &[10.0, 9.0, 7.0], 1e-12);
+    says(&record, "hold one angle: the first is taken");
+}
+
+#[test]
+fn a_phone_that_counts_from_1970() {
+    let text = "time,seconds_elapsed,z,y,x\n1700000000000000000,0.0,1,2,3\n1700000000010000000,0.01,2,3,4\n1700000000020000000,0.02,1,4,5\n";
+    let line = refusal(text.as_bytes(), &Options::default()).to_string();
+    assert!(line.contains("what do the three axes hold? x, y, z; write --column velocity=NAME"), "{line}");
+    let record = read("f", text.as_bytes(), &Options::default().column("velocity=y").unwrap()).unwrap();
+    near(&[record.time[2] - record.time[0]], &[0.02], 1e-6);
+    says(&record, "taken as ns since 1970");
+}
+
+#[test]
+fn columns_that_a_data_frame_renamed() {
+    let record = record("Time,Angle,Time.1,Angle.1\n0,10,0,20\n0.1,9,0.1,19\n0.2,7,0.2,17\n,,0.3,15\n");
+    assert_eq!((record.run, record.time.len()), ((2, 2), 4));
+    near(&degrees(&record), &[20.0, 19.0, 17.0, 15.0], 1e-12);
+}
+
+#[test]
+fn comments_of_other_programs() {
+    for mark in ["#", "%", "//", "# %"] {
+        let record =
+            record(&format!("{mark} exported\n{mark} t theta\n  0.0  20.0\n  0.1  18.5\n  0.2  14.3\n"));
+        near(&record.time, &[0.0, 0.1, 0.2], 0.0);
+        assert_eq!(record.series[0].name, "theta");
+    }
+    let record = record("# sample rate: 100 Hz\ntheta_deg\n20\n18.5\n14.3\n");
+    near(&record.time, &[0.0, 0.01, 0.02], 0.0);
+    says(&record, "100 samples in a second, as a line above the rows says");
+}
+
+#[test]
+fn units_beside_every_number() {
+    let record = record("t,theta\n0 ms,20.0 deg\n100 ms,18.5 deg\n200 ms,14.3 deg\n");
+    near(&record.time, &[0.0, 0.1, 0.2], 0.0);
+    near(&degrees(&record), &[20.0, 18.5, 14.3], 1e-12);
+    let line = refusal(b"t,theta\n0 ms,20.0 deg\n100 ms,0.3 rad\n200 ms,14.3 deg\n", &Options::default())
+        .to_string();
+    assert_eq!(
+        line,
+        "file.csv: line 3: column \"theta\" has values in \"deg\" and in \"rad\"; write one unit"
+    );
+}
