@@ -1,0 +1,202 @@
+//! A record in time: window, search, ladder, uncertainty.
+
+use super::data::{Clean, Measured, extent, robust_deviation};
+use super::horizon::grown;
+use super::ladder::{Rung, chosen, criteria, moved, rung};
+use super::options::{FitOptions, Model};
+use super::problem::{PRESLIDING, Samples, Values};
+use super::refusal::FitRefusal;
+use super::start::{Start, free_decay, start};
+use super::swings::{Swings, noise};
+use super::window::{earliest, latest};
+
+/// A record at the minimum of every rung.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    pub rungs: Vec<Rung>,
+    pub chosen: usize,
+    /// Samples of the chosen rung, with times since `anchor`.
+    pub samples: Samples,
+    /// Their rows of the input.
+    pub rows: Vec<usize>,
+    pub anchor: f64,
+    pub period: f64,
+    pub window: (f64, f64),
+    pub window_reason: String,
+    pub effective: f64,
+    pub dropped: Vec<(usize, String)>,
+    pub swings: Swings,
+}
+
+/// Samples of the ladder; the chosen rung then takes all.
+const MOST: usize = 20_000;
+
+pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) -> Result<Fitted, FitRefusal> {
+    let inside = |t: f64| options.window.is_none_or(|(from, to)| (from..=to).contains(&t));
+    let kept: Vec<usize> = (0..clean.t.len()).filter(|i| inside(clean.t[*i])).collect();
+    if kept.len() < 8 {
+        return Err(FitRefusal::new(format!("{} samples in the window: at least 8 are needed", kept.len())));
+    }
+    let t: Vec<f64> = kept.iter().map(|i| clean.t[*i]).collect();
+    let y: Vec<f64> = kept.iter().map(|i| clean.y[*i]).collect();
+    let swings = Swings::of(&t, &y);
+    let decay = free_decay(&swings, y.len());
+    let sensor = noise(&y);
+    let Some(start) = start(&swings, &decay, measured) else {
+        return Err(FitRefusal::new(format!(
+            "{} turning points in the record: at least one whole swing is needed",
+            swings.turns.len()
+        )));
+    };
+    let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y };
+    let (mut from, mut to) = (all.t[0], all.t[all.len() - 1]);
+    let mut reason = "as stated";
+    if options.window.is_none() {
+        reason = "from the release to the stop";
+        from = swings.turns[decay.start].t - start.anchor;
+        to = (swings.turns[decay.end].t - start.anchor + 0.5 * start.period).min(to);
+    }
+    let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
+    let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, sensor);
+    let mut values = first.values;
+    if options.window.is_none() {
+        (from, to) = extended(&all, measured, &start, &mut values, sensor, (from, to));
+    }
+    let mut samples = part(from, to);
+    let mut rows: Vec<usize> =
+        (0..all.len()).filter(|i| (from..=to).contains(&all.t[*i])).map(|i| clean.rows[kept[i]]).collect();
+    let thin = samples.thinned(from, to, MOST);
+    let mut rungs = climbed(&thin, measured, options, &values);
+    let mut anchor = start.anchor;
+    let mut effective = criteria(&mut rungs);
+    let wanted = options.model.is_none_or(|model| model == Model::Presliding);
+    if wanted && let Some(dry) = rungs.iter().find(|rung| rung.model == Model::Dry).cloned() {
+        // Presliding has a state of its own that no later one determines: the search starts at the first passage.
+        let first = swings.passages[decay.clone()].iter().map(|p| p.t - anchor).find(|t| *t >= from);
+        let shift = first.unwrap_or(0.0);
+        if let Some(values) = moved(&dry.outcome.values, shift) {
+            let later = |samples: &Samples| Samples {
+                t: samples.t.iter().filter(|t| **t >= shift).map(|t| t - shift).collect(),
+                y: (0..samples.len()).filter(|i| samples.t[*i] >= shift).map(|i| samples.y[i]).collect(),
+            };
+            let thin = later(&thin);
+            let mut pair = [
+                rung(&thin, measured, Model::Dry, &values, options.free_scale),
+                rung(&thin, measured, Model::Presliding, &values, options.free_scale),
+            ];
+            let size = criteria(&mut pair);
+            let [plain, mut slid] = pair;
+            slid.aicc += dry.aicc - plain.aicc;
+            slid.bic += dry.bic - plain.bic;
+            if slid.aicc < rungs.iter().map(|rung| rung.aicc).fold(f64::INFINITY, f64::min) - 2.0
+                || options.model == Some(Model::Presliding)
+            {
+                rows.drain(..samples.t.iter().filter(|t| **t < shift).count());
+                samples = later(&samples);
+                anchor += shift;
+                from = 0.0;
+                to -= shift;
+                effective = size;
+                for rung in &mut rungs {
+                    if let Some(values) = moved(&rung.outcome.values, shift) {
+                        rung.outcome.values = values;
+                    }
+                }
+            }
+            rungs.push(slid);
+        }
+    }
+    let chosen = match options.model {
+        Some(model) => rungs.iter().position(|rung| rung.model == model).unwrap_or(0),
+        None => chosen(&rungs),
+    };
+    let mut dropped = Vec::new();
+    finish(&mut rungs[chosen], &mut samples, &mut rows, measured, options, sensor, &mut dropped);
+    Ok(Fitted {
+        chosen,
+        rows,
+        anchor,
+        period: start.period,
+        window: (from + anchor, to + anchor),
+        window_reason: reason.to_string(),
+        effective,
+        dropped,
+        swings,
+        samples,
+        rungs,
+    })
+}
+
+/// The window, widened to all that the motion describes and cut where it does not.
+fn extended(
+    all: &Samples,
+    measured: Measured,
+    start: &Start,
+    values: &mut Values,
+    noise: f64,
+    (mut from, mut to): (f64, f64),
+) -> (f64, f64) {
+    // The neighbourhood of the release alone: friction of a later time must not decide.
+    let near = all.thinned(-0.3 * start.period, (2.5 * start.period).min(to), 3000);
+    let free = [0, 1, 2, 3, 7];
+    let local = super::optimiser::minimum(
+        &near,
+        measured,
+        &free,
+        super::problem::Loss::Squares,
+        *values,
+        super::optimiser::ROUGH,
+    );
+    let begin = earliest(all, measured, &local.values, -0.2 * start.period, noise);
+    from = from.min(begin).max(begin);
+    let deviation = noise.max(0.0);
+    let last = latest(all, measured, values, to, deviation);
+    to = to.max(last);
+    (from, to)
+}
+
+/// The rungs below presliding, each from the one above it.
+fn climbed(samples: &Samples, measured: Measured, options: &FitOptions, values: &Values) -> Vec<Rung> {
+    let models: Vec<Model> = match options.model {
+        None => vec![Model::None, Model::Linear, Model::Quadratic, Model::Dry],
+        Some(Model::Presliding) => vec![Model::Dry],
+        Some(model) => vec![model],
+    };
+    models.iter().map(|model| rung(samples, measured, *model, values, options.free_scale)).collect()
+}
+
+/// The chosen rung on all samples without those that lie far outside.
+fn finish(
+    rung_chosen: &mut Rung,
+    samples: &mut Samples,
+    rows: &mut Vec<usize>,
+    measured: Measured,
+    options: &FitOptions,
+    noise: f64,
+    dropped: &mut Vec<(usize, String)>,
+) {
+    let again = |samples: &Samples, rung_chosen: &Rung| {
+        let mut next =
+            rung(samples, measured, rung_chosen.model, &rung_chosen.outcome.values, options.free_scale);
+        (next.aicc, next.bic) = (rung_chosen.aicc, rung_chosen.bic);
+        next
+    };
+    *rung_chosen = again(samples, rung_chosen);
+    let residuals = &rung_chosen.outcome.residuals;
+    let bound = 6.0 * robust_deviation(residuals).max(noise);
+    let outside: Vec<bool> = residuals.iter().map(|r| r.abs() > bound).collect();
+    let count = outside.iter().filter(|outside| **outside).count();
+    // Many are no outliers but the model's failure, which must stay in sight.
+    if count > 0 && count * 50 <= samples.len() && extent(residuals).1 > 0.0 {
+        for (i, row) in rows.iter().enumerate().filter(|(i, _)| outside[*i]) {
+            dropped.push((
+                *row,
+                format!("outlier: {:.1} deviations from the fit", 6.0 * residuals[i].abs() / bound),
+            ));
+        }
+        *rows = rows.iter().zip(&outside).filter(|(_, outside)| !**outside).map(|(row, _)| *row).collect();
+        *samples = samples.only(|i| !outside[i]);
+        *rung_chosen = again(samples, rung_chosen);
+    }
+    debug_assert!(PRESLIDING < rung_chosen.outcome.values.len());
+}
