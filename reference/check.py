@@ -11,6 +11,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
 import approx_check
+import damped_check
 import exact
 import oscillator_check
 import rows_check
@@ -20,6 +21,7 @@ CHECKS = {
     **dict.fromkeys(oscillator_check.SAMPLES, oscillator_check.check),
     **dict.fromkeys(rows_check.GENERATORS, rows_check.check),
     **dict.fromkeys(approx_check.FILES, approx_check.check),
+    **dict.fromkeys(damped_check.FILES, damped_check.check),
 }
 
 

@@ -38,6 +38,7 @@ mod domain;
 
 pub use damped::{
     DampedJacobian, DampedPendulum, DampedSensitivity, Friction, Interpolation, Torque, Trajectory,
+    half_swing,
 };
 pub use domain::Domain;
 pub use elliptic::{

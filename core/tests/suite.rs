@@ -2,7 +2,10 @@
 
 mod action_angle;
 mod cubic_quintic;
-mod damped_scratch;
+mod damped_domain;
+mod damped_invariants;
+mod damped_limits;
+mod damped_motion;
 mod doors;
 mod duffing;
 mod duffing_forms;
@@ -20,6 +23,8 @@ mod vectors_approx_angle;
 mod vectors_approx_period;
 mod vectors_approx_sine;
 mod vectors_cubic_quintic;
+mod vectors_damped;
+
 mod vectors_duffing;
 mod vectors_elliptic;
 mod vectors_elliptic_family;

@@ -1,6 +1,6 @@
 """The exact nonlinear pendulum, in every regime, right to the last digits.
 
-``Pendulum`` is one orbit and answers at any time; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
+``Pendulum`` is one orbit and answers at any time; ``DampedPendulum`` has friction and torque; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
 ``libration.elliptic``; ``approx`` holds the approximations by name, and
 ``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import elliptic as elliptic
 from ._core import __version__
+from .damped import DampedPendulum, Friction, Torque
 from .elliptic import (
     JacobiComplexValues,
     JacobiValues,
@@ -65,14 +66,17 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CubicQuintic",
+    "DampedPendulum",
     "Duffing",
     "DuffingForm",
     "Fourier",
+    "Friction",
     "JacobiComplexValues",
     "JacobiValues",
     "OscillatorRegime",
     "Pendulum",
     "Regime",
+    "Torque",
     "__version__",
     "action",
     "advance",

@@ -6,6 +6,7 @@ __all__ = [
     "AngleApproximation",
     "AngleFormula",
     "CubicQuintic",
+    "DampedPendulum",
     "Duffing",
     "DuffingForm",
     "Orbit",
@@ -57,6 +58,7 @@ __all__ = [
     "cd_k",
     "cd_m",
     "cd_mc",
+    "check_friction",
     "cn_k",
     "cn_m",
     "cn_mc",
@@ -167,6 +169,7 @@ __all__ = [
     "theta4_m",
     "theta4_mc",
     "theta4_q",
+    "torque_at",
     "turns",
 ]
 
@@ -465,6 +468,37 @@ class CubicQuintic:
     def velocity(self, /, t: float) -> np.float64: ...
     def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
     def times(self, /, u: float, start: float, stop: float) -> np.ndarray: ...
+
+@final
+class DampedPendulum:
+    def __new__(
+        cls,
+        theta0: float,
+        velocity0: float,
+        friction: tuple[float, ...],
+        torque: tuple[float, ...],
+        samples: tuple[np.ndarray, np.ndarray, str] | None = None,
+        omega0: float | None = None,
+        omega2: float | None = None,
+        length: float | None = None,
+        gravity: float | None = None,
+    ) -> DampedPendulum: ...
+    @property
+    def frequency(self) -> tuple[float, float]: ...
+    def state(self, /, t: float) -> tuple[np.float64, np.float64]: ...
+    def motion(self, /, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+    def turns(self, /, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+    def energy(self, /, t: np.ndarray) -> np.ndarray: ...
+    def sensitivities(self, /, t: np.ndarray) -> list[np.ndarray]: ...
+    def times(self, /, theta: float, start: float, stop: float) -> np.ndarray: ...
+    def turning_times(self, /, start: float, stop: float) -> np.ndarray: ...
+    def rests(self, /, start: float, stop: float) -> list[tuple[float, float]]: ...
+    def decrements(self, /, start: float, stop: float) -> tuple[np.ndarray, np.ndarray]: ...
+
+def check_friction(terms: tuple[float, ...]) -> None: ...
+def torque_at(
+    terms: tuple[float, ...], samples: tuple[np.ndarray, np.ndarray, str] | None, t: np.ndarray
+) -> np.ndarray: ...
 
 @final
 class Duffing:

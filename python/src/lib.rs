@@ -4,6 +4,7 @@
 
 mod approx;
 mod approx_period;
+mod damped;
 mod elliptic;
 mod kernels;
 mod numerical;
@@ -24,6 +25,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<orbit::Orbit>()?;
     approx::add_all(module)?;
     approx_period::add_all(module)?;
+    damped::add_all(module)?;
     oscillator::add_all(module)?;
     numerical::add_all(module)?;
     elliptic::add_all(module)?;

@@ -32,8 +32,8 @@ def test_close_sees_nan_signs_and_negative_truth():
 
 def test_every_public_name_is_there_and_documented():
     names = [
-        "CubicQuintic Duffing DuffingForm Fourier JacobiComplexValues JacobiValues OscillatorRegime Pendulum Regime",
-        "__version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
+        "CubicQuintic DampedPendulum Duffing DuffingForm Fourier Friction JacobiComplexValues JacobiValues",
+        "OscillatorRegime Pendulum Regime Torque __version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
         "complete_pi duffing_motion frequency from_action_phase harmonic_distortion heuman_lambda",
         "incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex jacobi_epsilon jacobi_zeta motion nome",
         "phase sensitivities theta theta1 theta2 theta3 theta4 velocity",
@@ -300,6 +300,9 @@ def test_a_pendulum_does_not_change():
 
 MADE = [
     Pendulum(3.0),
+    libration.Friction(linear=0.01, dry=0.1),
+    libration.Torque(constant=0.5, samples=([0.0, 1.0], [0.5, 1.0])),
+    libration.DampedPendulum(1.0, omega2=2.0, friction=libration.Friction(dry=0.1)),
     libration.Duffing(1.0, p=1.0, q=1.0),
     libration.CubicQuintic(1.0, alpha=1.0, beta=0.0, gamma=1.0),
     libration.DuffingForm("cn", 1.0, 0.5, p=1.0, q=1.0),

@@ -6,8 +6,10 @@
 
 use super::circular::circular;
 use super::friction::Friction;
-use super::jet::{LARGEST_ROTATION, LONG, ORDER, Piece, driven};
+use super::jet::Piece;
+use super::taylor::{INVERSE, ORDER};
 use super::torque::{Samples, Torque};
+use super::torque_jet::{LARGEST_ROTATION, TorqueJet, driven};
 use crate::float::Dd;
 use crate::float::exponent::{exponent, ldexp};
 use crate::pendulum::Frequency;
@@ -31,17 +33,11 @@ pub(super) struct Equation {
     pub amplitude: f64,
     pub frequency: f64,
     pub phase: f64,
+    /// Sine and cosine of the phase at t = 0.
+    at_start: (Dd, Dd),
     /// Coefficients amplitude frequency^k/k!.
     powers: TorqueJet,
     samples: Option<Arc<Samples>>,
-}
-
-/// The Taylor coefficients of the torque at a time.
-#[derive(Clone, Debug)]
-pub(super) struct TorqueJet {
-    /// Their high words, and the low words of the first.
-    pub hi: [f64; ORDER],
-    pub lo: [f64; LONG],
 }
 
 impl Equation {
@@ -61,7 +57,7 @@ impl Equation {
             whole(friction.linear()),
             half(friction.dry()),
             half(torque.constant()),
-            half(torque.amplitude()),
+            half(torque.driving_amplitude()),
             half(torque.samples.as_ref().map_or(0.0, |samples| samples.largest())),
         ]
         .into_iter()
@@ -75,7 +71,7 @@ impl Equation {
             }
             None => Dd::ZERO,
         };
-        let amplitude = ldexp(torque.amplitude(), -2 * power);
+        let amplitude = ldexp(torque.driving_amplitude(), -2 * power);
         let driving = sense * ldexp(torque.frequency(), -power);
         let mut powers = TorqueJet::ZERO;
         let mut factor = Dd::from(amplitude);
@@ -95,6 +91,7 @@ impl Equation {
             amplitude,
             frequency: driving,
             phase: torque.phase(),
+            at_start: circular(Dd::from(torque.phase())),
             powers,
             samples: torque.samples.clone(),
         }
@@ -111,6 +108,9 @@ impl Equation {
 
     /// Sine and cosine of the phase of the sinusoid.
     pub fn sinusoid(&self, time: Dd) -> (Dd, Dd) {
+        if self.frequency == 0.0 {
+            return self.at_start;
+        }
         circular(time * self.frequency + Dd::from(self.phase))
     }
 
@@ -176,43 +176,4 @@ impl Equation {
             slip: if settled { 0.0 } else { side / self.presliding },
         }
     }
-}
-
-impl TorqueJet {
-    pub const ZERO: TorqueJet = TorqueJet { hi: [0.0; ORDER], lo: [0.0; LONG] };
-
-    fn add(&mut self, k: usize, value: Dd) {
-        if k < LONG {
-            let sum = Dd::new(self.hi[k], self.lo[k]) + value;
-            (self.hi[k], self.lo[k]) = (sum.hi, sum.lo);
-        } else {
-            self.hi[k] += value.value();
-        }
-    }
-}
-
-/// 1/k in double-double, 0 for k = 0.
-pub(super) const INVERSE: [Dd; ORDER + 2] = inverses();
-
-const fn inverses() -> [Dd; ORDER + 2] {
-    let mut all = [Dd::ZERO; ORDER + 2];
-    let mut k = 1;
-    while k < ORDER + 2 {
-        let whole = k as f64;
-        let hi = 1.0 / whole;
-        // hi = n/2^s exactly: the rest 1 - k hi fits into 2^-52, and its exact value is formed in integers.
-        let bits = hi.to_bits();
-        let mantissa = ((bits & ((1 << 52) - 1)) | (1 << 52)) as i128;
-        let scale = 1075 - (bits >> 52) as u32;
-        let rest = (1i128 << scale) - mantissa * k as i128;
-        let mut lo = rest as f64 / whole;
-        let mut left = scale;
-        while left > 0 {
-            lo *= 0.5;
-            left -= 1;
-        }
-        all[k] = Dd::new(hi, lo);
-        k += 1;
-    }
-    all
 }

@@ -6,15 +6,17 @@
 //! |r| <= dry, until the torque has changed so that |r| > dry; otherwise it turns back.
 
 use super::circular::of_double;
-use super::equation::{Equation, INVERSE, TorqueJet};
-use super::jet::{COSINE, Jet, ORDER, SINE, SLIP, VELOCITY, rotated};
+use super::equation::Equation;
+use super::jet::{COSINE, Jet, SINE, SLIP, VELOCITY};
 use super::roots::{first_root, rootless, value_and_slope};
 use super::segment::{Event, Segment, step_length};
+use super::taylor::{INVERSE, ORDER};
+use super::torque_jet::{TorqueJet, rotated};
 use crate::domain::Domain;
 use crate::float::Dd;
 
 /// The largest number of segments of a motion: each takes 0.3 kB.
-pub const MOST_SEGMENTS: usize = 2_000_000;
+pub const MOST_SEGMENTS: usize = 1_000_000;
 
 /// Presliding has settled where it leaves less out of dry friction.
 const SETTLED: f64 = 1e-24;
@@ -34,41 +36,55 @@ struct State {
     at_limit: bool,
 }
 
-/// Segments from time 0 to `stop`, in the unit and the sense of the equation.
+/// Segments from time 0 until they go beyond `stop`, at most `most`, and why they do not, if so. Times are in the unit and the
+/// sense of the equation.
+///
+/// The last segment is as long as the others, so that segments up to a later stop begin with these.
 pub(super) fn integrate(
     equation: &Equation,
     theta0: f64,
     velocity0: f64,
     stop: f64,
-) -> Result<Vec<Segment>, Domain> {
+    most: usize,
+) -> (Vec<Segment>, Option<Domain>) {
     let mut state = State::new(equation, theta0, velocity0);
     let mut segments = Vec::new();
     let mut jet = Jet::ZERO;
-    while segments.is_empty() || state.time.value() < stop {
-        if segments.len() == MOST_SEGMENTS {
-            let allowed = format!(
-                "within {MOST_SEGMENTS} steps of the integration, which end at {:?} s",
-                equation.seconds(state.time.value())
-            );
-            return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
+    while segments.is_empty() || state.time.value() <= stop {
+        if segments.len() == most {
+            let reached = equation.seconds(state.time.value());
+            let allowed = format!("within {most} steps of the integration, which end at {reached:?} s");
+            return (segments, Some(refused(equation, stop, allowed)));
         }
-        let end = stop.min(equation.next_knot(state.time));
-        let segment =
-            if state.side == 0.0 { state.hold(equation, end) } else { state.step(equation, end, &mut jet) };
+        let knot = equation.next_knot(state.time);
+        let segment = if state.side == 0.0 {
+            state.hold(equation, knot, stop)
+        } else {
+            state.step(equation, knot, stop, &mut jet)
+        };
         // A release at once leaves no segment behind.
         if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
             continue;
         }
+        // At the stop itself: a series that has no end, or the last of the samples.
+        if segment.length == 0.0 && segment.start.value() == stop && !segments.is_empty() {
+            break;
+        }
         if !(segment.length > 0.0 || stop == 0.0) || !segment.slopes[ORDER].is_finite() {
-            let allowed = format!(
-                "before {:?} s, where the motion grows without bound",
-                equation.seconds(state.time.value())
-            );
-            return Err(Domain::new("stop", format!("{:?}", equation.seconds(stop)), allowed));
+            let order = if equation.sense > 0.0 { "before" } else { "after" };
+            let reached = equation.seconds(segment.start.value());
+            let allowed = format!("{order} {reached:?} s, where the motion grows without bound");
+            return (segments, Some(refused(equation, stop, allowed)));
         }
         segments.push(segment);
     }
-    Ok(segments)
+    (segments, None)
+}
+
+/// The error of the end of an interval.
+fn refused(equation: &Equation, end: f64, allowed: String) -> Domain {
+    let argument = if equation.sense > 0.0 { "stop" } else { "start" };
+    Domain::new(argument, format!("{:?}", equation.seconds(end)), allowed)
 }
 
 impl State {
@@ -91,6 +107,11 @@ impl State {
             state.side = 0.0;
         }
         state
+    }
+
+    /// The time left until `end`.
+    fn until(&self, end: f64) -> f64 {
+        if end.is_finite() { (Dd::from(end) - self.time).value() } else { f64::INFINITY }
     }
 
     /// Whether dry friction holds the pendulum that is at rest.
@@ -141,8 +162,8 @@ impl State {
         }
     }
 
-    /// A step of the series, as far as it converges, but not beyond `end`.
-    fn step(&mut self, equation: &Equation, end: f64, jet: &mut Jet) -> Segment {
+    /// A step of the series, as far as it converges, but not beyond a knot of the torque; a series that ends serves until `stop`.
+    fn step(&mut self, equation: &Equation, knot: f64, stop: f64, jet: &mut Jet) -> Segment {
         let torque = equation.torque(self.time, self.sinusoid);
         let converged = self.fill(equation, &torque, jet);
         let mut segment = self.segment();
@@ -151,7 +172,8 @@ impl State {
         for ((slope, v), inverse) in segment.slopes.iter_mut().zip(velocity).zip(&INVERSE[1..]) {
             *slope = v * inverse.hi;
         }
-        let left = (Dd::from(end) - self.time).value();
+        let end = if converged.is_finite() { knot } else { knot.min(stop) };
+        let left = self.until(end);
         let last = converged >= left;
         let length = if last { left } else { converged };
         let root = if rootless(velocity, length) { None } else { first_root(velocity, length) };
@@ -198,13 +220,14 @@ impl State {
         segment
     }
 
-    /// Rest under dry friction until the pull exceeds it, but not beyond `end`.
-    fn hold(&mut self, equation: &Equation, end: f64) -> Segment {
+    /// Rest under dry friction until the pull exceeds it, but not beyond a knot of the torque; under a constant torque until `stop`.
+    fn hold(&mut self, equation: &Equation, knot: f64, stop: f64) -> Segment {
         let mut segment = self.segment();
         let torque = equation.torque(self.time, self.sinusoid);
-        let left = (Dd::from(end) - self.time).value();
         // The series of the sinusoid serves one radian: 1/24! is 2^-79.
         let served = 0.5 * equation.longest();
+        let end = if served.is_finite() { knot } else { knot.min(stop) };
+        let left = self.until(end);
         let last = served >= left;
         let length = if last { left } else { served };
         let pull = equation.pull(self.time, self.sinusoid, self.values[SINE]);
@@ -238,5 +261,34 @@ impl State {
             self.time = if last { Dd::from(end) } else { self.time + Dd::from(length) };
         }
         segment
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Friction, Torque};
+    use super::*;
+    use crate::pendulum::Frequency;
+
+    #[test]
+    fn too_many_steps_are_refused() {
+        let friction = Friction::new(0.01, 0.0, 0.0, 0.0).unwrap();
+        let force = Frequency::from_omega0(1.0).unwrap();
+        for (sense, argument, stop) in [(1.0, "stop", "100.0"), (-1.0, "start", "-100.0")] {
+            let equation = Equation::new(0.0, force, friction, &Torque::NONE, sense);
+            let (some, refused) = integrate(&equation, 1.0, 0.0, 100.0, 10);
+            let refused = refused.unwrap();
+            assert_eq!(some.len(), 10);
+            assert_eq!((refused.argument, refused.given.as_str()), (argument, stop));
+            let start = "within 10 steps of the integration, which end at ";
+            assert!(refused.allowed.starts_with(start), "{}", refused.allowed);
+            let (all, refused) = integrate(&equation, 1.0, 0.0, 100.0, 1000);
+            assert!(refused.is_none() && all.len() > some.len());
+            // Segments do not depend on where they stop.
+            let (fewer, _) = integrate(&equation, 1.0, 0.0, 37.3, 1000);
+            for (a, b) in all.iter().zip(&fewer) {
+                assert_eq!((a.start, a.length, a.theta, a.slopes), (b.start, b.length, b.theta, b.slopes));
+            }
+        }
     }
 }

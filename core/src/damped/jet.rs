@@ -3,24 +3,17 @@
 //! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
 //! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
 //! Coefficients below LONG are double-doubles, because a step is 2^(-66/24) = 0.15 of the radius of convergence: the term of order
-//! LONG is below 0.15^5 = 8e-5 of the motion, and its rounding error below 2^-66.
+//! LONG is below 0.15^7 = 2e-6 of the motion, and its rounding error below 2^-72.
 //!
-//! One step is, for each of s and c (and |v| v, and u, where they act), 24 25/2 - 10 = 290 multiplications with additions in
-//! double and 10 in double-double; and for each of s, c, v and theta a sum of 20 terms in double and 5 in double-double.
+//! One step is, for each of s and c (and |v| v, and u, where they act), 24 25/2 - 21 = 279 multiplications with additions in
+//! double and 21 in double-double; and for each of s, c, v and theta a sum of 18 terms in double and 7 in double-double.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
-use super::equation::{INVERSE, TorqueJet};
+use super::taylor::{INVERSE, LONG, ORDER, Series, double, number, on_circle};
+use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Kernel, Lane, single};
-
-/// Highest power of time: ceil(-ln(tolerance)/2) + 1 for a tolerance of 2^-66 (Jorba & Zou, equation 3-6).
-pub(super) const ORDER: usize = 24;
-/// How many coefficients of the lowest orders are double-doubles.
-pub(super) const LONG: usize = 5;
-
-/// The coefficients of one function of time.
-pub(super) type Series = [f64; ORDER + 1];
 
 /// Places of the four variables.
 pub(super) const SINE: usize = 0;
@@ -74,11 +67,6 @@ struct Recurrence<'a, const DRAG: bool, const SLIPS: bool> {
     piece: &'a Piece,
     torque: &'a TorqueJet,
     at_limit: bool,
-}
-
-#[inline(always)]
-fn double<L: Lane>(value: f64) -> Unnormalised<L> {
-    Unnormalised::from_double(L::splat(value))
 }
 
 /// Coefficient k of x v, in double-double.
@@ -237,12 +225,6 @@ fn words<L: Lane>(jet: &Jet, place: usize) -> [Unnormalised<L>; LONG] {
     words
 }
 
-#[inline(always)]
-fn number<L: Lane>(value: Unnormalised<L>) -> Dd {
-    let value = value.tight();
-    Dd::new(value.hi.first(), value.lo.first())
-}
-
 impl Kernel for Sum<'_> {
     type Output = [Dd; 5];
     type Place = Jet;
@@ -267,127 +249,5 @@ impl Kernel for Sum<'_> {
         }
         on_circle(&mut s, &mut c);
         [number(s), number(c), u, number(v), number(change)]
-    }
-}
-
-/// Sine and cosine put back on the circle after a step: their errors along it are those of the step.
-#[inline(always)]
-fn on_circle<L: Lane>(s: &mut Unnormalised<L>, c: &mut Unnormalised<L>) {
-    let excess = s.square() + c.square() - double(1.0);
-    let half = Unnormalised::from_double((excess.hi + excess.lo) * L::splat(-0.5));
-    (*s, *c) = (*s + *s * half, *c + *c * half);
-}
-
-/// The coefficients of a torque A cos(phase) from the sine and cosine of the phase and from A frequency^k/k!.
-pub(super) fn driven(sine: Dd, cosine: Dd, powers: &TorqueJet) -> TorqueJet {
-    single(Drive { sine, cosine, powers })
-}
-
-struct Drive<'a> {
-    sine: Dd,
-    cosine: Dd,
-    powers: &'a TorqueJet,
-}
-
-impl Kernel for Drive<'_> {
-    type Output = TorqueJet;
-    type Place = Jet;
-    #[inline(always)]
-    fn run<L: Lane>(self) -> TorqueJet {
-        let Drive { sine, cosine, powers } = self;
-        let turns = [cosine, -sine, -cosine, sine];
-        let mut jet = TorqueJet::ZERO;
-        let mut k = 0;
-        while k < ORDER {
-            let turn = Unnormalised::<L>::splat(turns[k % 4]);
-            if k < LONG {
-                let power = Unnormalised::new(L::splat(powers.hi[k]), L::splat(powers.lo[k]));
-                let value = number(turn * power);
-                (jet.hi[k], jet.lo[k]) = (value.hi, value.lo);
-            } else {
-                jet.hi[k] = (turn.hi * L::splat(powers.hi[k])).first();
-            }
-            k += 1;
-        }
-        jet
-    }
-}
-
-/// The largest angle of [`rotated`].
-pub(super) const LARGEST_ROTATION: f64 = 2.0;
-
-/// Sine and cosine of a phase that has grown by `angle`, from those before.
-pub(super) fn rotated(sine: Dd, cosine: Dd, angle: Dd) -> (Dd, Dd) {
-    single(Rotation { sine, cosine, angle })
-}
-
-struct Rotation {
-    sine: Dd,
-    cosine: Dd,
-    angle: Dd,
-}
-
-/// 1 - square/(n (n + 1)) rest.
-#[inline(always)]
-fn nested<L: Lane>(square: Unnormalised<L>, n: usize, rest: Unnormalised<L>) -> Unnormalised<L> {
-    let inverse = Unnormalised::splat(INVERSE[n]) * Unnormalised::splat(INVERSE[n + 1]);
-    double::<L>(1.0) - square * inverse * rest
-}
-
-impl Kernel for Rotation {
-    type Output = (Dd, Dd);
-    type Place = Jet;
-    #[inline(always)]
-    fn run<L: Lane>(self) -> (Dd, Dd) {
-        // Taylor's series of a quarter of the angle, at most 1/2, whose terms below 2^-15 need one word; doubled twice.
-        let quarter = Unnormalised::<L>::splat(self.angle).scale(L::splat(0.25));
-        let square = quarter.square();
-        let one = L::splat(1.0);
-        let (mut odd, mut even) = (one, one);
-        let mut n = 18;
-        while n > 8 {
-            n -= 2;
-            odd = one - square.hi * L::splat(INVERSE[n].hi * INVERSE[n + 1].hi) * odd;
-            even = one - square.hi * L::splat(INVERSE[n + 1].hi * INVERSE[n + 2].hi) * even;
-        }
-        let (odd, even) = (Unnormalised::from_double(odd), Unnormalised::from_double(even));
-        let odd = nested(square, 2, nested(square, 4, nested(square, 6, odd)));
-        let even = nested(square, 1, nested(square, 3, nested(square, 5, nested(square, 7, even))));
-        let (mut sine, mut cosine) = (quarter * odd, even);
-        let mut doubled = 0;
-        while doubled < 2 {
-            let next = (sine * cosine).scale(L::splat(2.0));
-            cosine = double::<L>(1.0) - sine.square().scale(L::splat(2.0));
-            sine = next;
-            doubled += 1;
-        }
-        let (old_sine, old_cosine) = (Unnormalised::splat(self.sine), Unnormalised::splat(self.cosine));
-        let mut new_sine = old_sine * cosine + old_cosine * sine;
-        let mut new_cosine = old_cosine * cosine - old_sine * sine;
-        on_circle(&mut new_sine, &mut new_cosine);
-        (number(new_sine), number(new_cosine))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::circular::circular;
-    use super::*;
-
-    /// Rotations add up to the angle, with no more than their rounding.
-    #[test]
-    fn rotations_keep_the_phase() {
-        for angle in [1e-9, 0.3, -0.77, 1.1, 1.999, -2.0] {
-            let (mut sine, mut cosine) = (Dd::ZERO, Dd::ONE);
-            let step = Dd::new(angle, 1e-20);
-            for i in 1..=200 {
-                (sine, cosine) = rotated(sine, cosine, step);
-                let truth = circular(step * f64::from(i));
-                assert!(
-                    (sine - truth.0).hi.abs() < 1e-19 && (cosine - truth.1).hi.abs() < 1e-19,
-                    "{angle} {i}"
-                );
-            }
-        }
     }
 }

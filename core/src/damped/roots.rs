@@ -5,7 +5,7 @@
 //! is halved. Where neither can be decided on 2^-30 of the whole, the polynomial and its slope vanish there to rounding: a touch,
 //! which counts as a root only if the sign changes.
 
-use super::jet::ORDER;
+use super::taylor::ORDER;
 
 const COUNT: usize = ORDER + 1;
 /// Least part of the whole interval that is looked at by itself.
@@ -23,18 +23,38 @@ pub(super) fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     (value, slope)
 }
 
-/// Whether the polynomial is seen at once to have no root in (0, end]: its lowest term is larger than all others together.
+/// Whether the polynomial is seen at once to have no root in (0, end]: between its ends it is nowhere farther from its chord than
+/// end^2/8 times its largest second derivative.
 pub(super) fn rootless(coefficients: &[f64; COUNT], end: f64) -> bool {
-    let first = usize::from(coefficients[0] == 0.0);
+    // Without the zero at 0, if it has one.
+    let c = &coefficients[usize::from(coefficients[0] == 0.0)..];
     let square = end * end;
-    // Two sums of every other power, so that they need not wait for each other.
-    let (mut even, mut odd) = (0.0, 0.0);
-    for pair in coefficients[first + 1..].chunks(2).rev() {
-        even = even * square + pair[0].abs();
-        odd = odd * square + pair.get(1).map_or(0.0, |c| c.abs());
+    // Sums of every other power, so that they need not wait for each other.
+    let (mut even, mut odd, mut bend, mut odd_bend) = (0.0, 0.0, 0.0, 0.0);
+    for (pair, [first, second]) in c.chunks(2).zip(&SECOND_DERIVATIVE).rev() {
+        let next = pair.get(1).copied().unwrap_or(0.0);
+        even = even * square + pair[0];
+        odd = odd * square + next;
+        bend = bend * square + first * pair[0].abs();
+        odd_bend = odd_bend * square + second * next.abs();
     }
-    coefficients[first].abs() > (odd * end + even) * end
+    let last = odd * end + even;
+    // end^2 times the sum of k (k - 1) |c_k| end^(k - 2).
+    let bend = odd_bend * end + bend;
+    c[0] * last > 0.0 && f64::min(c[0].abs(), last.abs()) > 0.125 * bend
 }
+
+/// k (k - 1) for k = 0 and 1, 2 and 3, ...
+const SECOND_DERIVATIVE: [[f64; 2]; COUNT.div_ceil(2)] = {
+    let mut all = [[0.0; 2]; COUNT.div_ceil(2)];
+    let mut i = 0;
+    while i < all.len() {
+        let k = 2 * i;
+        all[i] = [(k * k) as f64 - k as f64, (k * (k + 1)) as f64];
+        i += 1;
+    }
+    all
+};
 
 /// The least x in (0, end] at which the polynomial changes its sign; the zero at x = 0 of a polynomial without its lowest
 /// powers is none.

@@ -1,8 +1,9 @@
 //! A piece of the motion on which the angle is one polynomial of time and the velocity has one sign, and the length that the
 //! polynomial may have.
 
-use super::jet::{COSINE, Jet, ORDER, Piece, SINE, SLIP, Series, VELOCITY};
+use super::jet::{COSINE, Jet, Piece, SINE, SLIP, VELOCITY};
 use super::roots::{bracketed, value_and_slope};
+use super::taylor::{ORDER, Series};
 use crate::float::Dd;
 
 /// How a segment begins.
@@ -99,6 +100,9 @@ pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
     }
     if speed == 0.0 {
         return f64::INFINITY;
+    }
+    if !jet.hi[VELOCITY][ORDER].is_finite() {
+        return 0.0;
     }
     let circular = f64::min(1.0, f64::max(row(0, SINE), speed));
     let mut shortest = f64::INFINITY;

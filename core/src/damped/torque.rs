@@ -113,7 +113,7 @@ impl Torque {
     }
     /// Amplitude of the sinusoid in rad/s^2.
     #[must_use]
-    pub fn amplitude(&self) -> f64 {
+    pub fn driving_amplitude(&self) -> f64 {
         self.amplitude
     }
     /// Angular frequency of the sinusoid in rad/s.

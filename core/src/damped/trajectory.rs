@@ -1,20 +1,12 @@
 //! The motion of a pendulum with friction over an interval of time: values at any time in it, and times of what happens.
 
+use super::branch::{Branch, since};
 use super::damped_pendulum::DampedPendulum;
-use super::equation::Equation;
 use super::segment::{Event, Segment};
 use crate::domain::Domain;
-use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, TWO_PI};
 use crate::pendulum::{Orbit, Turns};
 use std::sync::Arc;
-
-/// One sense of time from t = 0.
-#[derive(Clone, Debug)]
-pub(super) struct Branch {
-    pub equation: Equation,
-    pub segments: Vec<Segment>,
-}
 
 #[derive(Clone, Debug)]
 enum Motion {
@@ -31,7 +23,7 @@ enum Motion {
 /// let pendulum = DampedPendulum::new(1.0, 0.0, Frequency::from_omega0(2.0)?, friction, Torque::NONE)?;
 /// let trajectory = pendulum.trajectory(0.0, 20.0)?;
 /// let stops: Vec<_> = trajectory.rests().iter().map(|(from, to)| format!("{from:.6} {to}")).collect();
-/// assert_eq!(stops, ["0 20"]);
+/// assert_eq!(stops, ["6.432369 20"]);
 /// # Ok::<(), libration::Domain>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -41,43 +33,68 @@ pub struct Trajectory {
     interval: [f64; 2],
 }
 
-impl Branch {
-    /// The segment that holds a time of the branch.
-    pub fn segment(&self, time: f64) -> &Segment {
-        &self.segments[self.index(time)]
-    }
-    /// Its number.
-    pub fn index(&self, time: f64) -> usize {
-        let begun = |segment: &Segment| since(segment, time) >= 0.0;
-        self.segments.partition_point(begun).max(1) - 1
+impl DampedPendulum {
+    /// The motion from `start` <= 0 to `stop` >= 0, both in s; it may be evaluated there.
+    ///
+    /// Without friction and torque it is the exact [`Orbit`], bit for bit. Otherwise it is integrated by Taylor series of order
+    /// 24 whose steps leave out less than 2^-66 of the motion, in at most [`MOST_SEGMENTS`](super::MOST_SEGMENTS) steps in each
+    /// direction (some twenty in a period). **Error** of angle and velocity at most 2 ulp of the largest up to the time, plus 2^-57
+    /// of the condition: the sum over the state and the constants of |each times the derivative by it|.
+    /// Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
+    ///
+    /// # Errors
+    /// Where the interval does not hold 0, is not finite, or leaves the samples of the torque; where the motion takes too many
+    /// steps, or grows without bound because friction drives it; and for a `start` before 0 with presliding, whose earlier
+    /// state no later one determines.
+    pub fn trajectory(&self, start: f64, stop: f64) -> Result<Trajectory, Domain> {
+        Domain::check("start", start, start.is_finite() && start <= 0.0, "finite and not above 0")?;
+        Domain::check("stop", stop, stop.is_finite() && stop >= 0.0, "finite and not below 0")?;
+        self.within_samples("start", start)?;
+        self.within_samples("stop", stop)?;
+        if self.remembers() {
+            Domain::check("start", start, start == 0.0, "0 with presliding")?;
+        }
+        match self.over(start, stop) {
+            (trajectory, None) => Ok(trajectory),
+            (_, Some(refused)) => Err(refused),
+        }
     }
 
-    /// Angle and velocity at t in s.
-    fn at(&self, t: f64) -> (f64, f64) {
-        let time = self.equation.time(t);
-        let segment = self.segment(time);
-        let (theta, velocity) = segment.at(since(segment, time));
-        (theta, self.equation.sense * ldexp(velocity, self.equation.power))
+    /// The motion from `start` to `stop` as far as [`DampedPendulum::trajectory`] would follow it: over a shorter interval where it
+    /// would give an error, and from or to 0 where they are on the wrong side of it, or no number.
+    #[must_use]
+    pub fn reachable(&self, start: f64, stop: f64) -> Trajectory {
+        let (first, last) = match &self.torque.samples {
+            Some(samples) => (samples.times[0], samples.times[samples.times.len() - 1]),
+            None => (f64::MIN, f64::MAX),
+        };
+        let first = if self.remembers() { 0.0 } else { first };
+        // max and min take the other number where one is NaN.
+        self.over(start.min(0.0).max(first), stop.max(0.0).min(last)).0
     }
-}
 
-/// Time since the start of a segment.
-pub(super) fn since(segment: &Segment, time: f64) -> f64 {
-    (time - segment.start.hi) - segment.start.lo
+    /// Whether an earlier state has to be known: that of presliding.
+    fn remembers(&self) -> bool {
+        self.friction.dry() != 0.0 && self.friction.presliding() != 0.0
+    }
+
+    fn over(&self, start: f64, stop: f64) -> (Trajectory, Option<Domain>) {
+        let interval = [start, stop];
+        let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency);
+        if let (true, Ok(orbit)) = (self.friction.is_none() && self.torque.is_none(), orbit) {
+            let motion = Motion::Exact(Box::new(orbit));
+            return (Trajectory { pendulum: self.clone(), motion, interval }, None);
+        }
+        let (branches, refused) = self.branches(start, stop);
+        let interval = [start.max(branches[0].end()), stop.min(branches[1].end())];
+        (
+            Trajectory { pendulum: self.clone(), motion: Motion::Integrated(Arc::new(branches)), interval },
+            refused,
+        )
+    }
 }
 
 impl Trajectory {
-    pub(super) fn exact(pendulum: DampedPendulum, orbit: Orbit, interval: [f64; 2]) -> Trajectory {
-        Trajectory { pendulum, motion: Motion::Exact(Box::new(orbit)), interval }
-    }
-    pub(super) fn integrated(
-        pendulum: DampedPendulum,
-        branches: [Branch; 2],
-        interval: [f64; 2],
-    ) -> Trajectory {
-        Trajectory { pendulum, motion: Motion::Integrated(Arc::new(branches)), interval }
-    }
-
     /// The pendulum that moves.
     #[must_use]
     pub fn pendulum(&self) -> &DampedPendulum {
@@ -159,7 +176,7 @@ impl Trajectory {
             Motion::Exact(orbit) => return orbit.turns(t),
             Motion::Integrated(branches) => branches,
         };
-        let branch = &branches[usize::from(t > 0.0)];
+        let branch = &branches[usize::from(t >= 0.0)];
         let time = branch.equation.time(t);
         let segment = branch.segment(time);
         let theta = segment.theta + Dd::from(segment.change(since(segment, time)).0);
@@ -229,10 +246,12 @@ impl Trajectory {
         for Branch { equation, segments } in branches.iter() {
             for segment in segments.iter().filter(|segment| segment.side == 0.0 && segment.length > 0.0) {
                 let ends = [segment.start.value(), (segment.start + Dd::from(segment.length)).value()];
-                let [a, b] = ends.map(|time| equation.seconds(time));
+                let [a, b] =
+                    ends.map(|time| equation.seconds(time).clamp(self.interval[0], self.interval[1]));
                 rests.push((a.min(b), a.max(b)));
             }
         }
+        rests.retain(|(from, to)| from < to);
         rests.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Pieces that touch are one rest.
         let mut joined: Vec<(f64, f64)> = Vec::new();
@@ -243,6 +262,13 @@ impl Trajectory {
             }
         }
         joined
+    }
+
+    /// [`Trajectory::rests`] between two times, cut there.
+    #[must_use]
+    pub fn rests_within(&self, start: f64, stop: f64) -> Vec<(f64, f64)> {
+        let inside = |(from, to): (f64, f64)| (from.max(start), to.min(stop));
+        self.rests().into_iter().map(inside).filter(|(from, to)| from < to).collect()
     }
 
     /// Logarithmic decrements ln(theta_n/theta_(n+2)) of the turning angles on one side, one period apart, with the time of the

@@ -5,13 +5,14 @@
 //!   v_p' = -omega2 c theta_p - linear v_p - 2 quadratic |v| v_p + dry side u_p + (the equation's own derivative by p),
 //!   u_p' = -side (v u_p + u v_p)/presliding + (for p = presliding) side v u/presliding^2.
 //! Where the velocity changes its sign the acceleration jumps from a to b if friction is dry without presliding. The column is
-//! continuous in theta_p; the time of the turn moves by -v_p/a, so v_p is multiplied by b/a (the saltation matrix of Aizerman &
-//! Gantmacher, Q. J. Mech. Appl. Math. 11 (1958) 243). Where friction takes hold v_p becomes 0; where it lets go nothing jumps,
+//! continuous in theta_p; the time of the turn moves by -v_p/a, so v_p is multiplied by b/a (the
+//! saltation matrix). Where friction takes hold v_p becomes 0; where it lets go nothing jumps,
 //! because the acceleration is 0 there.
 
-use super::equation::{Equation, INVERSE};
-use super::jet::{ORDER, Piece};
+use super::equation::Equation;
+use super::jet::Piece;
 use super::segment::{Event, Segment};
+use super::taylor::{INVERSE, ORDER};
 use crate::float::Dd;
 use crate::lanes::{Kernel, Lane, single};
 
@@ -104,12 +105,9 @@ impl ColumnJet {
     pub fn new(equation: &Equation, segment: &Segment, start: &Columns) -> ColumnJet {
         let settled = equation.presliding == 0.0 || segment.slip == 0.0;
         let piece = equation.piece_of(segment.side, settled);
-        let mut sinusoid = [[0.0; ORDER]; 3];
-        if equation.amplitude != 0.0 || equation.frequency != 0.0 {
-            sinusoid = sinusoids(equation, segment.start);
-        }
+        let sinusoid = sinusoids(equation, segment.start);
         let signs = equation.sense * segment.side;
-        single(Recurrence {
+        single(ColumnRecurrence {
             piece: &piece,
             presliding: equation.presliding,
             sinusoid: &sinusoid,
@@ -122,7 +120,7 @@ impl ColumnJet {
 
     /// The derivatives a time since the start.
     pub fn at(&self, since: f64) -> Columns {
-        single(Sum { jet: self, since })
+        single(ColumnSum { jet: self, since })
     }
 }
 
@@ -144,7 +142,7 @@ fn sinusoids(equation: &Equation, time: Dd) -> [[f64; ORDER]; 3] {
     all
 }
 
-struct Recurrence<'a> {
+struct ColumnRecurrence<'a> {
     piece: &'a Piece,
     presliding: f64,
     sinusoid: &'a [[f64; ORDER]; 3],
@@ -171,12 +169,12 @@ fn products<L: Lane>(series: &[L; ORDER + 1], columns: &[Row<L>; ORDER + 1], k: 
     sums
 }
 
-impl Kernel for Recurrence<'_> {
+impl Kernel for ColumnRecurrence<'_> {
     type Output = ColumnJet;
     type Place = ColumnJet;
     #[inline(always)]
     fn run<L: Lane>(self) -> ColumnJet {
-        let Recurrence { piece, presliding, sinusoid, sense, signs, segment, start } = self;
+        let ColumnRecurrence { piece, presliding, sinusoid, sense, signs, segment, start } = self;
         let zero = L::splat(0.0);
         let none = [zero; ORDER + 1];
         let (mut v, mut s, mut c, mut u, mut square, mut slipping) = (none, none, none, none, none, none);
@@ -274,7 +272,7 @@ impl Kernel for Recurrence<'_> {
     }
 }
 
-struct Sum<'a> {
+struct ColumnSum<'a> {
     jet: &'a ColumnJet,
     since: f64,
 }
@@ -300,7 +298,7 @@ fn sum<L: Lane>(rows: &[Row; ORDER + 1], t: L) -> Row {
     values
 }
 
-impl Kernel for Sum<'_> {
+impl Kernel for ColumnSum<'_> {
     type Output = Columns;
     type Place = ColumnJet;
     #[inline(always)]

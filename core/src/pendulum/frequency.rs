@@ -2,7 +2,7 @@
 //! or as gravity and length.
 
 use crate::domain::Domain;
-use crate::float::exponent::{exponent, mantissa};
+use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::{Dd, Td};
 
 /// Standard gravity in m/s^2, taken where a length comes without gravity.
@@ -86,6 +86,19 @@ impl Frequency {
         Domain::check("length", length, length.is_finite() && length > 0.0, POSITIVE)?;
         Domain::check("gravity", gravity, gravity.is_finite(), FINITE)?;
         Ok(Frequency { a: gravity, b: 1.0, c: length })
+    }
+
+    /// Angular frequency of small swings, sqrt|omega0^2|, in rad/s, rounded once.
+    #[must_use]
+    pub fn omega0(&self) -> f64 {
+        self.root().map_or(0.0, |(root, power)| ldexp(root.to_dd().value(), power))
+    }
+
+    /// omega0^2, rounded once; negative where the pendulum hangs from the other side.
+    #[must_use]
+    pub fn omega2(&self) -> f64 {
+        let square = self.root().map_or(0.0, |(root, power)| ldexp(root.square().to_dd().value(), 2 * power));
+        if self.upside_down() { -square } else { square }
     }
 
     /// The three exact factors (a, b, c) of omega0^2 = a b / c.

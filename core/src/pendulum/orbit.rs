@@ -259,13 +259,11 @@ impl Orbit {
     /// Angular frequency of small swings, sqrt|omega0^2|, in rad/s.
     #[must_use]
     pub fn omega0(&self) -> f64 {
-        self.force.root().map_or(0.0, |(root, power)| ldexp(root.to_dd().value(), power))
+        self.force.omega0()
     }
     /// omega0^2, negative where the pendulum hangs from the other side.
     #[must_use]
     pub fn omega2(&self) -> f64 {
-        let square =
-            self.force.root().map_or(0.0, |(root, power)| ldexp(root.square().to_dd().value(), 2 * power));
-        if self.force.upside_down() { -square } else { square }
+        self.force.omega2()
     }
 }

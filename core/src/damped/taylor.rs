@@ -1,0 +1,60 @@
+//! What all Taylor series of the motion share: their length, the inverses of whole numbers, and words of double-doubles.
+
+use crate::float::Dd;
+use crate::float::unnormalised::Unnormalised;
+use crate::lanes::Lane;
+
+/// Highest power of time: ceil(-ln(tolerance)/2) + 1 for a tolerance of 2^-66 (Jorba & Zou).
+pub(super) const ORDER: usize = 24;
+/// How many coefficients of the lowest orders are double-doubles.
+pub(super) const LONG: usize = 7;
+
+/// The coefficients of one function of time.
+pub(super) type Series = [f64; ORDER + 1];
+
+/// 1/k in double-double, 0 for k = 0.
+pub(super) const INVERSE: [Dd; ORDER + 2] = inverses();
+
+const fn inverses() -> [Dd; ORDER + 2] {
+    let mut all = [Dd::ZERO; ORDER + 2];
+    let mut k = 1;
+    while k < ORDER + 2 {
+        let whole = k as f64;
+        let hi = 1.0 / whole;
+        // hi = n/2^s exactly: the rest 1 - k hi fits into 2^-52, and its exact value is formed in integers.
+        let bits = hi.to_bits();
+        let mantissa = ((bits & ((1 << 52) - 1)) | (1 << 52)) as i128;
+        let scale = 1075 - (bits >> 52) as u32;
+        let rest = (1i128 << scale) - mantissa * k as i128;
+        let mut lo = rest as f64 / whole;
+        let mut left = scale;
+        while left > 0 {
+            lo *= 0.5;
+            left -= 1;
+        }
+        all[k] = Dd::new(hi, lo);
+        k += 1;
+    }
+    all
+}
+
+/// A double, exactly.
+#[inline(always)]
+pub(super) fn double<L: Lane>(value: f64) -> Unnormalised<L> {
+    Unnormalised::from_double(L::splat(value))
+}
+
+/// One number out of a lane.
+#[inline(always)]
+pub(super) fn number<L: Lane>(value: Unnormalised<L>) -> Dd {
+    let value = value.tight();
+    Dd::new(value.hi.first(), value.lo.first())
+}
+
+/// Sine and cosine put back on the circle after a step: their errors along it are those of the step.
+#[inline(always)]
+pub(super) fn on_circle<L: Lane>(s: &mut Unnormalised<L>, c: &mut Unnormalised<L>) {
+    let excess = s.square() + c.square() - double(1.0);
+    let half = Unnormalised::from_double((excess.hi + excess.lo) * L::splat(-0.5));
+    (*s, *c) = (*s + *s * half, *c + *c * half);
+}
