@@ -18,6 +18,8 @@ pub(super) struct Rung {
     pub free: Vec<usize>,
     /// Terms that wanted to be negative and were held at 0.
     pub wanted_negative: Vec<usize>,
+    /// Of the residuals; that of presliding as if it had been fitted to the samples of the others.
+    pub mean_square: f64,
     pub aicc: f64,
     pub bic: f64,
 }
@@ -81,30 +83,47 @@ pub(super) fn rung(
         values[term] = 0.0;
         outcome = search(&free, values);
     }
-    Rung { model, outcome, free, wanted_negative, aicc: f64::NAN, bic: f64::NAN }
+    let mean_square = outcome.sum_of_squares / outcome.residuals.len().max(1) as f64;
+    Rung { model, outcome, free, wanted_negative, mean_square, aicc: f64::NAN, bic: f64::NAN }
 }
 
-/// Both criteria of every rung, on the effective size that the richest one's residuals have.
+impl Rung {
+    /// A richer model never fits worse: where its search ended above the minimum of the poorer one, that minimum is its own, with
+    /// the new term at its bound.
+    pub fn not_above(&mut self, poorer: &Rung) {
+        if !(self.outcome.sum_of_squares <= poorer.outcome.sum_of_squares) {
+            self.outcome = poorer.outcome.clone();
+            self.wanted_negative.clone_from(&poorer.wanted_negative);
+            let added = terms(self.model)[terms(poorer.model).len()..].iter();
+            self.wanted_negative.extend(added);
+            self.free.clone_from(&poorer.free);
+        }
+    }
+}
+
+/// Both criteria of every rung on one effective sample size: the share of the samples that those of the best rung's residuals are
+/// worth.
 pub(super) fn criteria(rungs: &mut [Rung]) -> f64 {
-    let Some(richest) = rungs.iter().min_by(|a, b| a.outcome.rms().total_cmp(&b.outcome.rms())) else {
-        return 0.0;
-    };
-    let n = effective_size(&richest.outcome.residuals);
+    let best = rungs.iter().min_by(|a, b| a.mean_square.total_cmp(&b.mean_square));
+    let Some(best) = best.filter(|best| !best.outcome.residuals.is_empty()) else { return 0.0 };
+    let share = effective_size(&best.outcome.residuals) / best.outcome.residuals.len() as f64;
+    let n = share * rungs.iter().map(|rung| rung.outcome.residuals.len()).max().unwrap_or(0) as f64;
     for rung in rungs {
-        let mean = rung.outcome.sum_of_squares / rung.outcome.residuals.len() as f64;
         // With the variance, which is estimated too.
         let k = rung.free.len() as f64 + 1.0;
         let spare = (n - k - 1.0).max(1.0);
-        rung.aicc = n * mean.ln() + 2.0 * k + 2.0 * k * (k + 1.0) / spare;
-        rung.bic = n * mean.ln() + k * n.ln();
+        rung.aicc = n * rung.mean_square.ln() + 2.0 * k + 2.0 * k * (k + 1.0) / spare;
+        rung.bic = n * rung.mean_square.ln() + k * n.ln();
     }
     n
 }
 
-/// The rung with the least AICc; of rungs within 2 of it the simplest.
+/// The rung with the least AICc; of rungs within 2 of it the simplest. Presliding, for which samples before the first passage are
+/// given up, must be better by 10.
 pub(super) fn chosen(rungs: &[Rung]) -> usize {
-    let least = rungs.iter().map(|rung| rung.aicc).fold(f64::INFINITY, f64::min);
-    rungs.iter().position(|rung| rung.aicc <= least + 2.0).unwrap_or(0)
+    let worth = |rung: &Rung| rung.aicc + if rung.model == Model::Presliding { 8.0 } else { 0.0 };
+    let least = rungs.iter().map(worth).fold(f64::INFINITY, f64::min);
+    rungs.iter().position(|rung| worth(rung) <= least + 2.0).unwrap_or(0)
 }
 
 /// The same motion with its state at another time: values for samples whose times are later by `shift`.

@@ -74,9 +74,24 @@ pub(super) struct Problem<'a> {
     rejected: f64,
 }
 
+/// Whether a motion is one of a pendulum in a laboratory. Beyond these bounds a search that has gone astray would integrate
+/// millions of turns.
+fn bounded(values: &Values, span: f64) -> bool {
+    let omega0 = values[OMEGA2].sqrt();
+    let driven = |rate: f64| rate >= 0.0 || -rate * span <= 3.0;
+    values[OMEGA2] > 0.0
+        && values[VELOCITY].abs() <= 40.0 * omega0
+        && values[LINEAR] <= omega0
+        && driven(values[LINEAR])
+        && values[QUADRATIC] <= 10.0
+        && driven(values[QUADRATIC] * omega0)
+        && (0.0..=values[OMEGA2]).contains(&values[DRY])
+        && (values[PRESLIDING] == 0.0 || (-9.0..=1.0).contains(&values[PRESLIDING]))
+}
+
 /// The motion of a set of values over an interval around its state; none where the values are out of their domain.
 pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajectory> {
-    if values.iter().any(|value| !value.is_finite()) || values[OMEGA2] <= 0.0 {
+    if values.iter().any(|value| !value.is_finite()) || !bounded(values, to - from) {
         return None;
     }
     let frequency = Frequency::from_omega2(values[OMEGA2]).ok()?;

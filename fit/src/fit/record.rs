@@ -2,9 +2,9 @@
 
 use super::data::{Clean, Measured, extent, robust_deviation};
 use super::horizon::grown;
-use super::ladder::{Rung, chosen, criteria, moved, rung};
+use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::options::{FitOptions, Model};
-use super::problem::{PRESLIDING, Samples, Values};
+use super::problem::{Samples, Values};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, start};
 use super::swings::{Swings, noise};
@@ -29,7 +29,7 @@ pub(super) struct Fitted {
 }
 
 /// Samples of the ladder; the chosen rung then takes all.
-const MOST: usize = 20_000;
+const MOST: usize = 8000;
 
 pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) -> Result<Fitted, FitRefusal> {
     let inside = |t: f64| options.window.is_none_or(|(from, to)| (from..=to).contains(&t));
@@ -57,7 +57,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         to = (swings.turns[decay.end].t - start.anchor + 0.5 * start.period).min(to);
     }
     let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
-    let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, sensor);
+    let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
     let mut values = first.values;
     if options.window.is_none() {
         (from, to) = extended(&all, measured, &start, &mut values, sensor, (from, to));
@@ -66,7 +66,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let mut rows: Vec<usize> =
         (0..all.len()).filter(|i| (from..=to).contains(&all.t[*i])).map(|i| clean.rows[kept[i]]).collect();
     let thin = samples.thinned(from, to, MOST);
-    let mut rungs = climbed(&thin, measured, options, &values);
+    let mut rungs = climbed(&thin, measured, options, &values, &start, sensor);
     let mut anchor = start.anchor;
     let mut effective = criteria(&mut rungs);
     let wanted = options.model.is_none_or(|model| model == Model::Presliding);
@@ -80,30 +80,27 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
                 y: (0..samples.len()).filter(|i| samples.t[*i] >= shift).map(|i| samples.y[i]).collect(),
             };
             let thin = later(&thin);
-            let mut pair = [
-                rung(&thin, measured, Model::Dry, &values, options.free_scale),
-                rung(&thin, measured, Model::Presliding, &values, options.free_scale),
-            ];
-            let size = criteria(&mut pair);
-            let [plain, mut slid] = pair;
-            slid.aicc += dry.aicc - plain.aicc;
-            slid.bic += dry.bic - plain.bic;
-            if slid.aicc < rungs.iter().map(|rung| rung.aicc).fold(f64::INFINITY, f64::min) - 2.0
-                || options.model == Some(Model::Presliding)
+            let plain = rung(&thin, measured, Model::Dry, &values, options.free_scale);
+            let mut slid =
+                rung(&thin, measured, Model::Presliding, &plain.outcome.values, options.free_scale);
+            slid.not_above(&plain);
+            slid.mean_square *= dry.mean_square / plain.mean_square;
+            rungs.push(slid);
+            effective = criteria(&mut rungs);
+            let last = rungs.len() - 1;
+            if options.model == Some(Model::Presliding) || (options.model.is_none() && chosen(&rungs) == last)
             {
                 rows.drain(..samples.t.iter().filter(|t| **t < shift).count());
                 samples = later(&samples);
                 anchor += shift;
                 from = 0.0;
                 to -= shift;
-                effective = size;
-                for rung in &mut rungs {
+                for rung in &mut rungs[..last] {
                     if let Some(values) = moved(&rung.outcome.values, shift) {
                         rung.outcome.values = values;
                     }
                 }
             }
-            rungs.push(slid);
         }
     }
     let chosen = match options.model {
@@ -155,14 +152,42 @@ fn extended(
     (from, to)
 }
 
-/// The rungs below presliding, each from the one above it.
-fn climbed(samples: &Samples, measured: Measured, options: &FitOptions, values: &Values) -> Vec<Rung> {
+/// The rungs below presliding, each from what its own growing horizon has reached.
+fn climbed(
+    samples: &Samples,
+    measured: Measured,
+    options: &FitOptions,
+    values: &Values,
+    start: &Start,
+    noise: f64,
+) -> Vec<Rung> {
     let models: Vec<Model> = match options.model {
         None => vec![Model::None, Model::Linear, Model::Quadratic, Model::Dry],
         Some(Model::Presliding) => vec![Model::Dry],
         Some(model) => vec![model],
     };
-    models.iter().map(|model| rung(samples, measured, *model, values, options.free_scale)).collect()
+    let mut rungs: Vec<Rung> = Vec::new();
+    for model in models {
+        let own = match model {
+            Model::None => Start { values: *values, ..*start }.values,
+            _ => grown(samples, measured, start, terms(model).len().min(3), noise).values,
+        };
+        // Without friction a long record is far from the minimum anyway: a part of the samples is enough.
+        let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, 1000);
+        let used = if model == Model::None && options.model.is_none() { &few } else { samples };
+        let mut next = rung(used, measured, model, &own, options.free_scale);
+        if let Some(poorer) = rungs.last().filter(|poorer| poorer.outcome.residuals.len() == used.len()) {
+            if next.outcome.sum_of_squares > poorer.outcome.sum_of_squares {
+                let other = rung(used, measured, model, &poorer.outcome.values, options.free_scale);
+                if other.outcome.sum_of_squares < next.outcome.sum_of_squares {
+                    next = other;
+                }
+            }
+            next.not_above(poorer);
+        }
+        rungs.push(next);
+    }
+    rungs
 }
 
 /// The chosen rung on all samples without those that lie far outside.
@@ -176,8 +201,8 @@ fn finish(
     dropped: &mut Vec<(usize, String)>,
 ) {
     let again = |samples: &Samples, rung_chosen: &Rung| {
-        let mut next =
-            rung(samples, measured, rung_chosen.model, &rung_chosen.outcome.values, options.free_scale);
+        let start = &rung_chosen.outcome.values;
+        let mut next = rung(samples, measured, rung_chosen.model, start, options.free_scale);
         (next.aicc, next.bic) = (rung_chosen.aicc, rung_chosen.bic);
         next
     };
@@ -198,5 +223,4 @@ fn finish(
         *samples = samples.only(|i| !outside[i]);
         *rung_chosen = again(samples, rung_chosen);
     }
-    debug_assert!(PRESLIDING < rung_chosen.outcome.values.len());
 }

@@ -1,9 +1,11 @@
 //! Start values without a model of friction: the free decay, its period, its state at the fastest passage.
 
 use super::data::{Measured, median};
-use super::problem::{LINEAR, OFFSET, OMEGA2, SCALE, THETA, VELOCITY, Values};
+use super::problem::{OFFSET, OMEGA2, SCALE, THETA, VELOCITY, Values};
 use super::swings::{Passage, Swings};
-use libration::{Frequency, Orbit};
+use libration::damped::averaged_energy_loss;
+use libration::{Frequency, Friction, Orbit};
+use nalgebra::{DMatrix, DVector};
 
 /// Where a search starts.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +15,8 @@ pub(super) struct Start {
     /// The period there, in s.
     pub period: f64,
     pub values: Values,
+    /// Friction from the loss of energy: of the linear term alone, of linear and quadratic, of all three.
+    pub friction: [[f64; 3]; 3],
 }
 
 /// The passages of the free decay, from the release to the last swing: the sequence of swings that do not grow, at steady
@@ -77,14 +81,50 @@ fn turning_angle(velocity: f64, omega0: f64) -> Option<f64> {
     Some(Orbit::new(0.0, velocity, Frequency::from_omega0(omega0).ok()?).ok()?.theta_max())
 }
 
-/// The action of a swing of this size; the decay of its logarithm is that of linear friction.
-fn action(measured: Measured, swing: f64, omega0: f64) -> Option<f64> {
+/// Friction from what the energy loses from passage to passage, by the core's averages: the best sums of the first one, two and
+/// three terms without a negative one.
+fn friction_of(angles: &[f64], omega0: f64) -> Option<[[f64; 3]; 3]> {
     let frequency = Frequency::from_omega0(omega0).ok()?;
-    let orbit = match measured {
-        Measured::Angle => Orbit::new(swing.min(3.1), 0.0, frequency),
-        Measured::Velocity => Orbit::new(0.0, swing, frequency),
+    let units = [
+        Friction::new(1.0, 0.0, 0.0, 0.0).ok()?,
+        Friction::new(0.0, 1.0, 0.0, 0.0).ok()?,
+        Friction::new(0.0, 0.0, 1.0, 0.0).ok()?,
+    ];
+    let energy = |angle: f64| Orbit::new(angle, 0.0, frequency).map(|orbit| orbit.energy()).ok();
+    // Over a period, so that an error of the rest cancels; each relative to the swing, of which the noise is a part.
+    let mut rows: Vec<[f64; 4]> = Vec::new();
+    for three in angles.windows(3) {
+        let angle = three[1].min(3.1);
+        let losses = units.map(|unit| averaged_energy_loss(angle, frequency, unit));
+        let lost = energy(three[0].min(3.1))? - energy(three[2].min(3.1))?;
+        rows.push([losses[0] / angle, losses[1] / angle, losses[2] / angle, lost / angle]);
+    }
+    let rows: Vec<[f64; 4]> = rows.into_iter().filter(|row| row.iter().all(|x| x.is_finite())).collect();
+    Some([1, 2, 3].map(|terms| best_sum(&rows, terms)))
+}
+
+/// The least squares of the first `terms` columns to the last without a negative factor.
+fn best_sum(rows: &[[f64; 4]], terms: usize) -> [f64; 3] {
+    let rest = |factors: &[f64; 3]| -> f64 {
+        rows.iter().map(|r| (r[3] - (0..3).map(|i| factors[i] * r[i]).sum::<f64>()).powi(2)).sum()
     };
-    Some(orbit.ok()?.action()).filter(|action| *action > 0.0)
+    let mut best = [0.0; 3];
+    for set in 1..1usize << terms {
+        let used: Vec<usize> = (0..terms).filter(|i| set >> i & 1 == 1).collect();
+        let matrix = DMatrix::from_fn(rows.len(), used.len(), |row, column| rows[row][used[column]]);
+        let right = DVector::from_fn(rows.len(), |row, _| rows[row][3]);
+        let Ok(solved) = matrix.svd(true, true).solve(&right, 1e-10) else { continue };
+        if solved.iter().all(|factor| *factor >= 0.0) {
+            let mut factors = [0.0; 3];
+            for (place, factor) in used.iter().zip(solved.iter()) {
+                factors[*place] = *factor;
+            }
+            if rest(&factors) < rest(&best) {
+                best = factors;
+            }
+        }
+    }
+    best
 }
 
 /// The straight line through points: its slope.
@@ -122,13 +162,17 @@ pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: 
     if !omega0.is_finite() {
         return None;
     }
-    let logs: Vec<(f64, f64)> =
-        passages.iter().filter_map(|p| Some((p.t, action(measured, p.swing, omega0)?.ln()))).collect();
-    let gamma = (-0.5 * slope(&logs)).max(0.0);
+    let angles: Vec<f64> = passages
+        .iter()
+        .filter_map(|p| match measured {
+            Measured::Angle => Some(p.swing),
+            Measured::Velocity => turning_angle(p.swing, omega0),
+        })
+        .collect();
+    let friction = friction_of(&angles, omega0)?;
     let fastest = passages.iter().max_by(|a, b| a.swing.total_cmp(&b.swing))?;
     let mut values: Values = [0.0; super::problem::NAMES.len()];
     values[OMEGA2] = omega0 * omega0;
-    values[LINEAR] = gamma;
     values[OFFSET] = swings.centre;
     values[SCALE] = 1.0;
     let anchor = match measured {
@@ -148,5 +192,5 @@ pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: 
         }
     };
     values[THETA] = 0.0;
-    Some(Start { anchor, period: pairs[0].1, values })
+    Some(Start { anchor, period: pairs[0].1, values, friction })
 }
