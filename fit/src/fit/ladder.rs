@@ -108,6 +108,8 @@ pub(super) fn criteria(rungs: &mut [Rung]) -> f64 {
     let Some(best) = best.filter(|best| !best.outcome.residuals.is_empty()) else { return 0.0 };
     let share = effective_size(&best.outcome.residuals) / best.outcome.residuals.len() as f64;
     let n = share * rungs.iter().map(|rung| rung.outcome.residuals.len()).max().unwrap_or(0) as f64;
+    // A slow drift of the residuals leaves few of them; the criteria need more than there are values.
+    let n = n.max(33.0);
     for rung in rungs {
         // With the variance, which is estimated too.
         let k = rung.free.len() as f64 + 1.0;

@@ -83,10 +83,10 @@ fn bounded(values: &Values, span: f64) -> bool {
         && values[VELOCITY].abs() <= 40.0 * omega0
         && values[LINEAR] <= omega0
         && driven(values[LINEAR])
-        && values[QUADRATIC] <= 10.0
+        && values[QUADRATIC] <= 1e4
         && driven(values[QUADRATIC] * omega0)
         && (0.0..=values[OMEGA2]).contains(&values[DRY])
-        && (values[PRESLIDING] == 0.0 || (-9.0..=1.0).contains(&values[PRESLIDING]))
+        && (values[PRESLIDING] == 0.0 || (-7.5..=1.0).contains(&values[PRESLIDING]))
 }
 
 /// The motion of a set of values over an interval around its state; none where the values are out of their domain.

@@ -4,11 +4,12 @@ use super::data::{Clean, Measured, extent, robust_deviation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::options::{FitOptions, Model};
-use super::problem::{Samples, Values};
+use super::optimiser::{ROUGH, minimum};
+use super::problem::{LINEAR, Loss, OFFSET, OMEGA2, Samples, THETA, VELOCITY, Values};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, start};
 use super::swings::{Swings, noise};
-use super::window::{earliest, latest};
+use super::window::reached;
 
 /// A record at the minimum of every rung.
 #[derive(Clone, Debug)]
@@ -133,22 +134,26 @@ fn extended(
     noise: f64,
     (mut from, mut to): (f64, f64),
 ) -> (f64, f64) {
-    // The neighbourhood of the release alone: friction of a later time must not decide.
-    let near = all.thinned(-0.3 * start.period, (2.5 * start.period).min(to), 3000);
-    let free = [0, 1, 2, 3, 7];
-    let local = super::optimiser::minimum(
-        &near,
-        measured,
-        &free,
-        super::problem::Loss::Squares,
-        *values,
-        super::optimiser::ROUGH,
-    );
-    let begin = earliest(all, measured, &local.values, -0.2 * start.period, noise);
-    from = from.min(begin).max(begin);
-    let deviation = noise.max(0.0);
-    let last = latest(all, measured, values, to, deviation);
-    to = to.max(last);
+    let swing = all.y.iter().fold(0.0f64, |most, y| most.max((y - start.values[OFFSET]).abs()));
+    // The neighbourhood of the release alone: friction of a later time must not decide. At first a wide bound, because the motion
+    // before the anchor is extrapolated.
+    let (mut begin, mut local) = (-0.2 * start.period, *values);
+    for share in [0.03, 0.02, 0.01, 0.01] {
+        let near = all.thinned(begin, (2.5 * start.period).min(to), 3000);
+        let free = [THETA, VELOCITY, OMEGA2, LINEAR, OFFSET];
+        let outcome = minimum(&near, measured, &free, Loss::Squares, local, ROUGH);
+        local = outcome.values;
+        let usual = robust_deviation(&outcome.residuals).max(noise);
+        let next = reached(all, measured, &local, begin, (6.0 * usual).max(share * swing), -1.0);
+        // What was taken in wrongly is given back.
+        let inner = reached(all, measured, &local, -0.1 * start.period, (6.0 * usual).max(share * swing), -1.0);
+        begin = next.max(inner);
+    }
+    from = begin.min(-0.1 * start.period).max(all.t[0]);
+    let near = all.thinned(from, to, 3000);
+    let along = super::problem::Problem::new(&near, measured, &[], Loss::Squares, *values);
+    let usual = robust_deviation(along.plain()).max(noise);
+    to = to.max(reached(all, measured, values, to, 6.0 * usual, 1.0));
     (from, to)
 }
 

@@ -178,6 +178,8 @@ pub struct Fit {
     pub g: Option<Estimate>,
     /// In m: as given, or from a given g.
     pub length: Option<Estimate>,
+    /// Whether the length was given, so that g is the result.
+    pub length_given: bool,
     /// Where the record rests, in rad.
     pub offset: Option<Estimate>,
     /// The same in degrees.
