@@ -6,7 +6,7 @@ use super::data::{Measured, clean, extent};
 use super::diagnosis::{linear_equation, of_residuals, scale, swing};
 use super::options::FitOptions;
 use super::problem::{
-    DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY,
+    DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY, presliding,
 };
 use super::quote::quoted;
 use super::record::{Fitted, fitted};
@@ -47,6 +47,8 @@ pub(super) fn record(
     } else {
         -(&covariance.inverse * jacobian.tr_mul(&all.column(rung.free.len())))
     };
+    let (low, high) = extent(&samples.y);
+    let reach = 0.5 * (high - low);
     let place = |value: usize| rung.free.iter().position(|free| *free == value);
     let pieces = windows(samples, measured, found, *period);
     let scattered = scatter(&pieces);
@@ -90,9 +92,9 @@ pub(super) fn record(
         ..of_residuals(samples, found, problem.plain())
     };
     (diagnostics.scale, diagnostics.scale_u, diagnostics.scale_rms) =
-        scale(samples, measured, rung.model, found, *period);
+        scale(samples, measured, rung.model, found, *period, rung.outcome.rms() / reach);
     diagnostics.linear_equation_rms =
-        linear_equation(samples, measured, found[OFFSET], rung.model).unwrap_or(f64::NAN);
+        linear_equation(samples, measured, found[OFFSET], rung.model, rung.outcome.rms()).unwrap_or(f64::NAN);
     budget.push(BudgetRow { source: "as if residuals were independent".into(), u: budget_of(&budget, omega0, diagnostics.omega0_u_naive) });
     let term = |value: usize| place(value).map(|_| estimate(value));
     let mut dropped: Vec<Dropped> = clean
@@ -118,7 +120,7 @@ pub(super) fn record(
             dry: term(DRY),
             presliding: term(PRESLIDING).map(|e| {
                 let angle = e.value.exp();
-                Estimate { value: angle, ..scaled(e, angle) }
+                Estimate { value: presliding(found), ..scaled(e, angle) }
             }),
         },
         swing: largest_swing(found, samples),
@@ -148,11 +150,10 @@ pub(super) fn record(
         },
         state: (found[THETA], found[VELOCITY], *anchor),
     };
-    let (low, high) = extent(&samples.y);
     fit.verdicts = verdicts(
         &fit,
         &Evidence {
-            reach: 0.5 * (high - low),
+            reach,
             wanted_negative: rung.wanted_negative.len(),
             window_spread: scattered.map_or(0.0, |s| s.0 * (pieces.len() as f64).sqrt() / squared.value),
             periods: span / period,

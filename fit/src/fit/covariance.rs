@@ -81,13 +81,20 @@ impl Autoregression {
     }
 }
 
-/// n over the time that the residuals remember: how many independent samples hold as much.
-pub(super) fn effective_size(residuals: &[f64]) -> f64 {
+/// n over the time that the residuals remember: how many independent samples hold as much. What the values of a pendulum need is
+/// the noise at the frequency of the swing, and for the rest that at frequency 0; the larger of the two memories counts.
+pub(super) fn effective_size(residuals: &[f64], per_period: f64) -> f64 {
     let n = residuals.len() as f64;
     let rho = Autoregression::of(residuals).correlations(residuals.len() / 2);
-    let memory =
-        1.0 + 2.0 * rho[1..].iter().enumerate().map(|(k, r)| r * (1.0 - (k + 1) as f64 / n)).sum::<f64>();
-    (n / memory.max(1.0)).max(2.0)
+    let turn = core::f64::consts::TAU / per_period.max(2.0);
+    let memory = |turn: f64| -> f64 {
+        let part = |(k, r): (usize, &f64)| {
+            let lag = (k + 1) as f64;
+            r * (1.0 - lag / n) * (turn * lag).cos()
+        };
+        1.0 + 2.0 * rho[1..].iter().enumerate().map(part).sum::<f64>()
+    };
+    (n / memory(0.0).max(memory(turn)).max(1.0)).max(2.0)
 }
 
 /// What a minimum's Jacobian and residuals say about its values.

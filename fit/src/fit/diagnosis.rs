@@ -3,7 +3,8 @@
 use super::covariance::{Covariance, autocorrelations};
 use super::data::Measured;
 use super::horizon::grown;
-use super::ladder::{rung, terms};
+use super::ladder::{Rung, rung, terms};
+use super::optimiser::CLOSE;
 use super::options::Model;
 use super::problem::{Loss, OMEGA2, Problem, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values, trajectory};
 use super::result::Diagnostics;
@@ -52,17 +53,21 @@ pub(super) fn swing(theta: f64, velocity: f64, omega2: f64) -> f64 {
     orbit.map_or(f64::NAN, |orbit| orbit.theta_max().min(core::f64::consts::PI))
 }
 
-/// The scale of the angle that the record asks for: value, uncertainty, rms.
+/// The scale of the angle that the record asks for: value, uncertainty, rms. `share` is the part of the swing that is left
+/// without it.
 pub(super) fn scale(
     samples: &Samples,
     measured: Measured,
     model: Model,
     values: &Values,
     period: f64,
+    share: f64,
 ) -> (f64, f64, f64) {
     let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, MOST);
-    let mut best = (values[SCALE], f64::NAN, f64::INFINITY);
-    for factor in [1.0, 0.75, 0.0175, 57.3] {
+    let mut best: Option<Rung> = None;
+    // Other units are tried where the record's own does not do.
+    let factors: &[f64] = if share > 5e-3 { &[1.0, 0.75, 0.0175, 57.3] } else { &[1.0] };
+    for factor in factors {
         let mut begin = *values;
         begin[SCALE] *= factor;
         begin[THETA] /= factor;
@@ -71,23 +76,30 @@ pub(super) fn scale(
         if begin[THETA].abs() > 3.0 || begin[VELOCITY].abs() > 6.0 * begin[OMEGA2].sqrt() {
             continue;
         }
-        let found = rung(&few, measured, model, &begin, true);
-        if found.outcome.rms() < 0.999 * best.2 {
-            let problem = Problem::new(&few, measured, &found.free, Loss::Squares, found.outcome.values);
-            let lags = 3.0 * period / (few.t[few.len() - 1] - few.t[0]) * few.len() as f64;
-            let covariance = problem
-                .derivatives()
-                .and_then(|jacobian| Covariance::of(&jacobian, problem.plain(), lags as usize));
-            let last = found.free.len() - 1;
-            let u = covariance.map_or(f64::NAN, |covariance| covariance.matrix[(last, last)].sqrt());
-            best = (found.outcome.values[SCALE], u, found.outcome.rms());
+        let found = rung(&few, measured, model, &begin, true, CLOSE);
+        let least = best.as_ref().map_or(f64::INFINITY, |best| best.outcome.rms());
+        if found.outcome.rms() < 0.999 * least {
+            best = Some(found);
         }
     }
-    best
+    let Some(best) = best else { return (f64::NAN, f64::NAN, f64::NAN) };
+    let problem = Problem::new(&few, measured, &best.free, Loss::Squares, best.outcome.values);
+    let lags = 3.0 * period / (few.t[few.len() - 1] - few.t[0]) * few.len() as f64;
+    let covariance =
+        problem.derivatives().and_then(|jacobian| Covariance::of(&jacobian, problem.plain(), lags as usize));
+    let last = best.free.len() - 1;
+    let u = covariance.map_or(f64::NAN, |covariance| covariance.matrix[(last, last)].sqrt());
+    (best.outcome.values[SCALE], u, best.outcome.rms())
 }
 
 /// rms of the linear equation: the same search on the record made a thousand times smaller, where sin theta is theta.
-pub(super) fn linear_equation(samples: &Samples, measured: Measured, offset: f64, model: Model) -> Option<f64> {
+pub(super) fn linear_equation(
+    samples: &Samples,
+    measured: Measured,
+    offset: f64,
+    model: Model,
+    rms: f64,
+) -> Option<f64> {
     const SMALLER: f64 = 1e-3;
     let small = Samples {
         t: samples.t.clone(),
@@ -99,8 +111,12 @@ pub(super) fn linear_equation(samples: &Samples, measured: Measured, offset: f64
     let moved = Samples { t: small.t.iter().map(|t| t - begin.anchor).collect(), y: small.y };
     let count = terms(model).len().clamp(1, 3);
     let reached = grown(&moved, measured, &begin, count, noise(&moved.y));
+    // Far from the pendulum's there is no doubt.
+    if reached.rms() / SMALLER > 5.0 * rms {
+        return Some(reached.rms() / SMALLER);
+    }
     let few = moved.thinned(f64::NEG_INFINITY, f64::INFINITY, MOST);
     let model = Model::LADDER[count];
-    let found = rung(&few, measured, model, &reached.values, false);
+    let found = rung(&few, measured, model, &reached.values, false, CLOSE);
     Some(found.outcome.rms() / SMALLER).filter(|rms| rms.is_finite())
 }

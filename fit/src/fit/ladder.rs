@@ -2,7 +2,7 @@
 
 use super::covariance::effective_size;
 use super::data::Measured;
-use super::optimiser::{FINE, Outcome, ROUGH, minimum};
+use super::optimiser::{Outcome, Patience, minimum};
 use super::options::Model;
 use super::problem::{
     DRY, LINEAR, Loss, OFFSET, OMEGA2, PRESLIDING, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values,
@@ -36,8 +36,18 @@ pub(super) fn terms(model: Model) -> &'static [usize] {
     }
 }
 
-/// Angles over which dry friction may change sign, to start from.
-const PRESLIDING_STARTS: [f64; 3] = [0.003, 0.02, 0.1];
+/// The best of some angles over which dry friction may change sign, each with the values that it shifts most set free.
+fn best_presliding(samples: &Samples, measured: Measured, values: &Values) -> f64 {
+    let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, 1500);
+    let quick = Patience { tolerance: 1e-3, evaluations: 5 };
+    let tried = [0.003, 0.01, 0.03, 0.1].map(|angle| {
+        let mut values = *values;
+        values[PRESLIDING] = f64::ln(angle);
+        minimum(&few, measured, &[THETA, VELOCITY, OMEGA2, DRY], Loss::Squares, values, quick)
+    });
+    let best = tried.into_iter().min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares));
+    best.map_or(f64::ln(0.01), |best| best.values[PRESLIDING])
+}
 
 /// A model at its minimum, from the values of a neighbour; negative friction is held at 0 and remembered.
 pub(super) fn rung(
@@ -46,6 +56,7 @@ pub(super) fn rung(
     model: Model,
     start: &Values,
     free_scale: bool,
+    patience: Patience,
 ) -> Rung {
     let mut values = *start;
     let acting = terms(model);
@@ -60,19 +71,12 @@ pub(super) fn rung(
         free.push(SCALE);
     }
     let search =
-        |free: &[usize], values: Values| minimum(samples, measured, free, Loss::Squares, values, FINE);
-    let mut outcome = if model == Model::Presliding && values[PRESLIDING] == 0.0 {
-        let tried = PRESLIDING_STARTS.map(|angle| {
-            let mut values = values;
-            values[PRESLIDING] = f64::ln(angle);
-            values[DRY] = values[DRY].max(1e-4 * values[OMEGA2]);
-            minimum(samples, measured, &free, Loss::Squares, values, ROUGH)
-        });
-        let best = tried.into_iter().min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares));
-        search(&free, best.map_or(values, |outcome| outcome.values))
-    } else {
-        search(&free, values)
-    };
+        |free: &[usize], values: Values| minimum(samples, measured, free, Loss::Squares, values, patience);
+    if model == Model::Presliding && values[PRESLIDING] == 0.0 {
+        values[DRY] = values[DRY].max(1e-4 * values[OMEGA2]);
+        values[PRESLIDING] = best_presliding(samples, measured, &values);
+    }
+    let mut outcome = search(&free, values);
     let mut wanted_negative = Vec::new();
     while let Some(term) =
         free.iter().copied().find(|term| [LINEAR, QUADRATIC].contains(term) && outcome.values[*term] < 0.0)
@@ -88,11 +92,16 @@ pub(super) fn rung(
 }
 
 impl Rung {
+    /// What the choice and the weights of rungs go by.
+    pub fn worth(&self) -> f64 {
+        self.aicc + if self.model == Model::Presliding { 8.0 } else { 0.0 }
+    }
     /// A richer model never fits worse: where its search ended above the minimum of the poorer one, that minimum is its own, with
     /// the new term at its bound.
     pub fn not_above(&mut self, poorer: &Rung) {
         if !(self.outcome.sum_of_squares <= poorer.outcome.sum_of_squares) {
             self.outcome = poorer.outcome.clone();
+            self.mean_square = poorer.mean_square;
             self.wanted_negative.clone_from(&poorer.wanted_negative);
             let added = terms(self.model)[terms(poorer.model).len()..].iter();
             self.wanted_negative.extend(added);
@@ -103,10 +112,10 @@ impl Rung {
 
 /// Both criteria of every rung on one effective sample size: the share of the samples that those of the best rung's residuals are
 /// worth.
-pub(super) fn criteria(rungs: &mut [Rung]) -> f64 {
+pub(super) fn criteria(rungs: &mut [Rung], per_period: f64) -> f64 {
     let best = rungs.iter().min_by(|a, b| a.mean_square.total_cmp(&b.mean_square));
     let Some(best) = best.filter(|best| !best.outcome.residuals.is_empty()) else { return 0.0 };
-    let share = effective_size(&best.outcome.residuals) / best.outcome.residuals.len() as f64;
+    let share = effective_size(&best.outcome.residuals, per_period) / best.outcome.residuals.len() as f64;
     let n = share * rungs.iter().map(|rung| rung.outcome.residuals.len()).max().unwrap_or(0) as f64;
     // A slow drift of the residuals leaves few of them; the criteria need more than there are values.
     let n = n.max(33.0);
@@ -123,9 +132,8 @@ pub(super) fn criteria(rungs: &mut [Rung]) -> f64 {
 /// The rung with the least AICc; of rungs within 2 of it the simplest. Presliding, for which samples before the first passage are
 /// given up, must be better by 10.
 pub(super) fn chosen(rungs: &[Rung]) -> usize {
-    let worth = |rung: &Rung| rung.aicc + if rung.model == Model::Presliding { 8.0 } else { 0.0 };
-    let least = rungs.iter().map(worth).fold(f64::INFINITY, f64::min);
-    rungs.iter().position(|rung| worth(rung) <= least + 2.0).unwrap_or(0)
+    let least = rungs.iter().map(Rung::worth).fold(f64::INFINITY, f64::min);
+    rungs.iter().position(|rung| rung.worth() <= least + 2.0).unwrap_or(0)
 }
 
 /// The same motion with its state at another time: values for samples whose times are later by `shift`.

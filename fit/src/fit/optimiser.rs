@@ -28,6 +28,8 @@ pub(super) struct Patience {
 
 /// A rough place, on the way.
 pub(super) const ROUGH: Patience = Patience { tolerance: 1e-5, evaluations: 12 };
+/// Near enough to compare rungs.
+pub(super) const CLOSE: Patience = Patience { tolerance: 1e-8, evaluations: 30 };
 /// The minimum itself.
 pub(super) const FINE: Patience = Patience { tolerance: 1e-13, evaluations: 60 };
 

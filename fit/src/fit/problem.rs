@@ -8,8 +8,8 @@ use levenberg_marquardt::LeastSquaresProblem;
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-/// Everything that a fit may vary. The first seven stand in the order of the core's derivatives; presliding as its logarithm,
-/// so that no step leaves its domain.
+/// Everything that a fit may vary. The first seven stand in the order of the core's derivatives; presliding as the logarithm of
+/// what it is above its least value, so that no step leaves its domain.
 pub(super) const NAMES: [&str; 9] =
     ["theta", "velocity", "omega2", "linear", "quadratic", "dry", "ln presliding", "offset", "scale"];
 pub(super) const THETA: usize = 0;
@@ -74,6 +74,14 @@ pub(super) struct Problem<'a> {
     rejected: f64,
 }
 
+/// Over which angle dry friction changes sign, at least: below it, only the time of the integration changes.
+const LEAST_PRESLIDING: f64 = 1e-3;
+
+/// The angle over which dry friction changes sign; 0 where it does so at once.
+pub(super) fn presliding(values: &Values) -> f64 {
+    if values[PRESLIDING] == 0.0 { 0.0 } else { LEAST_PRESLIDING + values[PRESLIDING].exp() }
+}
+
 /// Whether a motion is one of a pendulum in a laboratory. Beyond these bounds a search that has gone astray would integrate
 /// millions of turns.
 fn bounded(values: &Values, span: f64) -> bool {
@@ -86,7 +94,7 @@ fn bounded(values: &Values, span: f64) -> bool {
         && values[QUADRATIC] <= 1e4
         && driven(values[QUADRATIC] * omega0)
         && (0.0..=values[OMEGA2]).contains(&values[DRY])
-        && (values[PRESLIDING] == 0.0 || (-7.5..=1.0).contains(&values[PRESLIDING]))
+        && (values[PRESLIDING] == 0.0 || (-40.0..=1.0).contains(&values[PRESLIDING]))
 }
 
 /// The motion of a set of values over an interval around its state; none where the values are out of their domain.
@@ -95,7 +103,7 @@ pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajecto
         return None;
     }
     let frequency = Frequency::from_omega2(values[OMEGA2]).ok()?;
-    let presliding = if values[PRESLIDING] == 0.0 { 0.0 } else { values[PRESLIDING].exp() };
+    let presliding = presliding(values);
     let friction = Friction::new(values[LINEAR], values[QUADRATIC], values[DRY], presliding).ok()?;
     let pendulum =
         DampedPendulum::new(values[THETA], values[VELOCITY], frequency, friction, Torque::NONE).ok()?;

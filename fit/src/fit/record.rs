@@ -4,7 +4,7 @@ use super::data::{Clean, Measured, extent, robust_deviation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::options::{FitOptions, Model};
-use super::optimiser::{ROUGH, minimum};
+use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
 use super::problem::{LINEAR, Loss, OFFSET, OMEGA2, Samples, THETA, VELOCITY, Values};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, start};
@@ -26,7 +26,6 @@ pub(super) struct Fitted {
     pub window_reason: String,
     pub effective: f64,
     pub dropped: Vec<(usize, String)>,
-    pub swings: Swings,
 }
 
 /// Samples of the ladder; the chosen rung then takes all.
@@ -61,7 +60,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
     let mut values = first.values;
     if options.window.is_none() {
-        (from, to) = extended(&all, measured, &start, &mut values, sensor, (from, to));
+        (from, to) = extended(&all, measured, &start, &mut values, sensor, to);
     }
     let mut samples = part(from, to);
     let mut rows: Vec<usize> =
@@ -69,7 +68,8 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let thin = samples.thinned(from, to, MOST);
     let mut rungs = climbed(&thin, measured, options, &values, &start, sensor);
     let mut anchor = start.anchor;
-    let mut effective = criteria(&mut rungs);
+    let per_period = thin.len() as f64 * start.period / (to - from);
+    let mut effective = criteria(&mut rungs, per_period);
     let wanted = options.model.is_none_or(|model| model == Model::Presliding);
     if wanted && let Some(dry) = rungs.iter().find(|rung| rung.model == Model::Dry).cloned() {
         // Presliding has a state of its own that no later one determines: the search starts at the first passage.
@@ -81,13 +81,13 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
                 y: (0..samples.len()).filter(|i| samples.t[*i] >= shift).map(|i| samples.y[i]).collect(),
             };
             let thin = later(&thin);
-            let plain = rung(&thin, measured, Model::Dry, &values, options.free_scale);
+            let plain = rung(&thin, measured, Model::Dry, &values, options.free_scale, CLOSE);
             let mut slid =
-                rung(&thin, measured, Model::Presliding, &plain.outcome.values, options.free_scale);
+                rung(&thin, measured, Model::Presliding, &plain.outcome.values, options.free_scale, CLOSE);
             slid.not_above(&plain);
             slid.mean_square *= dry.mean_square / plain.mean_square;
             rungs.push(slid);
-            effective = criteria(&mut rungs);
+            effective = criteria(&mut rungs, per_period);
             let last = rungs.len() - 1;
             if options.model == Some(Model::Presliding) || (options.model.is_none() && chosen(&rungs) == last)
             {
@@ -119,7 +119,6 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         window_reason: reason.to_string(),
         effective,
         dropped,
-        swings,
         samples,
         rungs,
     })
@@ -132,7 +131,7 @@ fn extended(
     start: &Start,
     values: &mut Values,
     noise: f64,
-    (mut from, mut to): (f64, f64),
+    mut to: f64,
 ) -> (f64, f64) {
     let swing = all.y.iter().fold(0.0f64, |most, y| most.max((y - start.values[OFFSET]).abs()));
     // The neighbourhood of the release alone: friction of a later time must not decide. At first a wide bound, because the motion
@@ -149,7 +148,7 @@ fn extended(
         let inner = reached(all, measured, &local, -0.1 * start.period, (6.0 * usual).max(share * swing), -1.0);
         begin = next.max(inner);
     }
-    from = begin.min(-0.1 * start.period).max(all.t[0]);
+    let from = begin.min(-0.1 * start.period).max(all.t[0]);
     let near = all.thinned(from, to, 3000);
     let along = super::problem::Problem::new(&near, measured, &[], Loss::Squares, *values);
     let usual = robust_deviation(along.plain()).max(noise);
@@ -179,11 +178,12 @@ fn climbed(
         };
         // Without friction a long record is far from the minimum anyway: a part of the samples is enough.
         let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, 1000);
-        let used = if model == Model::None && options.model.is_none() { &few } else { samples };
-        let mut next = rung(used, measured, model, &own, options.free_scale);
+        let alone = model == Model::None && options.model.is_none();
+        let (used, patience) = if alone { (&few, ROUGH) } else { (samples, CLOSE) };
+        let mut next = rung(used, measured, model, &own, options.free_scale, patience);
         if let Some(poorer) = rungs.last().filter(|poorer| poorer.outcome.residuals.len() == used.len()) {
             if next.outcome.sum_of_squares > poorer.outcome.sum_of_squares {
-                let other = rung(used, measured, model, &poorer.outcome.values, options.free_scale);
+                let other = rung(used, measured, model, &poorer.outcome.values, options.free_scale, CLOSE);
                 if other.outcome.sum_of_squares < next.outcome.sum_of_squares {
                     next = other;
                 }
@@ -207,8 +207,9 @@ fn finish(
 ) {
     let again = |samples: &Samples, rung_chosen: &Rung| {
         let start = &rung_chosen.outcome.values;
-        let mut next = rung(samples, measured, rung_chosen.model, start, options.free_scale);
-        (next.aicc, next.bic) = (rung_chosen.aicc, rung_chosen.bic);
+        let mut next = rung(samples, measured, rung_chosen.model, start, options.free_scale, FINE);
+        (next.aicc, next.bic, next.mean_square) =
+            (rung_chosen.aicc, rung_chosen.bic, rung_chosen.mean_square);
         next
     };
     *rung_chosen = again(samples, rung_chosen);

@@ -1,9 +1,9 @@
 //! What the choice of a model, and what every model leaves out, do to omega0: beyond what noise explains.
 
 use super::covariance::Covariance;
-use super::data::Measured;
+use super::data::{Measured, median};
 use super::ladder::{Rung, moved};
-use super::optimiser::{FINE, minimum};
+use super::optimiser::{CLOSE, minimum};
 use super::problem::{Loss, OFFSET, OMEGA2, Problem, Samples, THETA, VELOCITY, Values};
 
 /// Windows of the jackknife.
@@ -39,7 +39,7 @@ pub(super) fn windows(
         if part.len() < 12 {
             continue;
         }
-        let outcome = minimum(&part, measured, &free, Loss::Squares, start, FINE);
+        let outcome = minimum(&part, measured, &free, Loss::Squares, start, CLOSE);
         let problem = Problem::new(&part, measured, &free, Loss::Squares, outcome.values);
         let lags = (3.0 * period / width * part.len() as f64) as usize;
         let covariance =
@@ -48,6 +48,9 @@ pub(super) fn windows(
             found.push((outcome.values[OMEGA2], covariance.matrix[(2, 2)].sqrt()));
         }
     }
+    // A window after the stop knows nothing of omega0.
+    let usual = median(&found.iter().map(|w| w.1).collect::<Vec<f64>>());
+    found.retain(|w| w.1 <= 5.0 * usual);
     found
 }
 
@@ -70,8 +73,8 @@ pub(super) fn scatter(windows: &[(f64, f64)]) -> Option<(f64, f64)> {
 /// Spread of a value between rungs, weighted by Akaike's weights, beyond what noise does between nested models (Hausman,
 /// Econometrica 46 (1978) 1251): the variance of a difference is at most that of the richer estimate.
 pub(super) fn between(rungs: &[Rung], chosen: usize, place: usize, variance: f64) -> f64 {
-    let least = rungs.iter().map(|rung| rung.aicc).fold(f64::INFINITY, f64::min);
-    let weight = |rung: &Rung| (-0.5 * (rung.aicc - least)).exp();
+    let least = rungs.iter().map(|rung| rung.worth()).fold(f64::INFINITY, f64::min);
+    let weight = |rung: &Rung| (-0.5 * (rung.worth() - least)).exp();
     let total: f64 = rungs.iter().map(weight).sum();
     let own = rungs[chosen].outcome.values[place];
     let spread: f64 = rungs

@@ -127,15 +127,6 @@ fn best_sum(rows: &[[f64; 4]], terms: usize) -> [f64; 3] {
     best
 }
 
-/// The straight line through points: its slope.
-pub(super) fn slope(points: &[(f64, f64)]) -> f64 {
-    let n = points.len() as f64;
-    let (mx, my) = points.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / n, b + y / n));
-    let (xx, xy) =
-        points.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + (x - mx).powi(2), b + (x - mx) * (y - my)));
-    if xx > 0.0 { xy / xx } else { 0.0 }
-}
-
 /// Start values from the passages of a free decay.
 pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: Measured) -> Option<Start> {
     let passages: &[Passage] = &swings.passages[decay.clone()];

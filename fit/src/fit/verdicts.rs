@@ -54,9 +54,9 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     let asks = s > 0.0
         && (s - 1.0).abs() > 4.0 * diagnostics.scale_u
         && gain > 1.1
-        && evidence.angles
         && !isochronous
         && degrees > 10.0;
+    let waveform = asks && gain > 2.0 && (s - 1.0).abs() > 0.1;
     let in_degrees = (s / 1f64.to_radians()).ln().abs() < 0.1;
     let in_radians = (s * 1f64.to_radians()).ln().abs() < 0.1;
     if s > 0.0 && gain > 1.1 && evidence.angles && !isochronous && (in_degrees || in_radians) {
@@ -65,7 +65,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Refuted,
             format!("the unit is wrong: a scale of {s:.4} says that values read as {given} are {meant}"),
         );
-    } else if asks && gain > 2.0 && (s - 1.0).abs() > 0.1 {
+    } else if waveform {
         say(
             Grade::Refuted,
             format!(
@@ -80,10 +80,11 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     }
     if share > 0.25 {
         say(Grade::Refuted, format!("no motion of a pendulum describes the record: {:.0} % of the swing is left", 100.0 * share));
-    } else if share > 4e-3
+    } else if share > 8e-3
         && diagnostics.lag1 > 0.9
         && (evidence.wanted_negative > 0 || evidence.window_spread > 0.01)
         && !isochronous
+        && !waveform
     {
         say(
             Grade::Refuted,
