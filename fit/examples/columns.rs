@@ -17,7 +17,7 @@ fn main() {
         }
     }
     let length = (at(4, 0.0) > 0.0).then(|| Measure { value: at(4, 0.0), u: at(5, 0.0) });
-    let measured = if at(6, 0.0) > 0.0 { Measured::Velocity } else { Measured::Angle };
+    let measured = [Measured::Angle, Measured::Velocity, Measured::Acceleration][at(6, 0.0) as usize];
     let begun = std::time::Instant::now();
     let rows = t.len();
     match fit(&Data::Record { measured, t, values }, &FitOptions { length, ..FitOptions::default() }) {

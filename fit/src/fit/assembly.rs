@@ -6,7 +6,8 @@ use super::data::{Measured, clean, extent};
 use super::diagnosis::{linear_equation, of_residuals, scale, swing};
 use super::options::FitOptions;
 use super::problem::{
-    DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY, presliding,
+    DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY,
+    presliding,
 };
 use super::quote::quoted;
 use super::record::{Fitted, fitted};
@@ -42,7 +43,7 @@ pub(super) fn record(
     let per_period = samples.len() as f64 * period / span;
     let lags = (3.0 * per_period) as usize;
     let covariance = Covariance::of(&jacobian, problem.plain(), lags).ok_or_else(singular)?;
-    let by_scale: DVector<f64> = if options.free_scale {
+    let by_scale: DVector<f64> = if widened.len() == rung.free.len() {
         DVector::zeros(rung.free.len())
     } else {
         -(&covariance.inverse * jacobian.tr_mul(&all.column(rung.free.len())))
@@ -65,7 +66,8 @@ pub(super) fn record(
         if value == OMEGA2 {
             model = model.hypot(scattered.map_or(0.0, |s| s.1));
         }
-        let calibration = (by_scale[i] * options.scale_u).hypot(clock(value) * found[value] * options.clock_u);
+        let calibration =
+            (by_scale[i] * options.scale_u).hypot(clock(value) * found[value] * options.clock_u);
         Estimate::new(found[value], variance.sqrt(), model, calibration)
     };
     let squared = estimate(OMEGA2);
@@ -91,11 +93,16 @@ pub(super) fn record(
             .and_then(|variances| place(OMEGA2).map(|i| half * variances[i].sqrt())),
         ..of_residuals(samples, found, problem.plain())
     };
-    (diagnostics.scale, diagnostics.scale_u, diagnostics.scale_rms) =
-        scale(samples, measured, rung.model, found, *period, rung.outcome.rms() / reach);
+    if measured != Measured::Acceleration {
+        (diagnostics.scale, diagnostics.scale_u, diagnostics.scale_rms) =
+            scale(samples, measured, rung.model, found, *period, rung.outcome.rms() / reach);
+    }
     diagnostics.linear_equation_rms =
         linear_equation(samples, measured, found[OFFSET], rung.model, rung.outcome.rms()).unwrap_or(f64::NAN);
-    budget.push(BudgetRow { source: "as if residuals were independent".into(), u: budget_of(&budget, omega0, diagnostics.omega0_u_naive) });
+    budget.push(BudgetRow {
+        source: "as if residuals were independent".into(),
+        u: budget_of(&budget, omega0, diagnostics.omega0_u_naive),
+    });
     let term = |value: usize| place(value).map(|_| estimate(value));
     let mut dropped: Vec<Dropped> = clean
         .dropped
@@ -113,7 +120,7 @@ pub(super) fn record(
         length_given: options.length.is_some(),
         offset: Some(estimate(OFFSET)),
         offset_deg: Some(scaled(estimate(OFFSET), 1f64.to_degrees())),
-        scale: options.free_scale.then(|| estimate(SCALE)),
+        scale: place(SCALE).map(|_| estimate(SCALE)),
         friction: FrictionEstimates {
             linear: term(LINEAR),
             quadratic: term(QUADRATIC),

@@ -58,7 +58,8 @@ impl CurveProblem<'_> {
     }
     fn plain(&self) -> Option<DVector<f64>> {
         let shown = (self.curve)(&self.values)?;
-        let residuals = DVector::from_iterator(shown.len(), shown.iter().zip(self.measured).map(|(a, b)| a - b));
+        let residuals =
+            DVector::from_iterator(shown.len(), shown.iter().zip(self.measured).map(|(a, b)| a - b));
         residuals.iter().all(|r| r.is_finite()).then_some(residuals)
     }
 }

@@ -9,6 +9,8 @@ pub enum Measured {
     Angle,
     /// An angular velocity in rad/s; its zero is free.
     Velocity,
+    /// An acceleration along the path in m/s^2 with gravity taken out, R theta''; R and the zero are free.
+    Acceleration,
 }
 
 /// The measurements of one pendulum.

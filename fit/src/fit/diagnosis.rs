@@ -8,7 +8,7 @@ use super::optimiser::CLOSE;
 use super::options::Model;
 use super::problem::{Loss, OMEGA2, Problem, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values, trajectory};
 use super::result::Diagnostics;
-use super::start::{free_decay, start};
+use super::start::{free_decay, starts};
 use super::swings::{Swings, noise};
 
 /// Samples that a diagnosis looks at.
@@ -101,13 +101,11 @@ pub(super) fn linear_equation(
     rms: f64,
 ) -> Option<f64> {
     const SMALLER: f64 = 1e-3;
-    let small = Samples {
-        t: samples.t.clone(),
-        y: samples.y.iter().map(|y| SMALLER * (y - offset)).collect(),
-    };
+    let small =
+        Samples { t: samples.t.clone(), y: samples.y.iter().map(|y| SMALLER * (y - offset)).collect() };
     let swings = Swings::of(&small.t, &small.y);
     let decay = free_decay(&swings, small.len());
-    let begin = start(&swings, &decay, measured)?;
+    let begin = *starts(&swings, &decay, measured).first()?;
     let moved = Samples { t: small.t.iter().map(|t| t - begin.anchor).collect(), y: small.y };
     let count = terms(model).len().clamp(1, 3);
     let reached = grown(&moved, measured, &begin, count, noise(&moved.y));

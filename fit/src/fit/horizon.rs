@@ -5,7 +5,7 @@
 
 use super::data::{Measured, robust_deviation};
 use super::optimiser::{Outcome, ROUGH, minimum};
-use super::problem::{DRY, LINEAR, Loss, OFFSET, OMEGA2, QUADRATIC, Samples, THETA, VELOCITY, Values};
+use super::problem::{DRY, LINEAR, Loss, QUADRATIC, Samples, Values, always_free};
 use super::start::Start;
 
 /// Half widths of the horizon in periods, and how many friction terms are free there.
@@ -51,7 +51,7 @@ pub(super) fn grown(
 }
 
 fn stage(samples: &Samples, measured: Measured, friction: &[usize], scale: f64, values: Values) -> Outcome {
-    let mut free = vec![THETA, VELOCITY, OMEGA2, OFFSET];
+    let mut free = always_free(measured);
     let held = minimum(samples, measured, &free, Loss::Squares, values, ROUGH);
     free.extend(friction);
     let mut outcome = minimum(samples, measured, &free, Loss::Squares, held.values, ROUGH);
@@ -60,7 +60,7 @@ fn stage(samples: &Samples, measured: Measured, friction: &[usize], scale: f64, 
         outcome = minimum(samples, measured, &free, Loss::Soft(wide), outcome.values, ROUGH);
     }
     // A term below 0 drives the pendulum, which helps no longer horizon.
-    for term in [LINEAR, QUADRATIC] {
+    for term in [LINEAR, QUADRATIC, DRY] {
         outcome.values[term] = outcome.values[term].max(0.0);
     }
     outcome

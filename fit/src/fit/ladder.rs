@@ -5,7 +5,7 @@ use super::data::Measured;
 use super::optimiser::{Outcome, Patience, minimum};
 use super::options::Model;
 use super::problem::{
-    DRY, LINEAR, Loss, OFFSET, OMEGA2, PRESLIDING, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values,
+    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values, always_free,
     trajectory,
 };
 
@@ -65,9 +65,9 @@ pub(super) fn rung(
             values[term] = 0.0;
         }
     }
-    let mut free = vec![THETA, VELOCITY, OMEGA2, OFFSET];
+    let mut free = always_free(measured);
     free.extend(acting);
-    if free_scale {
+    if free_scale && !free.contains(&SCALE) {
         free.push(SCALE);
     }
     let search =
@@ -78,13 +78,18 @@ pub(super) fn rung(
     }
     let mut outcome = search(&free, values);
     let mut wanted_negative = Vec::new();
-    while let Some(term) =
-        free.iter().copied().find(|term| [LINEAR, QUADRATIC].contains(term) && outcome.values[*term] < 0.0)
-    {
+    let negative = |free: &[usize], values: &Values| {
+        free.iter().copied().find(|term| [LINEAR, QUADRATIC, DRY].contains(term) && values[*term] < 0.0)
+    };
+    while let Some(term) = negative(&free, &outcome.values) {
         wanted_negative.push(term);
-        free.retain(|place| *place != term);
         let mut values = outcome.values;
         values[term] = 0.0;
+        free.retain(|place| *place != term);
+        if term == DRY && free.contains(&PRESLIDING) {
+            values[PRESLIDING] = 0.0;
+            free.retain(|place| *place != PRESLIDING);
+        }
         outcome = search(&free, values);
     }
     let mean_square = outcome.sum_of_squares / outcome.residuals.len().max(1) as f64;
@@ -129,11 +134,18 @@ pub(super) fn criteria(rungs: &mut [Rung], per_period: f64) -> f64 {
     n
 }
 
-/// The rung with the least AICc; of rungs within 2 of it the simplest. Presliding, for which samples before the first passage are
-/// given up, must be better by 10.
+/// Up the ladder as long as both criteria ask for it, AICc by more than 2. Presliding, for which samples before the first passage
+/// are given up, must be better by 8 more.
 pub(super) fn chosen(rungs: &[Rung]) -> usize {
-    let least = rungs.iter().map(Rung::worth).fold(f64::INFINITY, f64::min);
-    rungs.iter().position(|rung| rung.worth() <= least + 2.0).unwrap_or(0)
+    let mut best = 0;
+    for (place, rung) in rungs.iter().enumerate().skip(1) {
+        let least = &rungs[best];
+        let handicap = rung.worth() - rung.aicc;
+        if rung.worth() < least.worth() - 2.0 && rung.bic + handicap < least.bic {
+            best = place;
+        }
+    }
+    best
 }
 
 /// The same motion with its state at another time: values for samples whose times are later by `shift`.

@@ -93,21 +93,39 @@ fn bounded(values: &Values, span: f64) -> bool {
         && driven(values[LINEAR])
         && values[QUADRATIC] <= 1e4
         && driven(values[QUADRATIC] * omega0)
-        && (0.0..=values[OMEGA2]).contains(&values[DRY])
+        && values[DRY].abs() <= values[OMEGA2]
         && (values[PRESLIDING] == 0.0 || (-40.0..=1.0).contains(&values[PRESLIDING]))
 }
 
 /// The motion of a set of values over an interval around its state; none where the values are out of their domain.
+///
+/// Dry friction below 0 counts as 0, so that a search may lean on this bound without being stopped there.
 pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajectory> {
     if values.iter().any(|value| !value.is_finite()) || !bounded(values, to - from) {
         return None;
     }
     let frequency = Frequency::from_omega2(values[OMEGA2]).ok()?;
     let presliding = presliding(values);
-    let friction = Friction::new(values[LINEAR], values[QUADRATIC], values[DRY], presliding).ok()?;
+    let friction = Friction::new(values[LINEAR], values[QUADRATIC], values[DRY].max(0.0), presliding).ok()?;
     let pendulum =
         DampedPendulum::new(values[THETA], values[VELOCITY], frequency, friction, Torque::NONE).ok()?;
     pendulum.trajectory(from.min(0.0), to.max(0.0)).ok()
+}
+
+/// Times a little before and after: the acceleration is the difference of velocities over 2e-4 of the small swing's unit of time,
+/// which leaves out 2e-9 of it.
+fn neighbours(t: &[f64], (from, to): (f64, f64), values: &Values) -> [Vec<f64>; 2] {
+    let step = 1e-4 / values[OMEGA2].sqrt();
+    [-step, step].map(|step| t.iter().map(|t| (t + step).clamp(from, to)).collect())
+}
+
+/// What is free in every model of a record.
+pub(super) fn always_free(measured: Measured) -> Vec<usize> {
+    let mut free = vec![THETA, VELOCITY, OMEGA2, OFFSET];
+    if measured == Measured::Acceleration {
+        free.push(SCALE);
+    }
+    free
 }
 
 /// What a record would show of a motion.
@@ -117,6 +135,13 @@ pub(super) fn predicted(trajectory: &Trajectory, measured: Measured, values: &Va
     let shown = match measured {
         Measured::Angle => theta,
         Measured::Velocity => velocity,
+        Measured::Acceleration => {
+            let [before, after] = neighbours(t, trajectory.interval(), values);
+            let mut next = vec![0.0; t.len()];
+            trajectory.motion_into(&before, &mut theta, &mut velocity);
+            trajectory.motion_into(&after, &mut theta, &mut next);
+            (0..t.len()).map(|i| (next[i] - velocity[i]) / (after[i] - before[i])).collect()
+        }
     };
     shown.into_iter().map(|q| values[OFFSET] + values[SCALE] * q).collect()
 }
@@ -166,22 +191,31 @@ impl<'a> Problem<'a> {
         let t = &self.samples.t;
         let mut matrix = DMatrix::zeros(t.len(), self.free.len());
         let mut columns = vec![vec![0.0; CHUNK]; 22];
+        let mut earlier = if self.measured == Measured::Acceleration { columns.clone() } else { Vec::new() };
         for start in (0..t.len()).step_by(CHUNK) {
             let part = &t[start..(start + CHUNK).min(t.len())];
-            let mut slices = columns.iter_mut();
-            sensitivity.at_into(
-                part,
-                core::array::from_fn(|_| &mut slices.next().expect("22 columns")[..part.len()]),
-            );
+            if self.measured == Measured::Acceleration {
+                let [before, after] = neighbours(part, trajectory.interval(), &self.values);
+                fill(&sensitivity, &before, &mut earlier);
+                fill(&sensitivity, &after, &mut columns);
+                for (column, early) in columns.iter_mut().zip(&earlier) {
+                    for row in 0..part.len() {
+                        column[row] = (column[row] - early[row]) / (after[row] - before[row]);
+                    }
+                }
+            } else {
+                fill(&sensitivity, part, &mut columns);
+            }
             let shown = match self.measured {
                 Measured::Angle => &columns[..11],
-                Measured::Velocity => &columns[11..],
+                Measured::Velocity | Measured::Acceleration => &columns[11..],
             };
             for (column, value) in self.free.iter().enumerate() {
                 let scale = self.values[SCALE];
                 for row in 0..part.len() {
                     matrix[(start + row, column)] = match *value {
                         OFFSET => 1.0,
+                        DRY if self.values[DRY] < 0.0 => 0.0,
                         SCALE => {
                             (self.plain()[start + row] + self.samples.y[start + row] - self.values[OFFSET])
                                 / scale
@@ -194,6 +228,12 @@ impl<'a> Problem<'a> {
         }
         matrix.iter().all(|entry| entry.is_finite()).then_some(matrix)
     }
+}
+
+/// The core's derivatives of angle and velocity at some times, a column each.
+fn fill(sensitivity: &DampedSensitivity, t: &[f64], columns: &mut [Vec<f64>]) {
+    let mut slices = columns.iter_mut();
+    sensitivity.at_into(t, core::array::from_fn(|_| &mut slices.next().expect("22 columns")[..t.len()]));
 }
 
 impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {

@@ -4,7 +4,10 @@ use super::options::{FitOptions, Measure};
 use super::result::{BudgetRow, Estimate};
 
 /// g from a length, the length from g, and the budget of what is quoted.
-pub(super) fn quoted(omega0: Estimate, options: &FitOptions) -> (Option<Estimate>, Option<Estimate>, Vec<BudgetRow>) {
+pub(super) fn quoted(
+    omega0: Estimate,
+    options: &FitOptions,
+) -> (Option<Estimate>, Option<Estimate>, Vec<BudgetRow>) {
     let row = |source: &str, u: f64| BudgetRow { source: source.to_string(), u };
     let relative = |part: f64| 2.0 * part / omega0.value;
     let omega2 = omega0.value * omega0.value;

@@ -3,11 +3,11 @@
 use super::data::{Clean, Measured, extent, robust_deviation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
-use super::options::{FitOptions, Model};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
-use super::problem::{LINEAR, Loss, OFFSET, OMEGA2, Samples, THETA, VELOCITY, Values};
+use super::options::{FitOptions, Model};
+use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
 use super::refusal::FitRefusal;
-use super::start::{Start, free_decay, start};
+use super::start::{Start, free_decay, starts};
 use super::swings::{Swings, noise};
 use super::window::reached;
 
@@ -42,7 +42,8 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let swings = Swings::of(&t, &y);
     let decay = free_decay(&swings, y.len());
     let sensor = noise(&y);
-    let Some(start) = start(&swings, &decay, measured) else {
+    let starts = starts(&swings, &decay, measured);
+    let Some(start) = nearest_start(&t, &y, measured, &starts, sensor) else {
         return Err(FitRefusal::new(format!(
             "{} turning points in the record: at least one whole swing is needed",
             swings.turns.len()
@@ -124,6 +125,35 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     })
 }
 
+/// Of several starts the one whose search over a short horizon ends best.
+fn nearest_start(t: &[f64], y: &[f64], measured: Measured, starts: &[Start], noise: f64) -> Option<Start> {
+    if starts.len() < 2 {
+        return starts.first().copied();
+    }
+    let tried = starts.iter().map(|start| {
+        let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y: y.to_vec() };
+        let part = all.thinned(-0.3 * start.period, 12.0 * start.period, 1500);
+        let outcome = grown(&part, measured, start, 1, noise);
+        (outcome.sum_of_squares, Start { values: outcome.values, ..*start })
+    });
+    tried.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, start)| start)
+}
+
+/// The end of the last half period in which the record moves: after it dry friction holds the pendulum.
+fn last_motion(all: &Samples, period: f64, noise: f64) -> f64 {
+    let mut end = all.len();
+    while end > 0 {
+        let to = all.t[end - 1];
+        let begin = all.t.partition_point(|t| *t < to - 0.5 * period);
+        let (low, high) = extent(&all.y[begin..end]);
+        if high - low > 8.0 * noise || begin == 0 {
+            return to;
+        }
+        end = begin;
+    }
+    all.t[0]
+}
+
 /// The window, widened to all that the motion describes and cut where it does not.
 fn extended(
     all: &Samples,
@@ -139,13 +169,15 @@ fn extended(
     let (mut begin, mut local) = (-0.2 * start.period, *values);
     for share in [0.03, 0.02, 0.01, 0.01] {
         let near = all.thinned(begin, (2.5 * start.period).min(to), 3000);
-        let free = [THETA, VELOCITY, OMEGA2, LINEAR, OFFSET];
+        let mut free = always_free(measured);
+        free.push(LINEAR);
         let outcome = minimum(&near, measured, &free, Loss::Squares, local, ROUGH);
         local = outcome.values;
         let usual = robust_deviation(&outcome.residuals).max(noise);
         let next = reached(all, measured, &local, begin, (6.0 * usual).max(share * swing), -1.0);
         // What was taken in wrongly is given back.
-        let inner = reached(all, measured, &local, -0.1 * start.period, (6.0 * usual).max(share * swing), -1.0);
+        let inner =
+            reached(all, measured, &local, -0.1 * start.period, (6.0 * usual).max(share * swing), -1.0);
         begin = next.max(inner);
     }
     let from = begin.min(-0.1 * start.period).max(all.t[0]);
@@ -153,6 +185,7 @@ fn extended(
     let along = super::problem::Problem::new(&near, measured, &[], Loss::Squares, *values);
     let usual = robust_deviation(along.plain()).max(noise);
     to = to.max(reached(all, measured, values, to, 6.0 * usual, 1.0));
+    to = to.min(last_motion(all, start.period, noise) + 0.1 * start.period);
     (from, to)
 }
 

@@ -4,7 +4,7 @@ use super::covariance::Covariance;
 use super::data::{Measured, median};
 use super::ladder::{Rung, moved};
 use super::optimiser::{CLOSE, minimum};
-use super::problem::{Loss, OFFSET, OMEGA2, Problem, Samples, THETA, VELOCITY, Values};
+use super::problem::{Loss, OMEGA2, Problem, Samples, Values, always_free};
 
 /// Windows of the jackknife.
 const WINDOWS: usize = 5;
@@ -35,7 +35,7 @@ pub(super) fn windows(
             y: inside.y.iter().step_by(stride).copied().collect(),
         };
         let part = if values[slide] == 0.0 { part } else { part.only(|i| part.t[i] >= 0.0) };
-        let free = [THETA, VELOCITY, OMEGA2, OFFSET];
+        let free = always_free(measured);
         if part.len() < 12 {
             continue;
         }

@@ -109,6 +109,9 @@ fn best_sum(rows: &[[f64; 4]], terms: usize) -> [f64; 3] {
         rows.iter().map(|r| (r[3] - (0..3).map(|i| factors[i] * r[i]).sum::<f64>()).powi(2)).sum()
     };
     let mut best = [0.0; 3];
+    if rows.is_empty() {
+        return best;
+    }
     for set in 1..1usize << terms {
         let used: Vec<usize> = (0..terms).filter(|i| set >> i & 1 == 1).collect();
         let matrix = DMatrix::from_fn(rows.len(), used.len(), |row, column| rows[row][used[column]]);
@@ -127,8 +130,29 @@ fn best_sum(rows: &[[f64; 4]], terms: usize) -> [f64; 3] {
     best
 }
 
-/// Start values from the passages of a free decay.
-pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: Measured) -> Option<Start> {
+/// Turning angles that an acceleration may have come from, in rad: its own size says nothing of them.
+const ASSUMED: [f64; 4] = [0.2, 0.6, 1.0, 1.4];
+
+/// Start values from the passages of a free decay: one set, or several to be tried.
+pub(super) fn starts(swings: &Swings, decay: &core::ops::Range<usize>, measured: Measured) -> Vec<Start> {
+    let assumed: &[f64] = if measured == Measured::Acceleration { &ASSUMED } else { &[0.0] };
+    assumed.iter().filter_map(|assumed| start(swings, decay, measured, *assumed)).collect()
+}
+
+/// The greatest acceleration of a libration with this turning angle.
+fn greatest_acceleration(theta_max: f64, omega0: f64) -> Option<f64> {
+    let orbit = Orbit::new(theta_max, 0.0, Frequency::from_omega0(omega0).ok()?).ok()?;
+    let step = 1e-4 / omega0;
+    Some(orbit.velocity(step).abs() / step)
+}
+
+/// Start values from the passages of a free decay; of accelerations with an assumed turning angle.
+fn start(
+    swings: &Swings,
+    decay: &core::ops::Range<usize>,
+    measured: Measured,
+    assumed: f64,
+) -> Option<Start> {
     let passages: &[Passage] = &swings.passages[decay.clone()];
     if passages.len() < 2 {
         return None;
@@ -142,6 +166,7 @@ pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: 
     let of = |swing: f64, period: f64| match measured {
         Measured::Angle => omega0_of_angle(swing, period),
         Measured::Velocity => omega0_of_velocity(swing, period),
+        Measured::Acceleration => omega0_of_angle(assumed, period),
     };
     let pairs: Vec<(f64, f64)> = if halves.len() < 2 {
         halves.iter().map(|(swing, half)| (*swing, 2.0 * half)).collect()
@@ -153,15 +178,16 @@ pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: 
     if !omega0.is_finite() {
         return None;
     }
+    let fastest = passages.iter().max_by(|a, b| a.swing.total_cmp(&b.swing))?;
     let angles: Vec<f64> = passages
         .iter()
         .filter_map(|p| match measured {
             Measured::Angle => Some(p.swing),
             Measured::Velocity => turning_angle(p.swing, omega0),
+            Measured::Acceleration => Some(assumed * p.swing / fastest.swing),
         })
         .collect();
     let friction = friction_of(&angles, omega0)?;
-    let fastest = passages.iter().max_by(|a, b| a.swing.total_cmp(&b.swing))?;
     let mut values: Values = [0.0; super::problem::NAMES.len()];
     values[OMEGA2] = omega0 * omega0;
     values[OFFSET] = swings.centre;
@@ -169,6 +195,12 @@ pub(super) fn start(swings: &Swings, decay: &core::ops::Range<usize>, measured: 
     let anchor = match measured {
         Measured::Angle => {
             values[VELOCITY] = fastest.slope.signum() * greatest_velocity(fastest.swing, omega0)?;
+            fastest.t
+        }
+        // The pull is against the angle, so the acceleration falls where the angle rises.
+        Measured::Acceleration => {
+            values[SCALE] = fastest.swing / greatest_acceleration(assumed, omega0)?;
+            values[VELOCITY] = -fastest.slope.signum() * greatest_velocity(assumed, omega0)?;
             fastest.t
         }
         // The angle passes its rest where the velocity turns.

@@ -76,9 +76,8 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
             "swing = {wide} rad: must lie below pi; are the swings in degrees?"
         )));
     }
-    let plain = |values: &[f64]| -> Option<Vec<f64>> {
-        a.iter().map(|a| period_of_angle(*a, values[0])).collect()
-    };
+    let plain =
+        |values: &[f64]| -> Option<Vec<f64>> { a.iter().map(|a| period_of_angle(*a, values[0])).collect() };
     let shifted = |values: &[f64]| -> Option<Vec<f64>> {
         a.iter().map(|a| period_of_angle(a - values[1], values[0])).collect()
     };
@@ -86,7 +85,11 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
     let failed = || FitRefusal::new("the table does not determine omega0");
     let one = nearest(&plain, &measured, &[start], 0).ok_or_else(failed)?;
     let both_sides = a.iter().any(|a| *a > 0.0) && a.iter().any(|a| *a < 0.0);
-    let two = if both_sides && a.len() > 4 { nearest(&shifted, &measured, &[one.values[0], 1e-3], 0) } else { None };
+    let two = if both_sides && a.len() > 4 {
+        nearest(&shifted, &measured, &[one.values[0], 1e-3], 0)
+    } else {
+        None
+    };
     // An offset stays where the rows ask for it.
     let best = match two {
         Some(two) if two.aicc() < one.aicc() - 2.0 => two,
@@ -161,9 +164,8 @@ fn gate_once(
             dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
         };
         // A width that gives the fastest passage this share of the separatrix's speed.
-        let tried = [0.1, 0.3, 0.6].map(|share| {
-            nearest(&curve, &measured, &[start, share * 2.0 * start * shortest], lags)
-        });
+        let tried = [0.1, 0.3, 0.6]
+            .map(|share| nearest(&curve, &measured, &[start, share * 2.0 * start * shortest], lags));
         let best = tried.into_iter().flatten().min_by(|a, b| a.rms().total_cmp(&b.rms()))?;
         let swing = swing_of_velocity(best.values[1] / shortest, best.values[0]);
         return Some((best, swing, None));
@@ -197,11 +199,15 @@ fn of_periods(best: &CurveFit, options: &FitOptions, rows: Rows, swing: f64, mea
     let constant = (measured.iter().map(|t| (t - mean).powi(2)).sum::<f64>() / n).sqrt();
     let rms = best.rms();
     let mut verdicts = Vec::new();
-    let expected = period_of_angle(swing, value).unwrap_or(mean) / period_of_angle(0.0, value).unwrap_or(mean) - 1.0;
+    let expected =
+        period_of_angle(swing, value).unwrap_or(mean) / period_of_angle(0.0, value).unwrap_or(mean) - 1.0;
     if rms > 0.01 * mean && constant > 0.01 * mean && rms > 0.6 * constant {
         verdicts.push(Verdict::new(
             Grade::Refuted,
-            format!("periods scatter by {:.1} %: more than one mode moves, or passages were missed", 100.0 * rms / mean),
+            format!(
+                "periods scatter by {:.1} %: more than one mode moves, or passages were missed",
+                100.0 * rms / mean
+            ),
         ));
     } else if expected > 0.02 && constant < 0.5 * rms {
         verdicts.push(Verdict::new(
@@ -242,11 +248,7 @@ fn of_periods(best: &CurveFit, options: &FitOptions, rows: Rows, swing: f64, mea
             effective_size: n,
             ..Diagnostics::default()
         },
-        residuals: Residuals {
-            t: Vec::new(),
-            measured: measured.to_vec(),
-            residual: best.residuals.clone(),
-        },
+        residuals: Residuals { t: Vec::new(), measured: measured.to_vec(), residual: best.residuals.clone() },
         state: (swing, 0.0, 0.0),
     }
 }

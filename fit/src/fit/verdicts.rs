@@ -47,7 +47,10 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             ),
         );
     } else if share < 3e-6 {
-        say(Grade::Warning, format!("too good: residuals of {share:.1e} of the swing are below any sensor's noise"));
+        say(
+            Grade::Warning,
+            format!("too good: residuals of {share:.1e} of the swing are below any sensor's noise"),
+        );
     }
     let s = diagnostics.scale;
     let gain = fit.rms / diagnostics.scale_rms;
@@ -75,11 +78,19 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     } else if asks && (s - 1.0).abs() > 0.01 {
         say(
             Grade::Warning,
-            format!("the record asks for a scale of {s:.3} of its angle: with it the rms falls by a factor of {gain:.2}"),
+            format!(
+                "the record asks for a scale of {s:.3} of its angle: with it the rms falls by a factor of {gain:.2}"
+            ),
         );
     }
     if share > 0.25 {
-        say(Grade::Refuted, format!("no motion of a pendulum describes the record: {:.0} % of the swing is left", 100.0 * share));
+        say(
+            Grade::Refuted,
+            format!(
+                "no motion of a pendulum describes the record: {:.0} % of the swing is left",
+                100.0 * share
+            ),
+        );
     } else if share > 8e-3
         && diagnostics.lag1 > 0.9
         && (evidence.wanted_negative > 0 || evidence.window_spread > 0.01)
@@ -103,7 +114,10 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     if evidence.window_spread > 3e-3 && evidence.periods > 10.0 {
         say(
             Grade::Warning,
-            format!("omega0 is not constant: five windows of the record scatter by {:.2} %", 50.0 * evidence.window_spread),
+            format!(
+                "omega0 is not constant: five windows of the record scatter by {:.2} %",
+                50.0 * evidence.window_spread
+            ),
         );
     }
     if let (Some(g), Some(length)) = (fit.g, fit.length)
@@ -129,16 +143,27 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         let word = if per_period < 2.6 { "two" } else { "three" };
         say(
             Grade::Warning,
-            format!("{word} points per swing ({per_period:.1} samples in a period): another frequency may fit as well"),
+            format!(
+                "{word} points per swing ({per_period:.1} samples in a period): another frequency may fit as well"
+            ),
         );
     }
     if evidence.periods > 0.0 && evidence.periods < 2.0 {
-        say(Grade::Warning, format!("the record holds {:.1} periods: friction and rest are hardly determined", evidence.periods));
+        say(
+            Grade::Warning,
+            format!(
+                "the record holds {:.1} periods: friction and rest are hardly determined",
+                evidence.periods
+            ),
+        );
     }
     if diagnostics.condition > 1e6 {
         say(
             Grade::Warning,
-            format!("the values depend on each other (condition {:.0e}): only their combination is known", diagnostics.condition),
+            format!(
+                "the values depend on each other (condition {:.0e}): only their combination is known",
+                diagnostics.condition
+            ),
         );
     }
     if diagnostics.lag1 > 0.5 {
@@ -153,7 +178,10 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     }
     let clock = diagnostics.against_velocity.abs();
     if clock > 0.3 && diagnostics.effective_size > 20.0 {
-        say(Grade::Note, format!("residuals follow the velocity (correlation {clock:.2}): the clock has faults"));
+        say(
+            Grade::Note,
+            format!("residuals follow the velocity (correlation {clock:.2}): the clock has faults"),
+        );
     }
     found.sort_by_key(|verdict| core::cmp::Reverse(verdict.grade));
     found
