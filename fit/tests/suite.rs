@@ -5,6 +5,8 @@ mod bounds;
 mod clocks;
 mod column;
 mod containers;
+mod fit_record;
+mod fit_verdicts;
 mod malformed;
 mod more_oddities;
 mod oddities;

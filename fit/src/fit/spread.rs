@@ -1,0 +1,85 @@
+//! What the choice of a model, and what every model leaves out, do to omega0: beyond what noise explains.
+
+use super::covariance::Covariance;
+use super::data::{Measured, median};
+use super::ladder::{Rung, moved};
+use super::optimiser::{CLOSE, minimum};
+use super::problem::{Loss, OMEGA2, Problem, Samples, Values, always_free};
+
+/// Windows of the jackknife.
+const WINDOWS: usize = 5;
+
+/// omega0^2 of each of five windows, with its own statistical uncertainty. Friction is held.
+pub(super) fn windows(
+    samples: &Samples,
+    measured: Measured,
+    values: &Values,
+    period: f64,
+) -> Vec<(f64, f64)> {
+    let (first, last) = (samples.t[0], samples.t[samples.len() - 1]);
+    let width = (last - first) / WINDOWS as f64;
+    if width < 1.5 * period {
+        return Vec::new();
+    }
+    let slide = super::problem::PRESLIDING;
+    let mut found = Vec::new();
+    for window in 0..WINDOWS {
+        let from = first + width * window as f64;
+        // Presliding is integrated forward alone, so its state stands at the first sample.
+        let shift = if values[slide] == 0.0 { from + 0.5 * width } else { from };
+        let Some(start) = moved(values, shift) else { continue };
+        let inside = samples.only(|i| (from..=from + width).contains(&samples.t[i]));
+        let stride = inside.len().div_ceil(3000).max(1);
+        let part = Samples {
+            t: inside.t.iter().step_by(stride).map(|t| t - shift).collect(),
+            y: inside.y.iter().step_by(stride).copied().collect(),
+        };
+        let part = if values[slide] == 0.0 { part } else { part.only(|i| part.t[i] >= 0.0) };
+        let free = always_free(measured);
+        if part.len() < 12 {
+            continue;
+        }
+        let outcome = minimum(&part, measured, &free, Loss::Squares, start, CLOSE);
+        let problem = Problem::new(&part, measured, &free, Loss::Squares, outcome.values);
+        let lags = (3.0 * period / width * part.len() as f64) as usize;
+        let covariance =
+            problem.derivatives().and_then(|jacobian| Covariance::of(&jacobian, problem.plain(), lags));
+        if let Some(covariance) = covariance {
+            found.push((outcome.values[OMEGA2], covariance.matrix[(2, 2)].sqrt()));
+        }
+    }
+    // A window after the stop knows nothing of omega0.
+    let usual = median(&found.iter().map(|w| w.1).collect::<Vec<f64>>());
+    found.retain(|w| w.1 <= 5.0 * usual);
+    found
+}
+
+/// The scatter of windows as that of their mean, and the part of it that their own uncertainties leave unexplained.
+pub(super) fn scatter(windows: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let n = windows.len() as f64;
+    if windows.len() < 4 {
+        return None;
+    }
+    let mean = windows.iter().map(|w| w.0).sum::<f64>() / n;
+    let squares: f64 = windows.iter().map(|w| (w.0 - mean).powi(2)).sum();
+    let own: f64 = windows.iter().map(|w| w.1 * w.1).sum();
+    let variance = squares / (n * (n - 1.0));
+    let expected = own / (n * n);
+    // The ratio exceeds 3.5 by chance in 1 % of records with five windows.
+    let excess = if variance > 3.5 * expected { variance - expected } else { 0.0 };
+    Some((variance.sqrt(), excess.sqrt()))
+}
+
+/// Spread of a value between rungs, weighted by Akaike's weights, beyond what noise does between nested models (Hausman,
+/// Econometrica 46 (1978) 1251): the variance of a difference is at most that of the richer estimate.
+pub(super) fn between(rungs: &[Rung], chosen: usize, place: usize, variance: f64) -> f64 {
+    let least = rungs.iter().map(|rung| rung.worth()).fold(f64::INFINITY, f64::min);
+    let weight = |rung: &Rung| (-0.5 * (rung.worth() - least)).exp();
+    let total: f64 = rungs.iter().map(weight).sum();
+    let own = rungs[chosen].outcome.values[place];
+    let spread: f64 = rungs
+        .iter()
+        .map(|rung| weight(rung) / total * ((rung.outcome.values[place] - own).powi(2) - variance).max(0.0))
+        .sum();
+    spread.max(0.0).sqrt()
+}
