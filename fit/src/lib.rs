@@ -6,8 +6,12 @@
 //! [`FitRefusal`](fit::FitRefusal) of one line.
 
 pub mod fit;
+mod from_record;
+mod gravity;
 pub mod read;
 
+pub use from_record::data;
+pub use gravity::{PeriodGravity, gravity_of_period, normal_gravity};
 pub use read::{
     Kind, Options, Quantity, Record, Refusal, Role, Series, Unread, Values, Wanted, column, read,
 };

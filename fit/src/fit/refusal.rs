@@ -9,7 +9,7 @@ pub struct FitRefusal {
 }
 
 impl FitRefusal {
-    pub(super) fn new(reason: impl Into<String>) -> FitRefusal {
+    pub(crate) fn new(reason: impl Into<String>) -> FitRefusal {
         FitRefusal { reason: reason.into() }
     }
 }

@@ -21,7 +21,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    pub(super) fn new(value: f64, statistical: f64, model: f64, calibration: f64) -> Estimate {
+    pub(crate) fn new(value: f64, statistical: f64, model: f64, calibration: f64) -> Estimate {
         let u = (statistical.powi(2) + model.powi(2) + calibration.powi(2)).sqrt();
         Estimate { value, u, expanded: 2.0 * u, statistical, model, calibration }
     }
