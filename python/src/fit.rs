@@ -10,10 +10,8 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
+use crate::damped::Floats;
 use crate::signals::{self, INTERVAL};
-
-/// An array of results.
-type Floats<'py> = Bound<'py, PyArray1<f64>>;
 
 /// A value and its standard uncertainty, as Python gives it.
 type Pair = (f64, f64);

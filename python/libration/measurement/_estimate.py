@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from importlib import import_module
 from typing import Any, NamedTuple
 
 
@@ -57,10 +58,10 @@ class Estimate(NamedTuple):
         9.8104+/-0.0123
         """
         try:
-            from uncertainties import ufloat
+            uncertainties = import_module("uncertainties")
         except ModuleNotFoundError as error:
             raise ImportError("ufloat needs uncertainties: pip install uncertainties") from error
-        return ufloat(self.value, self.u)
+        return uncertainties.ufloat(self.value, self.u)
 
     def __str__(self) -> str:
         return rounded(self.value, self.u)

@@ -2,12 +2,9 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ._estimate import Estimate, rounded
-
-if TYPE_CHECKING:
-    from ._result import Fit
 
 # Name and unit of each friction term.
 TERMS = {
@@ -21,21 +18,21 @@ MODELS = {
     "linear": "linear friction",
     "quadratic": "linear and quadratic friction",
     "dry": "linear, quadratic and dry friction",
-    "presliding": "linear, quadratic and dry friction with presliding",
+    "presliding": "linear, quadratic, dry and presliding friction",
 }
 RMS_UNITS = {"angle": "deg", "velocity": "deg/s", "acceleration": "m/s^2"}
 # Words before the sentence of a verdict.
 GRADES = {"refuted": "DO NOT QUOTE", "warning": "warning", "note": "note"}
 
 
-def text(fit: "Fit") -> str:
+def text(fit: Any) -> str:
     """The whole text, a line for each thing."""
     lines = pairs(fit)
     width = max(len(label) for label, _ in lines)
     return "\n".join(f"{label:{width}}  {each}".rstrip() for label, each in lines)
 
 
-def pairs(fit: "Fit") -> list[tuple[str, str]]:
+def pairs(fit: Any) -> list[tuple[str, str]]:
     """Labels and texts; a text that goes on has no label."""
     blank = [("", "")]
     lines = [("file", fit._given.name), *labelled("understood", fit.understood), *labelled("dropped", left_out(fit))]
@@ -51,7 +48,7 @@ def labelled(label: str, texts: Sequence[str]) -> list[tuple[str, str]]:
     return [(label if number == 0 else "", each) for number, each in enumerate(texts)]
 
 
-def left_out(fit: "Fit") -> list[str]:
+def left_out(fit: Any) -> list[str]:
     """What the reader and the fit left out, a sentence each."""
     told = [each["sentence"] for each in fit._given.dropped]
     for each in fit.dropped:
@@ -62,7 +59,7 @@ def left_out(fit: "Fit") -> list[str]:
     return told or ["nothing"]
 
 
-def window(fit: "Fit") -> str:
+def window(fit: Any) -> str:
     """What was fitted."""
     found = fit._found
     swing = f"; the largest swing is {math.degrees(fit.swing):.1f} deg" if math.isfinite(fit.swing) else ""
@@ -72,7 +69,7 @@ def window(fit: "Fit") -> str:
     return f"{first:.4g} s to {last:.4g} s, {found['window_reason']}: {found['samples']} samples{swing}"
 
 
-def rms(fit: "Fit", value: float) -> str:
+def rms(fit: Any, value: float) -> str:
     """A root mean square residual with its unit."""
     unit = RMS_UNITS.get(fit._given.kind)
     if unit is None:
@@ -80,7 +77,7 @@ def rms(fit: "Fit", value: float) -> str:
     return f"{math.degrees(value) if unit.startswith('deg') else value:.3g} {unit}"
 
 
-def ladder(fit: "Fit") -> list[tuple[str, str]]:
+def ladder(fit: Any) -> list[tuple[str, str]]:
     """Every friction model that was tried, with the chosen one named."""
     steps = fit._found["ladder"]
     chosen = ("model", MODELS[fit.model])
@@ -96,7 +93,7 @@ def ladder(fit: "Fit") -> list[tuple[str, str]]:
     return [chosen, *labelled("tried", table)]
 
 
-def result(fit: "Fit") -> list[tuple[str, str]]:
+def result(fit: Any) -> list[tuple[str, str]]:
     """The numbers."""
     lines = [("omega0", f"{fit.omega0} rad/s")]
     given = fit._found["length_given"]
@@ -114,26 +111,26 @@ def result(fit: "Fit") -> list[tuple[str, str]]:
     return [*lines, ("rms residual", rms(fit, fit.rms))]
 
 
-def quoted(fit: "Fit") -> tuple[str, Estimate, str]:
+def quoted(fit: Any) -> tuple[str, Estimate, str]:
     """Name, value and unit of what the record was measured for."""
     if fit.g is None or fit.length is None:
         return "omega0", fit.omega0, "rad/s"
     return ("g", fit.g, "m/s^2") if fit._found["length_given"] else ("length", fit.length, "m")
 
 
-def budget_rows(fit: "Fit") -> list[tuple[str, float]]:
+def budget_rows(fit: Any) -> list[tuple[str, float]]:
     """The parts of the uncertainty of what is quoted; without what is only for comparison."""
     rows = [(str(row["source"]), row["u"]) for row in fit._found["budget"]]
     return [(source, math.nan if u is None else float(u)) for source, u in rows if not source.startswith("as if")]
 
 
-def naive(fit: "Fit") -> float | None:
+def naive(fit: Any) -> float | None:
     """The uncertainty as if residuals were independent."""
     found = [row["u"] for row in fit._found["budget"] if str(row["source"]).startswith("as if")]
     return float(found[0]) if found and found[0] is not None else None
 
 
-def budget(fit: "Fit") -> list[tuple[str, str]]:
+def budget(fit: Any) -> list[tuple[str, str]]:
     """The budget of uncertainty."""
     name, value, unit = quoted(fit)
     lines = [(f"u of {name}", f"{value.u:.2g} {unit}, of which")]
@@ -147,7 +144,7 @@ def budget(fit: "Fit") -> list[tuple[str, str]]:
     return lines
 
 
-def sentence(fit: "Fit") -> str:
+def sentence(fit: Any) -> str:
     """What a report quotes."""
     if not fit.stands:
         return f"nothing: {fit.verdicts[0]}"
