@@ -41,16 +41,28 @@ def measure(name: str, given: Any) -> tuple[float, float]:
 
 def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
     """The columns in the bytes of a file."""
-    record = _core.Record(name, content, **stated)
+    name = name if name.isprintable() else repr(name)
     try:
+        record = read(content, stated)
         kind, columns = record.columns()
     except ValueError as error:
-        raise ValueError(f"{name}: {error}") from None
+        raise ValueError(f"{name}: {str(error).removeprefix(': ')}") from None
     dropped = [
         {"reason": reason, "count": count, "lines": lines, "sentence": sentence}
         for reason, count, lines, sentence in record.dropped
     ]
     return Given(name, kind, columns, record.understood, dropped)
+
+
+def read(content: bytes, stated: Mapping[str, Any]) -> _core.Record:
+    """A file as it was understood; a stated length, which is also that of the pendulum, serves it only where it asks for one."""
+    # No name: the reader would cut a long one, and the end of a path says most.
+    try:
+        return _core.Record("", content, **{**stated, "length": None})
+    except ValueError as error:
+        if stated.get("length") is None or "--length" not in str(error):
+            raise
+    return _core.Record("", content, **stated)
 
 
 def of_source(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) -> Given:

@@ -90,7 +90,7 @@ def fit(
     >>> theta += np.random.default_rng(1).normal(0.0, 0.01, t.size)
     >>> found = libration.fit(t, theta, length=(0.8, 0.001))
     >>> print(found.model, found.g)
-    linear 9.804 ± 0.014
+    linear 9.807 ± 0.012
     """
     if model not in MODELS:
         raise ValueError(f"model = {shown(model)}: must be one of {', '.join(MODELS)}")

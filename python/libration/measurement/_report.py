@@ -6,7 +6,7 @@ from html import escape
 from io import BytesIO
 from typing import Any
 
-from ._text import GRADES, MODELS, budget_rows, left_out, naive, quoted, result, rms, sentence, window
+from ._text import GRADES, budget_rows, left_out, model_words, naive, quoted, result, rms, sentence, small, window
 
 # In inches; a narrow screen has the second.
 WIDE, NARROW = 8.0, 4.0
@@ -81,14 +81,17 @@ def table(rows: Sequence[tuple[str, ...]], heads: tuple[str, ...] = (), chosen: 
 
 def numbers(fit: Any) -> str:
     """The numbers of the result."""
-    return table([*result(fit), ("model", MODELS[fit.model])])
+    return table([*result(fit), ("model", model_words(fit))])
 
 
 def budget(fit: Any) -> str:
     """Every part of the uncertainty of what is quoted, and what they combine to."""
     name, value, unit = quoted(fit)
     total = sum(u * u for _, u in budget_rows(fit))
-    rows = [(source, f"{u:.2g}", f"{100 * u * u / total:.0f} %" if total > 0 else "") for source, u in budget_rows(fit)]
+    rows = [
+        (source, small(u, value.u), f"{100 * u * u / total:.0f} %" if total > 0 else "")
+        for source, u in budget_rows(fit)
+    ]
     rows.append((f"{name}, combined", f"{value.u:.2g}", "100 %" if total > 0 else ""))
     rows.append((f"{name}, expanded (k = 2)", f"{value.expanded:.2g}", ""))
     made = table(rows, ("source", f"u in {unit}", "of the variance"), len(rows) - 2)
@@ -103,7 +106,7 @@ def ladder(fit: Any) -> str:
     """Every friction model that was tried."""
     steps: list[dict[str, Any]] = fit._found["ladder"]
     if not steps:
-        return f"<p>{escape(MODELS[fit.model])}</p>"
+        return f"<p>{escape(model_words(fit))}</p>"
     rows = [(str(each["model"]), rms(fit, each["rms"]), f"{each['omega0']:.6f}") for each in steps]
     chosen = [str(each["model"]) for each in steps].index(fit.model)
     return table(rows, ("friction", "rms residual", "omega0 in rad/s"), chosen)

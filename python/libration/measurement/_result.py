@@ -45,7 +45,7 @@ class Fit:
     >>> swings, periods = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
     >>> found = libration.fit(swings, periods, quantity="swings", length=(1.0, 0.001))
     >>> print(found.g)
-    9.810 ± 0.010
+    9.808 ± 0.010
     """
 
     __slots__ = ("_found", "_given", "_grades", "_residuals")
@@ -83,7 +83,7 @@ class Fit:
 
     @property
     def scale(self) -> Estimate | None:
-        """Measured angle over angle, where it was fitted; else None."""
+        """Measured angle over angle where it was fitted, for accelerations the sensor's distance from the pivot in m; else None."""
         return estimate(self._found["scale"])
 
     @property
@@ -191,14 +191,21 @@ class Fit:
         >>> found.to_dict()["samples"]
         4
         """
-        del_keys = {"residuals", "length_given"}
         head = {"source": self._given.name, "kind": self._given.kind}
-        found = {name: each for name, each in self._found.items() if name not in del_keys}
+        found = {name: each for name, each in self._found.items() if name not in ("residuals", "length_given")}
         told = {"grades": list(self._grades), "stands": self.stands, "understood": self.understood}
         return head | found | told | {"dropped": self.dropped}
 
-    def plot(self, path: Any = None, *, ax: Any = None, form: str | None = None, title: str | None = None,
-             dpi: float = 100, lang: str = "en") -> "Axes | None":  # fmt: skip
+    def plot(
+        self,
+        path: Any = None,
+        *,
+        ax: Any = None,
+        form: str | None = None,
+        title: str | None = None,
+        dpi: float = 100,
+        lang: str = "en",
+    ) -> "Axes | None":
         """The data with the fitted curve, and the residuals below.
 
         Parameters

@@ -25,6 +25,18 @@ RMS_UNITS = {"angle": "deg", "velocity": "deg/s", "acceleration": "m/s^2"}
 GRADES = {"refuted": "DO NOT QUOTE", "warning": "warning", "note": "note"}
 
 
+def model_words(fit: Any) -> str:
+    """The friction model in words."""
+    if fit._given.kind in ("gate", "swings") and fit.model == "none":
+        return "the exact period of each swing"
+    return MODELS[str(fit.model)]
+
+
+def small(u: float, whole: float) -> str:
+    """A part of an uncertainty to two digits, 0 where it does not count."""
+    return f"{u:.2g}" if u > 1e-6 * whole else "0"
+
+
 def text(fit: Any) -> str:
     """The whole text, a line for each thing."""
     lines = pairs(fit)
@@ -80,7 +92,7 @@ def rms(fit: Any, value: float) -> str:
 def ladder(fit: Any) -> list[tuple[str, str]]:
     """Every friction model that was tried, with the chosen one named."""
     steps = fit._found["ladder"]
-    chosen = ("model", MODELS[fit.model])
+    chosen = ("model", model_words(fit))
     if len(steps) < 2:
         return [chosen]
     rows = [("with", "rms", "omega0 in rad/s")]
@@ -107,7 +119,8 @@ def result(fit: Any) -> list[tuple[str, str]]:
         offset = fit._found["offset_deg"]
         lines.append(("rest at", f"{rounded(offset['value'], offset['u'])} deg"))
     if fit.scale is not None:
-        lines.append(("scale of angle", str(fit.scale)))
+        sensor = fit._given.kind == "acceleration"
+        lines.append(("sensor at", f"{fit.scale} m from the pivot") if sensor else ("scale of angle", str(fit.scale)))
     return [*lines, ("rms residual", rms(fit, fit.rms))]
 
 
@@ -134,7 +147,7 @@ def budget(fit: Any) -> list[tuple[str, str]]:
     """The budget of uncertainty."""
     name, value, unit = quoted(fit)
     lines = [(f"u of {name}", f"{value.u:.2g} {unit}, of which")]
-    lines += [("", f"{u:.2g}  {source}") for source, u in budget_rows(fit)]
+    lines += [("", f"{small(u, value.u)}  {source}") for source, u in budget_rows(fit)]
     alone = naive(fit)
     if alone is not None:
         lines.append(("", f"({alone:.2g}  {unit}, if the residuals were independent; they are not taken so)"))
@@ -152,5 +165,7 @@ def sentence(fit: Any) -> str:
     found: Any = fit._found
     record = "periods" if fit._given.kind in ("gate", "swings") else "samples"
     swing = f" of swings up to {math.degrees(fit.swing):.0f} deg" if math.isfinite(fit.swing) else ""
-    how = f"from {found['samples']} {record}{swing}, fitted by the pendulum equation with {MODELS[fit.model]}"
+    periods = fit._given.kind in ("gate", "swings") and fit.model == "none"
+    equation = model_words(fit) if periods else f"the pendulum equation with {model_words(fit)}"
+    how = f"from {found['samples']} {record}{swing}, fitted by {equation}"
     return f"{name} = {value} {unit} (standard uncertainty, k = 1; {value.expanded:.2g} {unit} at k = 2), {how}."
