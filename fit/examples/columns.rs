@@ -48,6 +48,11 @@ fn main() {
                     rung.wanted_negative
                 );
             }
+            let parts = fit.residuals.residual.chunks(fit.samples.div_ceil(12)).map(|part| {
+                let mean = part.iter().map(|r| r * r).sum::<f64>() / part.len() as f64;
+                format!("{:.3}", mean.sqrt().to_degrees())
+            });
+            println!("    rms of twelfths {}", parts.collect::<Vec<_>>().join(" "));
             println!("    {:?}", fit.friction);
             println!("    {:?}", fit.diagnostics);
             println!("    {} dropped; g {:?}", fit.dropped.len(), fit.g);

@@ -1,11 +1,11 @@
 //! A record in time: window, search, ladder, uncertainty.
 
-use super::data::{Clean, Measured, extent, robust_deviation};
+use super::data::{Clean, Measured, extent, median, robust_deviation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
 use super::options::{FitOptions, Model};
-use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
+use super::problem::{LINEAR, Loss, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
 use super::swings::{Swings, noise};
@@ -72,7 +72,11 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let per_period = thin.len() as f64 * start.period / (to - from);
     let mut effective = criteria(&mut rungs, per_period);
     let wanted = options.model.is_none_or(|model| model == Model::Presliding);
-    if wanted && let Some(dry) = rungs.iter().find(|rung| rung.model == Model::Dry).cloned() {
+    let moves = |rung: &Rung| rung.outcome.rms() < 0.05 * (extent(&thin.y).1 - extent(&thin.y).0);
+    if wanted
+        && let Some(dry) =
+            rungs.iter().find(|rung| rung.model == Model::Dry).filter(|rung| moves(rung)).cloned()
+    {
         // Presliding has a state of its own that no later one determines: the search starts at the first passage.
         let first = swings.passages[decay.clone()].iter().map(|p| p.t - anchor).find(|t| *t >= from);
         let shift = first.unwrap_or(0.0);
@@ -141,6 +145,10 @@ fn nearest_start(t: &[f64], y: &[f64], measured: Measured, starts: &[Start], noi
 
 /// The end of the last half period in which the record moves: after it dry friction holds the pendulum.
 fn last_motion(all: &Samples, period: f64, noise: f64) -> f64 {
+    let (first, last) = (all.t[0], all.t[all.len() - 1]);
+    if period * all.len() as f64 / (last - first) < 10.0 {
+        return last;
+    }
     let mut end = all.len();
     while end > 0 {
         let to = all.t[end - 1];
@@ -154,6 +162,31 @@ fn last_motion(all: &Samples, period: f64, noise: f64) -> f64 {
     all.t[0]
 }
 
+/// Where the residuals grow for good, half period by half period: something stops the pendulum there.
+fn caught(t: &[f64], residuals: &[f64], period: f64, noise: f64) -> f64 {
+    let mut halves: Vec<(f64, f64, f64)> = Vec::new();
+    for (t, r) in t.iter().zip(residuals) {
+        match halves.last_mut() {
+            Some((begin, sum, count)) if t - *begin < 0.5 * period => {
+                *sum += r * r;
+                *count += 1.0;
+            }
+            _ => halves.push((*t, r * r, 1.0)),
+        }
+    }
+    let sizes: Vec<f64> = halves.iter().map(|(_, sum, count)| (sum / count).sqrt()).collect();
+    let bound = 5.0 * median(&sizes).max(noise);
+    for i in 0..sizes.len() {
+        let rest = &sizes[i..];
+        let mean = rest.iter().map(|size| size * size).sum::<f64>() / rest.len() as f64;
+        let follows = rest.get(1).is_none_or(|size| *size > bound);
+        if sizes[i] > bound && follows && mean > bound * bound {
+            return halves[i].0;
+        }
+    }
+    f64::INFINITY
+}
+
 /// The window, widened to all that the motion describes and cut where it does not.
 fn extended(
     all: &Samples,
@@ -163,7 +196,7 @@ fn extended(
     noise: f64,
     mut to: f64,
 ) -> (f64, f64) {
-    let swing = all.y.iter().fold(0.0f64, |most, y| most.max((y - start.values[OFFSET]).abs()));
+    let swing = start.reach;
     // The neighbourhood of the release alone: friction of a later time must not decide. At first a wide bound, because the motion
     // before the anchor is extrapolated.
     let (mut begin, mut local) = (-0.2 * start.period, *values);
@@ -174,17 +207,19 @@ fn extended(
         let outcome = minimum(&near, measured, &free, Loss::Squares, local, ROUGH);
         local = outcome.values;
         let usual = robust_deviation(&outcome.residuals).max(noise);
-        let next = reached(all, measured, &local, begin, (6.0 * usual).max(share * swing), -1.0);
+        let bound = (6.0 * usual).clamp(share * swing, 0.1 * swing);
+        let next = reached(all, measured, &local, begin, bound, -1.0);
         // What was taken in wrongly is given back.
-        let inner =
-            reached(all, measured, &local, -0.1 * start.period, (6.0 * usual).max(share * swing), -1.0);
+        let inner = reached(all, measured, &local, -0.1 * start.period, bound, -1.0);
         begin = next.max(inner);
     }
     let from = begin.min(-0.1 * start.period).max(all.t[0]);
     let near = all.thinned(from, to, 3000);
     let along = super::problem::Problem::new(&near, measured, &[], Loss::Squares, *values);
     let usual = robust_deviation(along.plain()).max(noise);
-    to = to.max(reached(all, measured, values, to, 6.0 * usual, 1.0));
+    // What is beyond a bound of the size of the last swing says nothing.
+    to = to.max(reached(all, measured, values, to, (6.0 * usual).min(0.3 * start.last), 1.0));
+    to = to.min(caught(&near.t, along.plain(), start.period, noise));
     to = to.min(last_motion(all, start.period, noise) + 0.1 * start.period);
     (from, to)
 }

@@ -74,7 +74,7 @@ pub(super) fn scatter(windows: &[(f64, f64)]) -> Option<(f64, f64)> {
 /// Econometrica 46 (1978) 1251): the variance of a difference is at most that of the richer estimate.
 pub(super) fn between(rungs: &[Rung], chosen: usize, place: usize, variance: f64) -> f64 {
     let least = rungs.iter().map(|rung| rung.worth()).fold(f64::INFINITY, f64::min);
-    let weight = |rung: &Rung| (-0.5 * (rung.worth() - least)).exp();
+    let weight = |rung: &Rung| libm::exp(-0.5 * (rung.worth() - least));
     let total: f64 = rungs.iter().map(weight).sum();
     let own = rungs[chosen].outcome.values[place];
     let spread: f64 = rungs

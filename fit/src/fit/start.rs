@@ -14,6 +14,10 @@ pub(super) struct Start {
     pub anchor: f64,
     /// The period there, in s.
     pub period: f64,
+    /// The largest swing, in the unit of the record.
+    pub reach: f64,
+    /// The last swing.
+    pub last: f64,
     pub values: Values,
     /// Friction from the loss of energy: of the linear term alone, of linear and quadratic, of all three.
     pub friction: [[f64; 3]; 3],
@@ -215,5 +219,12 @@ fn start(
         }
     };
     values[THETA] = 0.0;
-    Some(Start { anchor, period: pairs[0].1, values, friction })
+    Some(Start {
+        anchor,
+        period: pairs[0].1,
+        reach: fastest.swing,
+        last: passages[passages.len() - 1].swing,
+        values,
+        friction,
+    })
 }
