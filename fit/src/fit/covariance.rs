@@ -122,7 +122,7 @@ impl Covariance {
             return None;
         }
         let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
-        if norms.iter().any(|norm| !(*norm > 0.0)) {
+        if norms.iter().any(|norm| norm.is_nan() || *norm <= 0.0) {
             return None;
         }
         let mut scaled = jacobian.clone();

@@ -104,7 +104,8 @@ impl Rung {
     /// A richer model never fits worse: where its search ended above the minimum of the poorer one, that minimum is its own, with
     /// the new term at its bound.
     pub fn not_above(&mut self, poorer: &Rung) {
-        if !(self.outcome.sum_of_squares <= poorer.outcome.sum_of_squares) {
+        let own = self.outcome.sum_of_squares;
+        if own.is_nan() || own > poorer.outcome.sum_of_squares {
             self.outcome = poorer.outcome.clone();
             self.mean_square = poorer.mean_square;
             self.wanted_negative.clone_from(&poorer.wanted_negative);

@@ -1,15 +1,15 @@
 //! A record in time: window, search, ladder, uncertainty.
 
-use super::data::{Clean, Measured, extent, median, robust_deviation};
+use super::data::{Clean, Measured, extent, robust_deviation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
 use super::options::{FitOptions, Model};
-use super::problem::{LINEAR, Loss, Samples, Values, always_free};
+use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
 use super::swings::{Swings, noise};
-use super::window::reached;
+use super::window::{caught, last_motion, reached};
 
 /// A record at the minimum of every rung.
 #[derive(Clone, Debug)]
@@ -59,9 +59,9 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     }
     let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
     let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
-    let mut values = first.values;
+    let values = first.values;
     if options.window.is_none() {
-        (from, to) = extended(&all, measured, &start, &mut values, sensor, to);
+        (from, to) = extended(&all, measured, &start, &values, sensor, to);
     }
     let mut samples = part(from, to);
     let mut rows: Vec<usize> =
@@ -143,56 +143,12 @@ fn nearest_start(t: &[f64], y: &[f64], measured: Measured, starts: &[Start], noi
     tried.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, start)| start)
 }
 
-/// The end of the last half period in which the record moves: after it dry friction holds the pendulum.
-fn last_motion(all: &Samples, period: f64, noise: f64) -> f64 {
-    let (first, last) = (all.t[0], all.t[all.len() - 1]);
-    if period * all.len() as f64 / (last - first) < 10.0 {
-        return last;
-    }
-    let mut end = all.len();
-    while end > 0 {
-        let to = all.t[end - 1];
-        let begin = all.t.partition_point(|t| *t < to - 0.5 * period);
-        let (low, high) = extent(&all.y[begin..end]);
-        if high - low > 8.0 * noise || begin == 0 {
-            return to;
-        }
-        end = begin;
-    }
-    all.t[0]
-}
-
-/// Where the residuals grow for good, half period by half period: something stops the pendulum there.
-fn caught(t: &[f64], residuals: &[f64], period: f64, noise: f64) -> f64 {
-    let mut halves: Vec<(f64, f64, f64)> = Vec::new();
-    for (t, r) in t.iter().zip(residuals) {
-        match halves.last_mut() {
-            Some((begin, sum, count)) if t - *begin < 0.5 * period => {
-                *sum += r * r;
-                *count += 1.0;
-            }
-            _ => halves.push((*t, r * r, 1.0)),
-        }
-    }
-    let sizes: Vec<f64> = halves.iter().map(|(_, sum, count)| (sum / count).sqrt()).collect();
-    let bound = 5.0 * median(&sizes).max(noise);
-    for i in 0..sizes.len() {
-        let rest = &sizes[i..];
-        let mean = rest.iter().map(|size| size * size).sum::<f64>() / rest.len() as f64;
-        let follows = rest.get(1).is_none_or(|size| *size > bound);
-        if sizes[i] > bound && follows && mean > bound * bound {
-            return halves[i].0;
-        }
-    }
-    f64::INFINITY
-}
-
 /// The window, widened to all that the motion describes and cut where it does not.
 fn extended(
     all: &Samples,
     measured: Measured,
     start: &Start,
-    values: &mut Values,
+    values: &Values,
     noise: f64,
     mut to: f64,
 ) -> (f64, f64) {
@@ -219,7 +175,7 @@ fn extended(
     let usual = robust_deviation(along.plain()).max(noise);
     // What is beyond a bound of the size of the last swing says nothing.
     to = to.max(reached(all, measured, values, to, (6.0 * usual).min(0.3 * start.last), 1.0));
-    to = to.min(caught(&near.t, along.plain(), start.period, noise));
+    to = to.min(caught(&near, along.plain(), values[OFFSET], start.period, noise));
     to = to.min(last_motion(all, start.period, noise) + 0.1 * start.period);
     (from, to)
 }
