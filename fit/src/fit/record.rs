@@ -8,7 +8,7 @@ use super::options::{FitOptions, Model};
 use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
-use super::swings::{Swings, noise};
+use super::swings::{Passage, Swings, noise};
 use super::window::{caught, last_motion, reached};
 
 /// A record at the minimum of every rung.
@@ -61,7 +61,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
     let values = first.values;
     if options.window.is_none() {
-        (from, to) = extended(&all, measured, &start, &values, sensor, to);
+        (from, to) = extended(&all, measured, &start, &values, sensor, to, &swings.passages[decay.clone()]);
     }
     let mut samples = part(from, to);
     let mut rows: Vec<usize> =
@@ -90,7 +90,8 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
             let mut slid =
                 rung(&thin, measured, Model::Presliding, &plain.outcome.values, options.free_scale, CLOSE);
             slid.not_above(&plain);
-            slid.mean_square *= dry.mean_square / plain.mean_square;
+            // A few samples fewer: the ratio of what dry friction leaves stays near 1.
+            slid.mean_square *= (dry.mean_square / plain.mean_square).clamp(0.8, 1.25);
             rungs.push(slid);
             effective = criteria(&mut rungs, per_period);
             let last = rungs.len() - 1;
@@ -151,6 +152,7 @@ fn extended(
     values: &Values,
     noise: f64,
     mut to: f64,
+    passages: &[Passage],
 ) -> (f64, f64) {
     let swing = start.reach;
     // The neighbourhood of the release alone: friction of a later time must not decide. At first a wide bound, because the motion
@@ -174,8 +176,22 @@ fn extended(
     let along = super::problem::Problem::new(&near, measured, &[], Loss::Squares, *values);
     let usual = robust_deviation(along.plain()).max(noise);
     // What is beyond a bound of the size of the last swing says nothing.
-    to = to.max(reached(all, measured, values, to, (6.0 * usual).min(0.3 * start.last), 1.0));
-    to = to.min(caught(&near, along.plain(), values[OFFSET], start.period, noise));
+    to = to.max(reached(
+        all,
+        measured,
+        values,
+        to,
+        (6.0 * usual).min((0.3 * start.last).max(4.0 * noise)),
+        1.0,
+    ));
+    let stop = caught(&near, along.plain(), values[OFFSET], start.period, noise);
+    // Swings that go on in their own rhythm beyond it say that the search has gone astray there, not the pendulum.
+    let after = |p: &&Passage| p.t - start.anchor > stop;
+    let before = passages.iter().rev().find(|p| !after(p)).map_or(0.0, |p| p.swing);
+    let goes_on = passages.iter().filter(after).filter(|p| p.swing > 0.5 * before).count() > 2;
+    if !goes_on {
+        to = to.min(stop);
+    }
     to = to.min(last_motion(all, start.period, noise) + 0.1 * start.period);
     (from, to)
 }

@@ -38,7 +38,7 @@ pub(super) fn free_decay(swings: &Swings, samples: usize) -> core::ops::Range<us
     let usual = |i: usize| median(&steps[i.saturating_sub(2)..(i + 3).min(steps.len())]);
     let follows = |i: usize| {
         let ratio = steps[i] / usual(i);
-        passages[i + 1].swing <= tolerance * passages[i].swing && (0.55..1.8).contains(&ratio)
+        passages[i + 1].swing <= tolerance * passages[i].swing + swings.slack && (0.55..1.8).contains(&ratio)
     };
     let sum = |range: &core::ops::Range<usize>| passages[range.clone()].iter().map(|p| p.swing).sum::<f64>();
     let (mut best, mut begin) = (0..1, 0);
