@@ -17,6 +17,38 @@ fn main() {
         }
     }
     let length = (at(4, 0.0) > 0.0).then(|| Measure { value: at(4, 0.0), u: at(5, 0.0) });
+    // 3: periods at a gate with the third column's transit times; 4: a table of periods by swing.
+    if at(6, 0.0) > 2.0 {
+        let third: Vec<f64> = text
+            .lines()
+            .filter_map(|line| {
+                let numbers: Vec<f64> = line.split(',').filter_map(|cell| cell.trim().parse().ok()).collect();
+                numbers.get(2).copied()
+            })
+            .collect();
+        let transits = (third.len() == t.len()).then_some(third);
+        let data = if at(6, 0.0) > 3.0 {
+            Data::Table { swings: t, periods: values }
+        } else {
+            Data::Gate { t, periods: values, transits }
+        };
+        match fit(&data, &FitOptions { length, ..FitOptions::default() }) {
+            Ok(fit) => println!(
+                "{}: {} rows, rms {:.3e} s, omega0 {:?}, offset {:?}, swing {:.2} deg, g {:?}, {} dropped, {:?}",
+                given[0],
+                fit.samples,
+                fit.rms,
+                fit.omega0,
+                fit.offset_deg,
+                fit.swing.to_degrees(),
+                fit.g,
+                fit.dropped.len(),
+                fit.verdicts
+            ),
+            Err(refusal) => println!("{}: refused: {refusal}", given[0]),
+        }
+        return;
+    }
     let measured = [Measured::Angle, Measured::Velocity, Measured::Acceleration][at(6, 0.0) as usize];
     let begun = std::time::Instant::now();
     let rows = t.len();
@@ -48,6 +80,11 @@ fn main() {
                     rung.wanted_negative
                 );
             }
+            let parts = fit.residuals.residual.chunks(fit.samples.div_ceil(12)).map(|part| {
+                let mean = part.iter().map(|r| r * r).sum::<f64>() / part.len() as f64;
+                format!("{:.3}", mean.sqrt().to_degrees())
+            });
+            println!("    rms of twelfths {}", parts.collect::<Vec<_>>().join(" "));
             println!("    {:?}", fit.friction);
             println!("    {:?}", fit.diagnostics);
             println!("    {} dropped; g {:?}", fit.dropped.len(), fit.g);

@@ -182,3 +182,64 @@ fn outliers_are_listed() {
     let rows: Vec<usize> = found.dropped.iter().map(|dropped| dropped.row).collect();
     assert_eq!(rows, [333, 100], "{:?}", found.dropped);
 }
+
+/// (found - true)/u of omega0 by its statistical and by its naive uncertainty, over replicas of noise with memory.
+fn pulls(
+    theta0: f64,
+    friction: Friction,
+    rows: usize,
+    model: Option<Model>,
+    memory: f64,
+    n: u64,
+) -> [Vec<f64>; 2] {
+    let omega0 = (9.81f64 / 0.8).sqrt();
+    let Data::Record { t, values: exact, .. } =
+        record(theta0, 9.81 / 0.8, friction, rows, 1.0 / 30.0, 0.0, 1)
+    else {
+        unreachable!()
+    };
+    let mut found = [Vec::new(), Vec::new()];
+    for replica in 0..n {
+        let mut normal = Normal(1 + 7919 * replica);
+        let mut error = normal.next();
+        let values = exact
+            .iter()
+            .map(|y| {
+                error = memory * error + (1.0 - memory * memory).sqrt() * normal.next();
+                y + 0.01 * error
+            })
+            .collect();
+        let data = Data::Record { measured: Measured::Angle, t: t.clone(), values };
+        let fit = fit(&data, &options(model)).unwrap();
+        found[0].push((fit.omega0.value - omega0) / fit.omega0.u);
+        found[1].push((fit.omega0.value - omega0) / fit.diagnostics.omega0_u_naive);
+    }
+    found
+}
+
+fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    (mean, (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt())
+}
+
+#[test]
+fn pulls_have_deviation_1_also_where_noise_has_memory() {
+    let friction = Friction::new(0.02, 0.0, 0.0, 0.0).unwrap();
+    for memory in [0.0, 0.7] {
+        let [honest, naive] = pulls(1.2, friction, 600, Some(Model::Linear), memory, 40);
+        let (mean, deviation) = mean_and_deviation(&honest);
+        assert!(mean.abs() < 0.55 && (0.65..1.4).contains(&deviation), "{memory}: {mean} {deviation}");
+        // The spoiled sibling: uncertainties of independent residuals are too small where noise has memory.
+        assert!((mean_and_deviation(&naive).1 > 1.5) == (memory > 0.0), "{memory} {naive:?}");
+    }
+}
+
+#[test]
+fn omega0_of_q_100_from_100_degrees_lies_within_2_u() {
+    let omega0 = (9.81f64 / 0.8).sqrt();
+    let friction = Friction::new(omega0 / 200.0, 0.0, 0.0, 0.0).unwrap();
+    let [found, _] = pulls(100f64.to_radians(), friction, 1500, None, 0.0, 20);
+    // 17 of 20 or more with a probability of 98 % where each lies inside with 95 %; 15 or less has 0.03 %.
+    assert!(found.iter().filter(|pull| pull.abs() < 2.0).count() > 15, "{found:?}");
+}

@@ -115,3 +115,72 @@ fn a_result_serialises_with_the_names_that_are_promised() {
     assert!(json["verdicts"].as_array().unwrap().iter().all(serde_json::Value::is_string));
     assert!(found.verdicts.iter().all(|verdict| verdict.grade <= Grade::Refuted));
 }
+
+/// A pendulum of 0.5 m where g is 9.81, released at this angle.
+fn swing(theta0: f64, step: f64, rows: usize) -> (Vec<f64>, Vec<f64>) {
+    let frequency = libration::Frequency::from_gravity_length(9.81, 0.5).unwrap();
+    let friction = libration::Friction::new(0.02, 0.01, 0.0, 0.0).unwrap();
+    let pendulum =
+        libration::DampedPendulum::new(theta0, 0.0, frequency, friction, libration::Torque::NONE).unwrap();
+    let trajectory = pendulum.trajectory(0.0, step * rows as f64).unwrap();
+    let t: Vec<f64> = (0..rows).map(|i| step * i as f64).collect();
+    let values = t.iter().enumerate().map(|(i, t)| trajectory.theta(*t) + 0.004 * noise(i)).collect();
+    (t, values)
+}
+
+#[test]
+fn a_wrong_length_is_named_with_its_size() {
+    let (t, values) = swing(0.8, 0.02, 1000);
+    let data = angle(t, values);
+    let with = |value: f64| {
+        let length = Some(Measure { value, u: 0.001 });
+        fit(&data, &FitOptions { length, ..FitOptions::default() }).unwrap()
+    };
+    assert!(says(&with(0.61), "the stated length is off by 22"), "{:?}", with(0.61).verdicts);
+    assert!(!says(&with(0.5), "length"), "{:?}", with(0.5).verdicts);
+}
+
+#[test]
+fn angles_in_the_wrong_unit_are_named() {
+    let (t, values) = swing(1.2, 0.02, 1000);
+    let smaller = values.iter().map(|y| y.to_radians()).collect();
+    let found = fit(&angle(t.clone(), smaller), &FitOptions::default()).unwrap();
+    assert!(
+        says(&found, "the unit is wrong") && !found.stands(),
+        "{:?} {:?}",
+        found.verdicts,
+        found.diagnostics
+    );
+    let right = fit(&angle(t, values), &FitOptions::default()).unwrap();
+    assert!(right.stands() && !says(&right, "scale"), "{:?}", right.verdicts);
+}
+
+#[test]
+fn a_scale_that_a_string_makes_is_named() {
+    let (t, values) = swing(0.9, 0.02, 1500);
+    let smaller = values.iter().map(|y| 0.71 * y).collect();
+    let found = fit(&angle(t, smaller), &FitOptions::default()).unwrap();
+    assert!(says(&found, "not a rigid pendulum's"), "{:?} {:?}", found.verdicts, found.diagnostics);
+    assert!((found.diagnostics.scale - 0.71).abs() < 0.01);
+}
+
+#[test]
+fn sparse_samples_are_warned_of() {
+    let (t, values) = swing(0.8, 0.62, 40);
+    let found = fit(&angle(t, values), &FitOptions::default()).unwrap();
+    assert!(says(&found, "points per swing"), "{:?}", found.verdicts);
+    assert!((found.omega0.value - (9.81f64 / 0.5).sqrt()).abs() < 4.0 * found.omega0.u, "{:?}", found.omega0);
+}
+
+#[test]
+fn a_frequency_that_changes_is_no_pendulum_with_this_friction() {
+    // The base moves: the swing is carried by another of nearly the same frequency.
+    let t = times(1500);
+    let values = t
+        .iter()
+        .enumerate()
+        .map(|(i, t)| 0.9 * (-0.02 * t).exp() * (4.2 * t + 0.6 * (0.5 * t).sin()).cos() + 0.001 * noise(i))
+        .collect();
+    let found = fit(&angle(t, values), &FitOptions::default()).unwrap();
+    assert!(!found.stands(), "{:?} {}", found.verdicts, found.rms);
+}

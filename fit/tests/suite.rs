@@ -5,6 +5,7 @@ mod bounds;
 mod clocks;
 mod column;
 mod containers;
+mod fit_apparatus;
 mod fit_record;
 mod fit_verdicts;
 mod malformed;

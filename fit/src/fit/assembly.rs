@@ -4,12 +4,13 @@ use super::bootstrap::block_bootstrap;
 use super::covariance::Covariance;
 use super::data::{Measured, clean, extent};
 use super::diagnosis::{linear_equation, of_residuals, scale, swing};
+use super::monte_carlo::interval;
 use super::options::FitOptions;
 use super::problem::{
     DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY,
     presliding,
 };
-use super::quote::quoted;
+use super::quote::{Quote, quoted};
 use super::record::{Fitted, fitted};
 use super::refusal::FitRefusal;
 use super::result::{
@@ -64,10 +65,10 @@ pub(super) fn record(
         let variance = covariance.matrix[(i, i)];
         let mut model = between(rungs, *chosen, value, variance);
         if value == OMEGA2 {
-            model = model.hypot(scattered.map_or(0.0, |s| s.1));
+            model = libm::hypot(model, scattered.map_or(0.0, |s| s.1));
         }
         let calibration =
-            (by_scale[i] * options.scale_u).hypot(clock(value) * found[value] * options.clock_u);
+            libm::hypot(by_scale[i] * options.scale_u, clock(value) * found[value] * options.clock_u);
         Estimate::new(found[value], variance.sqrt(), model, calibration)
     };
     let squared = estimate(OMEGA2);
@@ -78,7 +79,7 @@ pub(super) fn record(
         half * squared.model,
         half * squared.calibration,
     );
-    let (g, length, mut budget) = quoted(omega0, options);
+    let Quote { g, length, corrections, mut budget } = quoted(omega0, options)?;
     let mut diagnostics = Diagnostics {
         effective_size: fitted.effective,
         condition: covariance.condition,
@@ -117,7 +118,7 @@ pub(super) fn record(
         omega0,
         g,
         length,
-        length_given: options.length.is_some(),
+        length_given: options.length.is_some() || !options.parts.is_empty(),
         offset: Some(estimate(OFFSET)),
         offset_deg: Some(scaled(estimate(OFFSET), 1f64.to_degrees())),
         scale: place(SCALE).map(|_| estimate(SCALE)),
@@ -126,7 +127,7 @@ pub(super) fn record(
             quadratic: term(QUADRATIC),
             dry: term(DRY),
             presliding: term(PRESLIDING).map(|e| {
-                let angle = e.value.exp();
+                let angle = libm::exp(e.value);
                 Estimate { value: presliding(found), ..scaled(e, angle) }
             }),
         },
@@ -148,6 +149,8 @@ pub(super) fn record(
             })
             .collect(),
         correlation: correlation(&rung.free, &covariance),
+        corrections,
+        monte_carlo: interval(omega0, options),
         budget,
         diagnostics,
         residuals: Residuals {

@@ -40,7 +40,7 @@ impl Autoregression {
             }
             coefficients.push(reflection);
             variance *= 1.0 - reflection * reflection;
-            let bic = n * variance.ln() + order as f64 * n.ln();
+            let bic = n * libm::log(variance) + order as f64 * libm::log(n);
             if bic < least {
                 (best, least) = (coefficients.clone(), bic);
             }
@@ -90,7 +90,7 @@ pub(super) fn effective_size(residuals: &[f64], per_period: f64) -> f64 {
     let memory = |turn: f64| -> f64 {
         let part = |(k, r): (usize, &f64)| {
             let lag = (k + 1) as f64;
-            r * (1.0 - lag / n) * (turn * lag).cos()
+            r * (1.0 - lag / n) * libm::cos(turn * lag)
         };
         1.0 + 2.0 * rho[1..].iter().enumerate().map(part).sum::<f64>()
     };
@@ -122,7 +122,7 @@ impl Covariance {
             return None;
         }
         let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
-        if norms.iter().any(|norm| !(*norm > 0.0)) {
+        if norms.iter().any(|norm| norm.is_nan() || *norm <= 0.0) {
             return None;
         }
         let mut scaled = jacobian.clone();

@@ -35,7 +35,7 @@ impl CurveFit {
     /// Akaike's criterion with its correction.
     pub fn aicc(&self) -> f64 {
         let (n, k) = (self.residuals.len() as f64, self.values.len() as f64 + 1.0);
-        n * self.rms().powi(2).ln() + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0).max(1.0)
+        n * libm::log(self.rms().powi(2)) + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0).max(1.0)
     }
 }
 

@@ -42,11 +42,11 @@ fn best_presliding(samples: &Samples, measured: Measured, values: &Values) -> f6
     let quick = Patience { tolerance: 1e-3, evaluations: 5 };
     let tried = [0.003, 0.01, 0.03, 0.1].map(|angle| {
         let mut values = *values;
-        values[PRESLIDING] = f64::ln(angle);
+        values[PRESLIDING] = libm::log(angle);
         minimum(&few, measured, &[THETA, VELOCITY, OMEGA2, DRY], Loss::Squares, values, quick)
     });
     let best = tried.into_iter().min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares));
-    best.map_or(f64::ln(0.01), |best| best.values[PRESLIDING])
+    best.map_or(libm::log(0.01), |best| best.values[PRESLIDING])
 }
 
 /// A model at its minimum, from the values of a neighbour; negative friction is held at 0 and remembered.
@@ -104,7 +104,8 @@ impl Rung {
     /// A richer model never fits worse: where its search ended above the minimum of the poorer one, that minimum is its own, with
     /// the new term at its bound.
     pub fn not_above(&mut self, poorer: &Rung) {
-        if !(self.outcome.sum_of_squares <= poorer.outcome.sum_of_squares) {
+        let own = self.outcome.sum_of_squares;
+        if own.is_nan() || own > poorer.outcome.sum_of_squares {
             self.outcome = poorer.outcome.clone();
             self.mean_square = poorer.mean_square;
             self.wanted_negative.clone_from(&poorer.wanted_negative);
@@ -128,8 +129,8 @@ pub(super) fn criteria(rungs: &mut [Rung], per_period: f64) -> f64 {
         // With the variance, which is estimated too.
         let k = rung.free.len() as f64 + 1.0;
         let spare = (n - k - 1.0).max(1.0);
-        rung.aicc = n * rung.mean_square.ln() + 2.0 * k + 2.0 * k * (k + 1.0) / spare;
-        rung.bic = n * rung.mean_square.ln() + k * n.ln();
+        rung.aicc = n * libm::log(rung.mean_square) + 2.0 * k + 2.0 * k * (k + 1.0) / spare;
+        rung.bic = n * libm::log(rung.mean_square) + k * libm::log(n);
     }
     n
 }

@@ -52,7 +52,8 @@ pub(super) fn minimum(
         .with_stepbound(1.0);
     let before = problem.sum_of_squares();
     let (found, _) = method.minimize(problem);
-    if loss == Loss::Squares && !(found.sum_of_squares() <= before) {
+    let after = found.sum_of_squares();
+    if loss == Loss::Squares && (after.is_nan() || after > before) {
         let problem = Problem::new(samples, measured, free, loss, start);
         return outcome(&problem);
     }

@@ -1,5 +1,6 @@
 //! What the user knows beside the record, and which model is asked for.
 
+use super::known::{Corrections, MeasuredPart};
 use super::refusal::FitRefusal;
 use serde::Serialize;
 
@@ -51,6 +52,10 @@ impl Model {
 pub struct FitOptions {
     /// The equivalent length in m: gives g.
     pub length: Option<Measure>,
+    /// Parts of a rigid pendulum, which give the length.
+    pub parts: Vec<MeasuredPart>,
+    /// Bob, wire and air of a simple pendulum.
+    pub corrections: Corrections,
     /// The local g in m/s^2: gives the length.
     pub gravity: Option<Measure>,
     /// The rung; none for the ladder's own choice.
@@ -77,6 +82,12 @@ impl FitOptions {
             return Err(FitRefusal::new(
                 "length and gravity are both given: the motion holds g/L alone, so one of them must be left to the fit",
             ));
+        }
+        if !self.parts.is_empty() && (self.length.is_some() || self.gravity.is_some()) {
+            let other = if self.length.is_some() { "length" } else { "gravity" };
+            return Err(FitRefusal::new(format!(
+                "parts and {other} are both given: parts give the length, and the motion holds g/L alone"
+            )));
         }
         let positive = |name: &str, measure: &Option<Measure>| match measure {
             Some(Measure { value, .. }) if !(value.is_finite() && *value > 0.0) => {

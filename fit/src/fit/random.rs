@@ -28,7 +28,7 @@ impl Stream {
     /// Standard normal, by Box and Muller's map of two uniform numbers.
     pub fn normal(self, counter: u64) -> f64 {
         let (a, b) = (self.uniform(2 * counter), self.uniform(2 * counter + 1));
-        (-2.0 * a.ln()).sqrt() * (core::f64::consts::TAU * b).cos()
+        (-2.0 * libm::log(a)).sqrt() * libm::cos(core::f64::consts::TAU * b)
     }
 }
 

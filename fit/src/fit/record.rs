@@ -8,8 +8,8 @@ use super::options::{FitOptions, Model};
 use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
-use super::swings::{Swings, noise};
-use super::window::reached;
+use super::swings::{Passage, Swings, noise};
+use super::window::{caught, last_motion, reached};
 
 /// A record at the minimum of every rung.
 #[derive(Clone, Debug)]
@@ -59,9 +59,9 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     }
     let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
     let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
-    let mut values = first.values;
+    let values = first.values;
     if options.window.is_none() {
-        (from, to) = extended(&all, measured, &start, &mut values, sensor, to);
+        (from, to) = extended(&all, measured, &start, &values, sensor, to, &swings.passages[decay.clone()]);
     }
     let mut samples = part(from, to);
     let mut rows: Vec<usize> =
@@ -72,7 +72,11 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let per_period = thin.len() as f64 * start.period / (to - from);
     let mut effective = criteria(&mut rungs, per_period);
     let wanted = options.model.is_none_or(|model| model == Model::Presliding);
-    if wanted && let Some(dry) = rungs.iter().find(|rung| rung.model == Model::Dry).cloned() {
+    let moves = |rung: &Rung| rung.outcome.rms() < 0.05 * (extent(&thin.y).1 - extent(&thin.y).0);
+    if wanted
+        && let Some(dry) =
+            rungs.iter().find(|rung| rung.model == Model::Dry).filter(|rung| moves(rung)).cloned()
+    {
         // Presliding has a state of its own that no later one determines: the search starts at the first passage.
         let first = swings.passages[decay.clone()].iter().map(|p| p.t - anchor).find(|t| *t >= from);
         let shift = first.unwrap_or(0.0);
@@ -86,7 +90,8 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
             let mut slid =
                 rung(&thin, measured, Model::Presliding, &plain.outcome.values, options.free_scale, CLOSE);
             slid.not_above(&plain);
-            slid.mean_square *= dry.mean_square / plain.mean_square;
+            // A few samples fewer: the ratio of what dry friction leaves stays near 1.
+            slid.mean_square *= (dry.mean_square / plain.mean_square).clamp(0.8, 1.25);
             rungs.push(slid);
             effective = criteria(&mut rungs, per_period);
             let last = rungs.len() - 1;
@@ -139,31 +144,17 @@ fn nearest_start(t: &[f64], y: &[f64], measured: Measured, starts: &[Start], noi
     tried.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, start)| start)
 }
 
-/// The end of the last half period in which the record moves: after it dry friction holds the pendulum.
-fn last_motion(all: &Samples, period: f64, noise: f64) -> f64 {
-    let mut end = all.len();
-    while end > 0 {
-        let to = all.t[end - 1];
-        let begin = all.t.partition_point(|t| *t < to - 0.5 * period);
-        let (low, high) = extent(&all.y[begin..end]);
-        if high - low > 8.0 * noise || begin == 0 {
-            return to;
-        }
-        end = begin;
-    }
-    all.t[0]
-}
-
 /// The window, widened to all that the motion describes and cut where it does not.
 fn extended(
     all: &Samples,
     measured: Measured,
     start: &Start,
-    values: &mut Values,
+    values: &Values,
     noise: f64,
     mut to: f64,
+    passages: &[Passage],
 ) -> (f64, f64) {
-    let swing = all.y.iter().fold(0.0f64, |most, y| most.max((y - start.values[OFFSET]).abs()));
+    let swing = start.reach;
     // The neighbourhood of the release alone: friction of a later time must not decide. At first a wide bound, because the motion
     // before the anchor is extrapolated.
     let (mut begin, mut local) = (-0.2 * start.period, *values);
@@ -174,17 +165,33 @@ fn extended(
         let outcome = minimum(&near, measured, &free, Loss::Squares, local, ROUGH);
         local = outcome.values;
         let usual = robust_deviation(&outcome.residuals).max(noise);
-        let next = reached(all, measured, &local, begin, (6.0 * usual).max(share * swing), -1.0);
+        let bound = (6.0 * usual).clamp(share * swing, 0.1 * swing);
+        let next = reached(all, measured, &local, begin, bound, -1.0);
         // What was taken in wrongly is given back.
-        let inner =
-            reached(all, measured, &local, -0.1 * start.period, (6.0 * usual).max(share * swing), -1.0);
+        let inner = reached(all, measured, &local, -0.1 * start.period, bound, -1.0);
         begin = next.max(inner);
     }
     let from = begin.min(-0.1 * start.period).max(all.t[0]);
     let near = all.thinned(from, to, 3000);
     let along = super::problem::Problem::new(&near, measured, &[], Loss::Squares, *values);
     let usual = robust_deviation(along.plain()).max(noise);
-    to = to.max(reached(all, measured, values, to, 6.0 * usual, 1.0));
+    // What is beyond a bound of the size of the last swing says nothing.
+    to = to.max(reached(
+        all,
+        measured,
+        values,
+        to,
+        (6.0 * usual).min((0.3 * start.last).max(4.0 * noise)),
+        1.0,
+    ));
+    let stop = caught(&near, along.plain(), values[OFFSET], start.period, noise);
+    // Swings that go on in their own rhythm beyond it say that the search has gone astray there, not the pendulum.
+    let after = |p: &&Passage| p.t - start.anchor > stop;
+    let before = passages.iter().rev().find(|p| !after(p)).map_or(0.0, |p| p.swing);
+    let goes_on = passages.iter().filter(after).filter(|p| p.swing > 0.5 * before).count() > 2;
+    if !goes_on {
+        to = to.min(stop);
+    }
     to = to.min(last_motion(all, start.period, noise) + 0.1 * start.period);
     (from, to)
 }

@@ -1,5 +1,6 @@
 //! What a fit hands out; it serialises to JSON.
 
+use super::known::CorrectionRow;
 use super::options::Model;
 use serde::{Serialize, Serializer};
 
@@ -206,6 +207,10 @@ pub struct Fit {
     pub correlation: Correlation,
     /// Of g, or of the length, or of omega0.
     pub budget: Vec<BudgetRow>,
+    /// What bob, wire and air do to the period.
+    pub corrections: Vec<CorrectionRow>,
+    /// 95 % interval of the quoted quantity by Monte Carlo, where asked for.
+    pub monte_carlo: Option<(f64, f64)>,
     /// What the residuals say.
     pub diagnostics: Diagnostics,
     /// The samples with their residuals.

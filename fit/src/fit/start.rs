@@ -14,6 +14,10 @@ pub(super) struct Start {
     pub anchor: f64,
     /// The period there, in s.
     pub period: f64,
+    /// The largest swing, in the unit of the record.
+    pub reach: f64,
+    /// The last swing.
+    pub last: f64,
     pub values: Values,
     /// Friction from the loss of energy: of the linear term alone, of linear and quadratic, of all three.
     pub friction: [[f64; 3]; 3],
@@ -34,7 +38,7 @@ pub(super) fn free_decay(swings: &Swings, samples: usize) -> core::ops::Range<us
     let usual = |i: usize| median(&steps[i.saturating_sub(2)..(i + 3).min(steps.len())]);
     let follows = |i: usize| {
         let ratio = steps[i] / usual(i);
-        passages[i + 1].swing <= tolerance * passages[i].swing && (0.55..1.8).contains(&ratio)
+        passages[i + 1].swing <= tolerance * passages[i].swing + swings.slack && (0.55..1.8).contains(&ratio)
     };
     let sum = |range: &core::ops::Range<usize>| passages[range.clone()].iter().map(|p| p.swing).sum::<f64>();
     let (mut best, mut begin) = (0..1, 0);
@@ -215,5 +219,12 @@ fn start(
         }
     };
     values[THETA] = 0.0;
-    Some(Start { anchor, period: pairs[0].1, values, friction })
+    Some(Start {
+        anchor,
+        period: pairs[0].1,
+        reach: fastest.swing,
+        last: passages[passages.len() - 1].swing,
+        values,
+        friction,
+    })
 }

@@ -31,6 +31,8 @@ pub(super) struct Swings {
     pub passages: Vec<Passage>,
     /// Where the record rests.
     pub centre: f64,
+    /// How much noise may change a swing.
+    pub slack: f64,
 }
 
 /// Noise and rounding of a record, from its fourth differences, which a smooth motion leaves small.
@@ -101,7 +103,8 @@ impl Swings {
             n => median(&middles[n / 2..]),
         };
         let passages = turning.windows(2).map(|pair| passage(t, &smooth, pair, centre)).collect();
-        Swings { turns: turning, passages, centre }
+        let slack = 3.0 * noise(&smooth).min(0.05 * range);
+        Swings { turns: turning, passages, centre, slack }
     }
 }
 

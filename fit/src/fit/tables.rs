@@ -2,8 +2,9 @@
 
 use super::curve::{CurveFit, inside, nearest};
 use super::data::{extent, median};
+use super::monte_carlo::interval;
 use super::options::{FitOptions, Model};
-use super::quote::quoted;
+use super::quote::{Quote, quoted};
 use super::refusal::FitRefusal;
 use super::result::{
     Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals, Verdict,
@@ -97,7 +98,7 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
     };
     let offset = best.values.get(1).map(|value| Estimate::new(*value, best.u(1), 0.0, 0.0));
     let swing = a.iter().fold(0.0f64, |most, a| most.max(a.abs()));
-    let mut fit = of_periods(&best, options, rows, swing, &measured);
+    let mut fit = of_periods(&best, options, rows, swing, &measured)?;
     fit.offset = offset;
     fit.offset_deg = offset.map(|e| Estimate::new(e.value.to_degrees(), e.u.to_degrees(), 0.0, 0.0));
     fit.residuals.t = a;
@@ -131,7 +132,7 @@ pub(super) fn gate(
     let (best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
-    let mut fit = of_periods(&best, options, rows, swing, &measured);
+    let mut fit = of_periods(&best, options, rows, swing, &measured)?;
     fit.residuals.t = times;
     fit.window = extent(&fit.residuals.t);
     if let Some(place) = linear {
@@ -190,10 +191,16 @@ fn gate_once(
 }
 
 /// The result of periods alone.
-fn of_periods(best: &CurveFit, options: &FitOptions, rows: Rows, swing: f64, measured: &[f64]) -> Fit {
+fn of_periods(
+    best: &CurveFit,
+    options: &FitOptions,
+    rows: Rows,
+    swing: f64,
+    measured: &[f64],
+) -> Result<Fit, FitRefusal> {
     let value = best.values[0];
     let omega0 = Estimate::new(value, best.u(0), 0.0, options.clock_u * value);
-    let (g, length, budget) = quoted(omega0, options);
+    let Quote { g, length, corrections, budget } = quoted(omega0, options)?;
     let n = measured.len() as f64;
     let mean = measured.iter().sum::<f64>() / n;
     let constant = (measured.iter().map(|t| (t - mean).powi(2)).sum::<f64>() / n).sqrt();
@@ -218,14 +225,16 @@ fn of_periods(best: &CurveFit, options: &FitOptions, rows: Rows, swing: f64, mea
     let names = &["omega0", "second value", "linear"][..best.values.len()];
     let matrix = &best.covariance.matrix;
     let entry = |i: usize, j: usize| matrix[(i, j)] / (matrix[(i, i)] * matrix[(j, j)]).sqrt();
-    Fit {
+    Ok(Fit {
         model: Model::None,
         rms,
         rms_deg: None,
         omega0,
         g,
         length,
-        length_given: options.length.is_some(),
+        length_given: options.length.is_some() || !options.parts.is_empty(),
+        corrections,
+        monte_carlo: interval(omega0, options),
         offset: None,
         offset_deg: None,
         scale: None,
@@ -250,5 +259,5 @@ fn of_periods(best: &CurveFit, options: &FitOptions, rows: Rows, swing: f64, mea
         },
         residuals: Residuals { t: Vec::new(), measured: measured.to_vec(), residual: best.residuals.clone() },
         state: (swing, 0.0, 0.0),
-    }
+    })
 }

@@ -18,7 +18,7 @@ pub(super) struct Evidence {
 }
 
 /// g on the surface of the Earth, pole to equator with mountains, in m/s^2.
-const GRAVITY_ON_EARTH: (f64, f64) = (9.763, 9.834);
+pub(super) const GRAVITY_ON_EARTH: (f64, f64) = (9.763, 9.834);
 
 pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     let mut found = Vec::new();
@@ -60,8 +60,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         && !isochronous
         && degrees > 10.0;
     let waveform = asks && gain > 2.0 && (s - 1.0).abs() > 0.1;
-    let in_degrees = (s / 1f64.to_radians()).ln().abs() < 0.1;
-    let in_radians = (s * 1f64.to_radians()).ln().abs() < 0.1;
+    let in_degrees = libm::log(s / 1f64.to_radians()).abs() < 0.1;
+    let in_radians = libm::log(s * 1f64.to_radians()).abs() < 0.1;
     if s > 0.0 && gain > 1.1 && evidence.angles && !isochronous && (in_degrees || in_radians) {
         let (given, meant) = if in_degrees { ("degrees", "radians") } else { ("radians", "degrees") };
         say(
