@@ -76,3 +76,13 @@ fn units_beside_every_number() {
         "file.csv: line 3: column \"theta\" has values in \"deg\" and in \"rad\"; write one unit"
     );
 }
+
+#[test]
+fn what_another_run_lacks_is_not_told() {
+    let text =
+        "Time (s),Angle (rad) Run #1,Angle (rad) Run #2\n0,0.1,0.2\n0.1,0.2,x\n0.2,0.1,0.1\n0.3,0.2,0.3\n";
+    let first = record(text);
+    assert_eq!((first.run, first.time.len(), first.dropped.len()), ((1, 2), 4, 0));
+    let second = read("f", text.as_bytes(), &Options { run: Some(2), ..Options::default() }).unwrap();
+    assert_eq!((second.time.len(), second.dropped[0].lines.clone()), (3, vec![3]));
+}

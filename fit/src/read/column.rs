@@ -63,7 +63,8 @@ pub fn column(bytes: &[u8], name: Option<&str>, wanted: &Wanted<'_>) -> Result<V
     let first =
         rows.next().ok_or_else(|| unread(format!("holds no {plural}: it is empty, but for comments")))?;
     let separator = ['\t', ';', ','].into_iter().find(|each| first.text.contains(*each)).unwrap_or(',');
-    let cells = row(first, separator)?;
+    let dialect = Dialect::separated(Separator::One(separator));
+    let cells = row(first, &dialect)?;
     let headed = is_header(&cells);
     let mut rows = rows.peekable();
     if let (true, Some(second)) = (headed, rows.peek()) {
@@ -72,7 +73,7 @@ pub fn column(bytes: &[u8], name: Option<&str>, wanted: &Wanted<'_>) -> Result<V
     let chosen = chosen(name, &cells, headed, wanted)?;
     let doubtful = !headed && name.is_none() && separator == ',' && cells.len() > 1;
     let mut reader = Strict {
-        separator,
+        dialect,
         width: cells.len(),
         index: chosen.index,
         factor: chosen.factor,
@@ -107,7 +108,7 @@ pub fn column(bytes: &[u8], name: Option<&str>, wanted: &Wanted<'_>) -> Result<V
 }
 
 /// The cells of a line.
-fn row(line: Line<'_>, separator: char) -> Result<Vec<String>, Unread> {
+fn row(line: Line<'_>, dialect: &Dialect) -> Result<Vec<String>, Unread> {
     let length = if line.text.len() > LONGEST_LINE { line.text.trim_matches(' ').chars().count() } else { 0 };
     if length > LONGEST_LINE {
         let reason = format!(
@@ -116,7 +117,6 @@ fn row(line: Line<'_>, separator: char) -> Result<Vec<String>, Unread> {
         );
         return Err(unread(reason));
     }
-    let dialect = Dialect { separator: Separator::One(separator), clocked: false, names: Vec::new() };
     let mut cells = Vec::new();
     let line = Line { text: line.text.trim_matches(' '), ..line };
     dialect
@@ -137,7 +137,7 @@ fn refuse_two_headers(first: Line<'_>, second: Line<'_>) -> Result<(), Unread> {
     let Some(separator) = ['\t', ';', ','].into_iter().find(|each| second.text.contains(*each)) else {
         return Ok(());
     };
-    if !is_header(&row(second, separator)?) {
+    if !is_header(&row(second, &Dialect::separated(Separator::One(separator)))?) {
         return Ok(());
     }
     let (first, second) = (first.number, second.number);
@@ -204,7 +204,7 @@ fn chosen(
     let index = match column {
         None => {
             let known = |name: &&str| wanted.names.contains(&name.to_lowercase());
-            bare.iter().position(|name| known(&name)).unwrap_or(wanted.place)
+            bare.iter().position(known).unwrap_or(wanted.place)
         }
         Some(column) => {
             let whole = only(&mut (0..cells.len()).filter(|k| cells[*k] == column));
@@ -245,7 +245,7 @@ fn name_and_unit<'c>(cell: &'c str, factor: &dyn Fn(&str) -> Option<String>) -> 
 
 /// One column on its way from lines to doubles.
 struct Strict {
-    separator: char,
+    dialect: Dialect,
     width: usize,
     index: usize,
     factor: Option<String>,
@@ -261,11 +261,11 @@ struct Strict {
 
 impl Strict {
     fn take(&mut self, line: Line<'_>, quoted: &dyn Fn(&str) -> String) -> Result<(), Unread> {
-        let cells = row(line, self.separator)?;
+        let cells = row(line, &self.dialect)?;
         self.whole &= cells.iter().all(|cell| is_whole(cell));
         let cell = cells.get(self.index).map_or("", String::as_str);
-        let pointed = if self.separator == ',' { None } else { with_point(cell) };
-        if self.separator != ',' {
+        let pointed = if self.dialect.separator == Separator::One(',') { None } else { with_point(cell) };
+        if self.dialect.separator != Separator::One(',') {
             self.comma |= pointed.is_some();
             self.point |= pointed.is_none() && cell.contains('.');
         }

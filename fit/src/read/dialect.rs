@@ -2,6 +2,7 @@
 //! serial monitor writes in front.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 
 use super::lines::{Line, comment, lines};
 use super::numbers;
@@ -26,16 +27,25 @@ pub(super) enum Separator {
 }
 
 /// How the lines of a file are cut.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub(super) struct Dialect {
     pub separator: Separator,
     /// Whether `14:03:07.150 -> ` stands in front.
     pub clocked: bool,
     /// The names of pairs, or of the numbers of vectors.
     pub names: Vec<String>,
+    /// The reader of lines with quotes: its tables take longer to build than a line to read, and a copy of it has none.
+    quotes: RefCell<csv_core::Reader>,
 }
 
 impl Dialect {
+    /// The dialect of a known separator.
+    pub(super) fn separated(separator: Separator) -> Dialect {
+        let delimiter = if let Separator::One(each) = separator { each as u8 } else { b',' };
+        let quotes = csv_core::ReaderBuilder::new().delimiter(delimiter).build();
+        Dialect { separator, clocked: false, names: Vec::new(), quotes: RefCell::new(quotes) }
+    }
+
     /// The dialect of a text.
     pub(super) fn of(text: &str) -> Result<Dialect, Refusal> {
         let (mut numeric, mut worded) = (Vec::new(), Vec::new());
@@ -57,7 +67,7 @@ impl Dialect {
             sample = sample.into_iter().map(without_clock).collect();
         }
         let (separator, names) = separator(&sample);
-        Ok(Dialect { separator, clocked, names })
+        Ok(Dialect { clocked, names, ..Dialect::separated(separator) })
     }
 
     /// The cells of a line.
@@ -66,7 +76,9 @@ impl Dialect {
         short_enough(line)?;
         let text = if self.clocked { without_clock(line.text) } else { line.text };
         match self.separator {
-            Separator::One(separator) if text.contains('"') => quoted_cells(text, separator, cells),
+            Separator::One(_) if text.contains('"') => {
+                quoted_cells(text, &mut self.quotes.borrow_mut(), cells)
+            }
             Separator::One(separator) => {
                 let parts = text.split(separator).take(MOST_COLUMNS + 1);
                 cells.extend(parts.map(|cell| Cow::Borrowed(cell.trim())));
@@ -199,8 +211,8 @@ fn vector_names(line: &str) -> Vec<String> {
 }
 
 /// Cells some of which are in quotes, which are taken away; a quote that does not end, ends with the line.
-fn quoted_cells<'a>(line: &'a str, separator: char, cells: &mut Vec<Cow<'a, str>>) {
-    let mut reader = csv_core::ReaderBuilder::new().delimiter(separator as u8).build();
+fn quoted_cells<'a>(line: &'a str, reader: &mut csv_core::Reader, cells: &mut Vec<Cow<'a, str>>) {
+    reader.reset();
     let mut input = line.as_bytes();
     // No cell is longer than its line.
     let mut field = vec![0u8; line.len() + 1];

@@ -44,10 +44,10 @@ pub(super) fn record(text: &str, options: &Options) -> Result<Record, Refusal> {
     let mut runs: Vec<Run> = Vec::new();
     let mut refused: Option<Refusal> = None;
     for group in groups(&table.heads) {
-        match select(&table, &profiles, &group, options) {
-            Ok(selection) => runs_of(&table, group, selection, options, &profiles, &mut runs, &mut record)?,
-            Err(refusal) => refused = refused.or(Some(refusal)),
-        }
+        let selected = select(&table, &profiles, &group, options);
+        let taken =
+            selected.and_then(|selection| runs_of(&table, group, selection, options, &profiles, &mut runs));
+        refused = refused.or(taken.err());
     }
     let (run, count) = match (chosen(&runs, options, table.vernier)?, refused) {
         (Some(run), _) => (run, runs.len()),
@@ -71,7 +71,8 @@ pub(super) fn record(text: &str, options: &Options) -> Result<Record, Refusal> {
             run + 1
         ));
     }
-    record.understood.extend(run_taken.selection.understood.iter().cloned());
+    record.understood.extend(run_taken.notes.0.iter().chain(&run_taken.selection.understood).cloned());
+    record.dropped.extend(run_taken.notes.1.iter().cloned());
     finish(&table, run_taken, &profiles, options, &mut record)?;
     Ok(record)
 }

@@ -9,7 +9,7 @@ use super::names::Meaning;
 use super::numbers;
 use super::options::Options;
 use super::profile::Profile;
-use super::record::{Record, leave_out};
+use super::record::{Dropped, leave_out};
 use super::refusal::{Refusal, quoted};
 use super::select::{Chosen, Selection};
 use super::stamps;
@@ -22,6 +22,8 @@ pub(super) struct Run {
     pub stamps: Vec<(usize, f64)>,
     /// Whether its motion is more than a last digit that flickers.
     pub moves: f64,
+    /// What was guessed and left out in its columns.
+    pub notes: Rc<(Vec<String>, Vec<Dropped>)>,
 }
 
 /// The columns whose values a row must have.
@@ -40,12 +42,11 @@ pub(super) fn runs_of(
     options: &Options,
     profiles: &[Profile],
     runs: &mut Vec<Run>,
-    record: &mut Record,
 ) -> Result<(), Refusal> {
     let needed = needed(&selection.chosen);
     let (group, selection) = (Rc::new(group), Rc::new(selection));
-    let rate =
-        options.rate.filter(|_| selection.time.is_none()).or(table.rate.filter(|_| selection.time.is_none()));
+    let rate = if selection.time.is_none() { options.rate.or(table.rate) } else { None };
+    let (mut understood, mut dropped) = (Vec::new(), Vec::new());
     // Tables of periods need no times.
     let swings = matches!(selection.chosen, Chosen::Swings(..))
         || matches!(selection.chosen, Chosen::Gate(..)) && selection.time.is_none();
@@ -100,22 +101,30 @@ pub(super) fn runs_of(
                 format!("no number in column {name}")
             }
         });
-        leave_out(&mut record.dropped, &reason, table.lines[row] as usize);
+        leave_out(&mut dropped, &reason, table.lines[row] as usize);
     }
     if swings || selection.time.is_none() {
         if !stamps.is_empty() {
-            runs.push(Run { group, selection, stamps, moves: 1.0 });
+            let notes = Rc::new((understood, dropped));
+            runs.push(Run { group, selection, stamps, moves: 1.0, notes });
         }
         return Ok(());
     }
     let recordings = clock::recordings(&stamps, &table.restarts);
-    stamps::tell(&recordings, table, record);
+    stamps::tell(&recordings, table, &mut understood, &mut dropped);
+    let notes = Rc::new((understood, dropped));
     for stamps in recordings.runs {
         let moves = needed.first().map_or(1.0, |column| {
             let profile = Profile::of(stamps.iter().map(|stamp| table.columns[*column][stamp.0]));
             profile.range() / profile.most.abs().max(profile.least.abs()).max(f64::MIN_POSITIVE)
         });
-        runs.push(Run { group: Rc::clone(&group), selection: Rc::clone(&selection), stamps, moves });
+        runs.push(Run {
+            group: Rc::clone(&group),
+            selection: Rc::clone(&selection),
+            stamps,
+            moves,
+            notes: Rc::clone(&notes),
+        });
     }
     Ok(())
 }

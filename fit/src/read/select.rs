@@ -325,8 +325,10 @@ impl Choice<'_> {
         match unsaid {
             [] => {
                 // A distance without a pivot: small swings have its period.
-                let distance =
-                    |k: &&usize| self.heads[**k].unit.is_some_and(|unit| unit.dimension == Dimension::Length);
+                let distance = |k: &&usize| {
+                    let length = self.heads[**k].unit.is_some_and(|unit| unit.dimension == Dimension::Length);
+                    length && !self.profiles[**k].clock()
+                };
                 if let [column] = moving.iter().filter(distance).copied().collect::<Vec<usize>>()[..] {
                     return Ok(Chosen::One(Quantity::AngleUnscaled, column));
                 }

@@ -4,7 +4,7 @@ use super::clock::{self, Recordings};
 use super::heads::Head;
 use super::options::{Options, Role};
 use super::profile::{Profile, median};
-use super::record::{Record, leave_out};
+use super::record::{Dropped, Record, leave_out};
 use super::refusal::{Refusal, plain, quoted};
 use super::table::Table;
 use super::units::{Dimension, unit};
@@ -78,17 +78,22 @@ pub(super) fn refuse_backwards(name: &str, profile: &Profile, line: usize) -> Re
 }
 
 /// Says what the counters did.
-pub(super) fn tell(recordings: &Recordings, table: &Table<'_>, record: &mut Record) {
+pub(super) fn tell(
+    recordings: &Recordings,
+    table: &Table<'_>,
+    understood: &mut Vec<String>,
+    dropped: &mut Vec<Dropped>,
+) {
     if let Some(period) = recordings.wraps.first() {
         let times = if recordings.wraps.len() > 1 {
             format!(" {} times", recordings.wraps.len())
         } else {
             String::new()
         };
-        record.understood.push(format!("The clock wraps{times}: {period} is added at each fall."));
+        understood.push(format!("The clock wraps{times}: {period} is added at each fall."));
     }
     for row in &recordings.strays {
-        leave_out(&mut record.dropped, "a time far from those before and after", table.lines[*row] as usize);
+        leave_out(dropped, "a time far from those before and after", table.lines[*row] as usize);
     }
 }
 
