@@ -93,6 +93,7 @@ __all__ = [
     "duffing_of_pendulum",
     "duffing_u",
     "duffing_velocity",
+    "equivalent_length",
     "factors",
     "fit_columns",
     "frequency",
@@ -590,12 +591,16 @@ def fit_columns(
     columns: list[np.ndarray],
     length: tuple[float, float] | None,
     gravity: tuple[float, float] | None,
+    parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
     model: str | None,
     window: tuple[float, float] | None,
     relative: tuple[float, float],
     free_scale: bool,
     resampled: tuple[int, int, int],
 ) -> tuple[str, list[str], list[np.ndarray]]: ...
+def equivalent_length(
+    parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
+) -> tuple[float, float]: ...
 def gravity_of_period(
     period: tuple[float, float], length: tuple[float, float], swing: tuple[float, float]
 ) -> tuple[tuple[float, float], list[tuple[str, float]], float]: ...

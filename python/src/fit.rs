@@ -4,9 +4,13 @@
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 
-use libration_fit::fit::{Data, Fit, FitOptions, FitRefusal, Grade, Measure, Measured, Model};
+use libration::Shape;
+use libration_fit::fit::{
+    Corrections, Data, Fit, FitOptions, FitRefusal, Grade, Measure, Measured, MeasuredPart, Model,
+    length_of_parts,
+};
 use libration_fit::{Kind, Options, Wanted};
-use numpy::{IntoPyArray, PyArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
@@ -21,6 +25,35 @@ type Fitted<'py> = (String, Vec<&'static str>, [Floats<'py>; 3]);
 
 fn measure((value, u): Pair) -> Measure {
     Measure { value, u }
+}
+
+/// Shape, and mass, distance of the centre and size, as Python gives them.
+type PartGiven = (String, Pair, Pair, Pair);
+
+const SHAPES: [(&str, Shape); 4] =
+    [("rod", Shape::Rod), ("ball", Shape::Ball), ("disc", Shape::Disc), ("point", Shape::Point)];
+
+fn parts_of(given: Vec<PartGiven>) -> PyResult<Vec<MeasuredPart>> {
+    let part = |(shape, mass, distance, size): PartGiven| {
+        let found = SHAPES.iter().find(|(name, _)| *name == shape);
+        let (_, shape) = found.ok_or_else(|| {
+            PyValueError::new_err(format!("part = {shape}: must be one of rod, ball, disc, point"))
+        })?;
+        Ok(MeasuredPart {
+            shape: *shape,
+            mass: measure(mass),
+            distance: measure(distance),
+            size: measure(size),
+        })
+    };
+    given.into_iter().map(part).collect()
+}
+
+/// The equivalent length of a rigid pendulum and its standard uncertainty.
+#[pyfunction]
+fn equivalent_length(parts: Vec<PartGiven>) -> PyResult<Pair> {
+    let found = length_of_parts(&parts_of(parts)?).map_err(refused)?;
+    Ok((found.value, found.u))
 }
 
 fn refused(refusal: FitRefusal) -> PyErr {
@@ -154,25 +187,29 @@ fn friction_models() -> Vec<&'static str> {
 
 /// The fit of columns. `ValueError` of one line. `resampled` is bootstrap, draws and seed; `relative` scale and clock.
 #[pyfunction]
-#[pyo3(signature = (kind, columns, length, gravity, model, window, relative, free_scale, resampled))]
+#[pyo3(signature = (kind, columns, length, gravity, parts, model, window, relative, free_scale, resampled))]
 #[allow(clippy::too_many_arguments, reason = "the options of a fit, handed over once")]
 fn fit_columns<'py>(
     py: Python<'py>,
     kind: &str,
-    columns: Vec<Vec<f64>>,
+    columns: Vec<PyReadonlyArray1<'py, f64>>,
     length: Option<Pair>,
     gravity: Option<Pair>,
+    parts: Vec<PartGiven>,
     model: Option<&str>,
     window: Option<Pair>,
     relative: Pair,
     free_scale: bool,
     resampled: (usize, usize, u64),
 ) -> PyResult<Fitted<'py>> {
+    let columns = columns.iter().map(|column| Ok(column.as_slice()?.to_vec())).collect::<PyResult<_>>()?;
     let data = data_of(kind, columns)?;
     let model = model.and_then(|name| Model::LADDER.into_iter().find(|model| model.name() == name));
     let options = FitOptions {
         length: length.map(measure),
         gravity: gravity.map(measure),
+        parts: parts_of(parts)?,
+        corrections: Corrections::default(),
         model,
         window,
         scale_u: relative.0,
@@ -268,6 +305,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Record>()?;
     module.add_function(wrap_pyfunction!(friction_models, module)?)?;
     module.add_function(wrap_pyfunction!(fit_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(equivalent_length, module)?)?;
     module.add_function(wrap_pyfunction!(gravity_of_period, module)?)?;
     module.add_function(wrap_pyfunction!(normal_gravity, module)?)?;
     module.add_function(wrap_pyfunction!(column, module)?)

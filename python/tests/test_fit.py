@@ -205,3 +205,34 @@ def test_rows_without_numbers_are_listed():
     found = fit(T, theta, length=0.8)
     assert found.dropped == [{"reason": "no number", "count": 2, "rows": [5, 9]}]
     assert "2 rows: no number (rows 6, 10)" in str(found)
+
+
+def test_a_rigid_pendulum_of_parts():
+    # A uniform rod from its end has two thirds of its length.
+    rod = ("rod", (0.3, 0.001), (0.6, 0.001), (1.2, 0.001))
+    found = fit(T, record(), parts=[rod], model="linear")
+    assert found.length.value == pytest.approx(0.8)
+    assert found.g.value == pytest.approx(9.81, abs=4 * found.g.u)
+    assert found.g.calibration > 0.005
+    with pytest.raises(ValueError, match="must be one of rod, ball, disc, point"):
+        fit(T, record(), parts=[("cube", 1.0, 1.0, 1.0)])
+    with pytest.raises(ValueError, match=r"must be \(shape, mass, distance, size\)"):
+        fit(T, record(), parts=[("rod", 1.0)])
+
+
+def test_files_of_matlab(tmp_path):
+    scipy_io = pytest.importorskip("scipy.io")
+    path = tmp_path / "swing.mat"
+    scipy_io.savemat(path, {"run": {"t": T, "theta": record(), "note": "words"}, "mass": 0.2})
+    found = fit(path, columns={"time": "run.t", "angle": "run.theta"}, units={"angle": "rad"}, length=(0.8, 0.001))
+    assert found.g.value == pytest.approx(9.81, abs=0.008)
+    scipy_io.savemat(path, {"mass": 0.2})
+    with pytest.raises(ValueError, match="without a series"):
+        fit(path)
+
+
+def test_files_of_parquet(tmp_path):
+    pytest.importorskip("pyarrow")
+    path = tmp_path / "swing.parquet"
+    pandas.DataFrame({"t [s]": T, "theta [rad]": record()}).to_parquet(path)
+    assert fit(path, length=0.8).g.value == pytest.approx(9.81, abs=0.008)

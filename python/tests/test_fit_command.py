@@ -145,3 +145,30 @@ def test_a_refused_file_leaves_nothing(file, tmp_path, capsys):
     report = tmp_path / "a.html"
     assert main(["fit", str(bad), "--report", str(report)]) == 2
     assert not report.exists()
+
+
+def test_parts_give_the_length(file, capsys):
+    assert main(["fit", file, "--part", "rod:1.200±0.001m,300g", "--json", "--model", "linear"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["length"]["value"] == pytest.approx(0.8)
+    # A heavy ball at the end of a thread is nearly a point.
+    words = ["--part", "rod:0.8m,0.1g", "--part", "ball:80cm,1kg,1mm"]
+    assert main(["fit", file, *words, "--json", "--model", "linear"]) == 0
+    assert json.loads(capsys.readouterr().out)["g"]["value"] == pytest.approx(9.81, abs=0.01)
+
+
+PARTS = [
+    ("--part cube:1m,1kg", "must be rod:LENGTH,MASS"),
+    ("--part rod:1m", "must be rod:LENGTH,MASS"),
+    ("--part point:1m,1s", "unknown unit 's'"),
+    ("--part point:-1m,1kg", "must be 0 or greater"),
+    ("--part point:0m,1kg", "--part: moment = 0"),
+    ("--part point:1m,1kg --length 1m", "--part and --length"),
+]
+
+
+@pytest.mark.parametrize(("words", "message"), PARTS)
+def test_bad_parts(words, message, file, capsys):
+    assert main(["fit", file, *words.split()]) == 2
+    told = capsys.readouterr()
+    assert message in told.err and told.err.count("\n") == 1 and not told.out

@@ -3,6 +3,7 @@
 Every file is read and fitted before anything is printed or written, so that a refusal leaves nothing half done.
 """
 
+from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from libration.cli.files import staged, strict
@@ -31,7 +32,7 @@ from libration.cli.picture import (
     picture_look,
     picture_options,
 )
-from libration.cli.quantities import GRAVITY, LENGTH, TIME, Dimension, plain, quantity
+from libration.cli.quantities import GRAVITY, LENGTH, ONE, TIME, Dimension, plain, quantity
 
 if TYPE_CHECKING:
     from libration import Fit
@@ -54,6 +55,16 @@ in one line, with the option that answers it.
 """,
     ),
     Topic(
+        "parts of a rigid pendulum",
+        (
+            ("rod:LENGTH,MASS", "hangs from the pivot; with a third value its centre is so far below"),
+            ("ball:DISTANCE,MASS,RADIUS", "a ball, its centre so far below the pivot"),
+            ("disc:DISTANCE,MASS,RADIUS", "a flat disc that swings in its own plane"),
+            ("point:DISTANCE,MASS", "a mass that is small"),
+        ),
+        "Such as --part rod:0.495m,19g --part point:0.495m,31g. Each value may have an uncertainty, 0.495±0.001m.",
+    ),
+    Topic(
         "uncertainty",
         text="""\
 After the GUM, k = 1: noise with its correlation in time, the choice of the friction model, and length, scale and clock.
@@ -73,7 +84,8 @@ EXAMPLES = (
     "libration fit counts.txt --unit angle=4096/rev --rate 100/s --gravity 9.78 --plot fit.png",
     "libration fit run1.csv run2.csv --column angle=theta --model dry --json",
 )
-RATE = Dimension("rates", {"1/s": TIME.units["s"], "Hz": TIME.units["s"]}, {"fps": TIME.units["s"]})
+MASS = Dimension("masses", {"kg": ONE, "g": Decimal("0.001"), "lb": Decimal("0.45359237")}, {})
+RATE = Dimension("rates", {"1/s": ONE, "Hz": ONE}, {"fps": ONE})
 
 
 class FitOptions(PictureOptions):
@@ -82,6 +94,7 @@ class FitOptions(PictureOptions):
     file: tuple[str, ...]
     length: str | None
     gravity: str | None
+    part: tuple[str, ...]
     model: str | None
     column: tuple[str, ...]
     unit: tuple[str, ...]
@@ -168,6 +181,11 @@ def arguments(options: FitOptions) -> dict[str, Any]:
         known["length"] = measured("--length", options.length, LENGTH, above=0.0)
     if options.gravity is not None:
         known["gravity"] = measured("--gravity", options.gravity, GRAVITY, above=0.0)
+    if options.part:
+        other = "--length" if options.length is not None else "--gravity"
+        if options.length is not None or options.gravity is not None:
+            raise Refusal(f"--part and {other}: parts give the length, and one of length and g is left to the fit")
+        known["parts"] = parts_of(options.part)
     if options.model is not None:
         if options.model not in MODELS:
             hint = nearest(options.model, MODELS, "see libration fit --help")
@@ -200,6 +218,35 @@ def stated(option: str, given: tuple[str, ...]) -> dict[str, str]:
         if role.strip() in found:
             raise refusal(option, text, f"{role.strip()} is given twice")
         found[role.strip()] = name.strip()
+    return found
+
+
+def parts_of(texts: tuple[str, ...]) -> list[Any]:
+    """Shape, mass, distance and size of each part, or a Refusal."""
+    found: list[Any] = []
+    for text in texts:
+        shape, colon, rest = text.partition(":")
+        # A comma parts values; a decimal comma would be taken for it, so numbers here have points.
+        values = rest.split(",")
+        counts = {"rod": (2, 3), "ball": (3,), "disc": (3,), "point": (2,)}.get(shape, ())
+        if not colon or len(values) not in counts:
+            allowed = "rod:LENGTH,MASS[,DISTANCE], ball:DISTANCE,MASS,RADIUS, disc:DISTANCE,MASS,RADIUS or point:DISTANCE,MASS"
+            raise refusal("--part", text, f"must be {allowed}")
+        first = measured("--part", values[0], LENGTH, least=0.0)
+        mass = measured("--part", values[1], MASS, least=0.0)
+        third = measured("--part", values[2], LENGTH) if len(values) == 3 else (0.0, 0.0)
+        if shape == "rod":
+            # The centre of a rod that hangs from the pivot; its uncertainty is that of the end.
+            centre = third if len(values) == 3 else (first[0] / 2, first[1] / 2)
+            found.append((shape, mass, centre, first))
+        else:
+            found.append((shape, mass, first, third))
+    from libration import _core
+
+    try:
+        _core.equivalent_length(found)
+    except ValueError as error:
+        raise Refusal(f"--part: {error}") from error
     return found
 
 
@@ -278,6 +325,7 @@ COMMAND = command(
             offered=units(LENGTH),
         ),
         Value("--gravity", "G", "local g, 9.7803±0.0002; gives the length", KNOWN, offered=units(GRAVITY)),
+        Values("--part", "PART", "of a rigid pendulum, in place of --length: see below", KNOWN),
         Value("--scale", "U", "relative uncertainty of the angle's scale, such as 0.5%", KNOWN),
         Value("--clock", "U", "relative uncertainty of the clock's rate, such as 0.01%", KNOWN),
         Values("--column", "ROLE=NAME", "which column is time, angle, velocity, acceleration, x, y or period", READ),

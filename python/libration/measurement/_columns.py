@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import _core
 from .._scalars import real, shown
+from ._binary import as_text
 
 # The name of what is no file.
 ARRAYS = "arrays"
@@ -43,7 +44,7 @@ def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
     """The columns in the bytes of a file."""
     name = name if name.isprintable() else repr(name)
     try:
-        record = read(content, stated)
+        record = read(as_text(content), stated)
         kind, columns = record.columns()
     except ValueError as error:
         raise ValueError(f"{name}: {str(error).removeprefix(': ')}") from None

@@ -1,13 +1,15 @@
 """`libration.fit`: from measurements to omega0, g or the length, with the friction and an honest uncertainty."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
 
 from .. import _core
 from .._scalars import real, shown
 from ._columns import ARRAYS, Given, measure, of_source
 from ._result import Fit
 
+# Shape, and mass, distance of the centre and size with their uncertainties.
+MeasuredPart: TypeAlias = tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]
 MODELS = ("auto", *_core.friction_models())
 
 
@@ -17,6 +19,7 @@ def fit(
     *,
     length: Any = None,
     gravity: Any = None,
+    parts: Sequence[tuple[Any, ...]] = (),
     model: str = "auto",
     quantity: str = "angle",
     columns: Mapping[str, str] | None = None,
@@ -46,6 +49,9 @@ def fit(
         The equivalent length in m with its standard uncertainty; gives g.
     gravity : scalar or (value, u), optional
         The local g in m/s**2; gives the length. Not beside `length`: the motion holds g/length alone.
+    parts : sequence of (shape, mass, distance, size), optional
+        A rigid pendulum in place of `length`: "rod", "ball", "disc" or "point"; mass in kg; distance of its centre below the pivot in
+        m; length of a rod or radius of a ball or a disc in m, 0 for a point. Each number may be (value, u).
     model : {"auto", "none", "linear", "quadratic", "dry", "presliding"}
         The friction; each has the terms of those before it. "auto" chooses by Schwarz's criterion.
     quantity : {"angle", "velocity", "acceleration", "gate", "swings"}
@@ -98,7 +104,8 @@ def fit(
     known_gravity = None if gravity is None else measure("gravity", gravity)
     if known_length and known_gravity:
         raise ValueError("length and gravity: give one of the two; the motion holds g/length alone")
-    stated = {
+    known_parts = [measured_part(each) for each in parts]
+    stated: dict[str, Any] = {
         "columns": [f"{role}={name}" for role, name in (columns or {}).items()],
         "units": [f"{role}={unit}" for role, unit in (units or {}).items()],
         "rate": None if rate is None else real("rate", rate),
@@ -111,6 +118,7 @@ def fit(
         given,
         length=known_length,
         gravity=known_gravity,
+        parts=known_parts,
         model=model,
         window=window,
         scale_u=scale_u,
@@ -125,6 +133,7 @@ def fit_given(
     *,
     length: tuple[float, float] | None = None,
     gravity: tuple[float, float] | None = None,
+    parts: Sequence[MeasuredPart] = (),
     model: str = "auto",
     window: tuple[float, float] | None = None,
     scale_u: float = 0.0,
@@ -140,6 +149,7 @@ def fit_given(
             given.columns,
             length,
             gravity,
+            list(parts),
             None if model == "auto" else model,
             span,
             (real("scale_u", scale_u), real("clock_u", clock_u)),
@@ -149,3 +159,11 @@ def fit_given(
     except ValueError as error:
         raise ValueError(str(error) if given.name == ARRAYS else f"{given.name}: {error}") from None
     return Fit(given, *found)
+
+
+def measured_part(given: Any) -> MeasuredPart:
+    """A part of a rigid pendulum, or a ValueError."""
+    if not isinstance(given, tuple | list) or len(given) != 4 or not isinstance(given[0], str):
+        raise ValueError(f"parts: {shown(given)} must be (shape, mass, distance, size)")
+    shape, mass, distance, size = given
+    return shape, measure("mass", mass), measure("distance", distance), measure("size", size)

@@ -134,7 +134,8 @@ def quoted(fit: Any) -> tuple[str, Estimate, str]:
 def budget_rows(fit: Any) -> list[tuple[str, float]]:
     """The parts of the uncertainty of what is quoted; without what is only for comparison."""
     rows = [(str(row["source"]), row["u"]) for row in fit._found["budget"]]
-    return [(source, math.nan if u is None else float(u)) for source, u in rows if not source.startswith("as if")]
+    kept = [(source, u) for source, u in rows if not source.startswith("as if") and (source != "corrections" or u)]
+    return [(source, math.nan if u is None else float(u)) for source, u in kept]
 
 
 def naive(fit: Any) -> float | None:
