@@ -81,8 +81,8 @@ where a file or an option is refused.
 )
 EXAMPLES = (
     "libration fit swing.csv --length 0.650±0.010",
-    "libration fit counts.txt --unit angle=4096/rev --rate 100/s --gravity 9.78 --plot fit.png",
-    "libration fit run1.csv run2.csv --column angle=theta --model dry --json",
+    "libration fit counts.txt --unit angle=4096/rev --rate 100/s --plot fit.png",
+    "libration fit a.csv b.csv --column angle=theta --model dry --json",
 )
 MASS = Dimension("masses", {"kg": ONE, "g": Decimal("0.001"), "lb": Decimal("0.45359237")}, {})
 RATE = Dimension("rates", {"1/s": ONE, "Hz": ONE}, {"fps": ONE})

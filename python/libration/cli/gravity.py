@@ -31,8 +31,8 @@ Local masses move the true g by some 0.0005 m/s^2, seldom by more than 0.002.
     ),
 )
 EXAMPLES = (
-    "libration gravity --period 2.0218±0.0010 --length 1.000±0.001 --swing 20±1deg",
-    "libration gravity --period 2.0218±0.0010 --length 1.000±0.001 --swing 20deg --latitude -23.5deg --height 760m",
+    "libration gravity --period 2.022±0.001 --length 1.000±0.001 --swing 20±1deg",
+    "libration gravity --period 2.0218s --length 1m --swing 20deg --latitude -23.5deg",
     "libration gravity --latitude 52.1deg",
 )
 

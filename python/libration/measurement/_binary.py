@@ -40,6 +40,11 @@ def needed(package: str, kind: str) -> Any:
 def vectors(name: str, value: Any) -> Iterator[tuple[str, np.ndarray]]:
     """Every series of numbers in a value of MATLAB, with its path of names."""
     if hasattr(value, "_fieldnames"):
+        # A signal of Simulink says its name beside its values.
+        label = getattr(value, "label", "")
+        if isinstance(label, str) and label and hasattr(value, "values"):
+            yield from vectors(label, value.values)
+            return
         for field in value._fieldnames:
             yield from vectors(f"{name}.{field}", getattr(value, field))
         return

@@ -11,7 +11,7 @@ class Estimate(NamedTuple):
 
     Printed, it is rounded to two digits of the uncertainty: ``9.810 ± 0.012``.
 
-    Attributes
+    Parameters
     ----------
     value : float
     u : float

@@ -123,12 +123,13 @@ def is_table(fit: Any) -> bool:
 def abscissa(fit: Any) -> np.ndarray:
     """Times in s, or swings in degrees."""
     if not is_table(fit):
-        found: np.ndarray = fit.t
-        return found
+        times: np.ndarray = fit.t
+        return times
     left_out = {row for each in fit.dropped for row in each.get("rows", ())}
     swings = np.abs(np.asarray(fit._given.columns[0]))
     kept = np.array([row not in left_out for row in range(swings.size)], dtype=bool)
-    return np.degrees(swings[kept])
+    found: np.ndarray = np.degrees(swings[kept])
+    return found
 
 
 def factor(fit: Any) -> float:
