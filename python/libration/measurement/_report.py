@@ -38,7 +38,9 @@ def page(fit: Any) -> str:
         parts.append(
             '<p class="small">Each dot is one period of the record; the curve is the exact law at the fitted omega0.</p>'
         )
-    parts += ["<h2>Budget of uncertainty</h2>", budget(fit), "<h2>Friction models</h2>", ladder(fit)]
+    parts += ["<h2>Budget of uncertainty</h2>", budget(fit)]
+    if fit._found["ladder"]:
+        parts += ["<h2>Friction models</h2>", ladder(fit)]
     parts += ["<h2>What was read</h2>", listed([*fit.understood, f"Fitted: {window(fit)}."])]
     parts += ["<h2>What was left out</h2>", listed(left_out(fit))]
     from .. import __version__
@@ -58,7 +60,7 @@ def page(fit: Any) -> str:
 def quote(fit: Any) -> str:
     """The sentence to quote."""
     kind = "quote" if fit.stands else "quote refuted"
-    return f'<p class="{kind}">{escape(sentence(fit))}</p>'
+    return f'<p class="{kind}"><span class="grade">To quote:</span> {escape(sentence(fit))}</p>'
 
 
 def verdicts(fit: Any) -> str:
@@ -105,8 +107,6 @@ def budget(fit: Any) -> str:
 def ladder(fit: Any) -> str:
     """Every friction model that was tried."""
     steps: list[dict[str, Any]] = fit._found["ladder"]
-    if not steps:
-        return f"<p>{escape(model_words(fit))}</p>"
     rows = [(str(each["model"]), rms(fit, each["rms"]), f"{each['omega0']:.6f}") for each in steps]
     chosen = [str(each["model"]) for each in steps].index(fit.model)
     return table(rows, ("friction", "rms residual", "omega0 in rad/s"), chosen)
