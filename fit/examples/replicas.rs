@@ -103,8 +103,9 @@ fn main() {
             Case { name: "dry", friction: [0.01, 0.02, 0.05, 0.0], model: Some(Model::Dry), memory, ..plain },
             Case {
                 name: "presliding",
-                friction: [0.01, 0.02, 0.1, 0.03],
+                friction: [0.01, 0.02, 0.3, 0.05],
                 model: Some(Model::Presliding),
+                sigma: 0.003,
                 memory,
                 ..plain
             },

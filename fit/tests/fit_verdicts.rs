@@ -161,7 +161,7 @@ fn a_scale_that_a_string_makes_is_named() {
     let smaller = values.iter().map(|y| 0.71 * y).collect();
     let found = fit(&angle(t, smaller), &FitOptions::default()).unwrap();
     assert!(says(&found, "not a rigid pendulum's"), "{:?} {:?}", found.verdicts, found.diagnostics);
-    assert!((found.diagnostics.scale - 0.71).abs() < 0.01);
+    assert!((found.diagnostics.scale - 0.71).abs() < 0.01, "{:?}", found.diagnostics);
 }
 
 #[test]

@@ -95,8 +95,9 @@ pub(super) fn record(
         ..of_residuals(samples, found, problem.plain())
     };
     if measured != Measured::Acceleration {
+        let doubtful = rung.outcome.rms() > 5e-3 * reach && diagnostics.lag1 > 0.3;
         (diagnostics.scale, diagnostics.scale_u, diagnostics.scale_rms) =
-            scale(samples, measured, rung.model, found, *period, rung.outcome.rms() / reach);
+            scale(samples, measured, rung.model, found, *period, doubtful);
     }
     diagnostics.linear_equation_rms =
         linear_equation(samples, measured, found[OFFSET], rung.model, rung.outcome.rms()).unwrap_or(f64::NAN);

@@ -53,21 +53,24 @@ pub(super) fn swing(theta: f64, velocity: f64, omega2: f64) -> f64 {
     orbit.map_or(f64::NAN, |orbit| orbit.theta_max().min(core::f64::consts::PI))
 }
 
-/// The scale of the angle that the record asks for: value, uncertainty, rms. `share` is the part of the swing that is left
-/// without it.
+/// The scale of the angle that the record asks for: value, uncertainty, rms. `doubtful` says that the record's own scale
+/// leaves more than noise.
 pub(super) fn scale(
     samples: &Samples,
     measured: Measured,
     model: Model,
     values: &Values,
     period: f64,
-    share: f64,
+    doubtful: bool,
 ) -> (f64, f64, f64) {
     let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, MOST);
     let mut best: Option<Rung> = None;
-    // Other units are tried where the record's own does not do.
-    let factors: &[f64] = if share > 5e-3 { &[1.0, 0.75, 0.0175, 57.3] } else { &[1.0] };
-    for factor in factors {
+    // Other units are tried where the record's own does not do; and a wrong scale may have led the ladder to a poorer or a richer
+    // model than the record holds.
+    let factors: &[f64] = if doubtful { &[1.0, 0.75, 0.0175, 57.3] } else { &[1.0] };
+    let models = if doubtful { vec![Model::Quadratic, model.max(Model::Quadratic)] } else { vec![model] };
+    for (factor, model) in factors.iter().flat_map(|factor| models.iter().map(move |model| (factor, *model)))
+    {
         let mut begin = *values;
         begin[SCALE] *= factor;
         begin[THETA] /= factor;

@@ -5,8 +5,8 @@ use super::data::Measured;
 use super::optimiser::{Outcome, Patience, minimum};
 use super::options::Model;
 use super::problem::{
-    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values, always_free,
-    trajectory,
+    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_RANGE, QUADRATIC, SCALE, Samples, THETA, VELOCITY,
+    Values, always_free, trajectory,
 };
 
 /// A model at its minimum.
@@ -76,7 +76,8 @@ pub(super) fn rung(
         values[DRY] = values[DRY].max(1e-4 * values[OMEGA2]);
         values[PRESLIDING] = best_presliding(samples, measured, &values);
     }
-    let mut outcome = search(&free, values);
+    let begin = values;
+    let mut outcome = search(&free, begin);
     let mut wanted_negative = Vec::new();
     let negative = |free: &[usize], values: &Values| {
         free.iter().copied().find(|term| [LINEAR, QUADRATIC, DRY].contains(term) && values[*term] < 0.0)
@@ -91,6 +92,23 @@ pub(super) fn rung(
             free.retain(|place| *place != PRESLIDING);
         }
         outcome = search(&free, values);
+        // Where the others stood with a negative term may be far from where they stand without it.
+        let mut begun = begin;
+        for held in &wanted_negative {
+            begun[*held] = 0.0;
+        }
+        if !free.contains(&PRESLIDING) {
+            begun[PRESLIDING] = 0.0;
+        }
+        let other = search(&free, begun);
+        if other.sum_of_squares < outcome.sum_of_squares {
+            outcome = other;
+        }
+    }
+    // At its least angle presliding is dry friction alone.
+    if free.contains(&PRESLIDING) && outcome.values[PRESLIDING] < PRESLIDING_RANGE.0 + 4.0 {
+        wanted_negative.push(PRESLIDING);
+        free.retain(|place| *place != PRESLIDING);
     }
     let mean_square = outcome.sum_of_squares / outcome.residuals.len().max(1) as f64;
     Rung { model, outcome, free, wanted_negative, mean_square, aicc: f64::NAN, bic: f64::NAN }

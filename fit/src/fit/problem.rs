@@ -77,9 +77,13 @@ pub(super) struct Problem<'a> {
 /// Over which angle dry friction changes sign, at least: below it, only the time of the integration changes.
 const LEAST_PRESLIDING: f64 = 1e-3;
 
+/// Logarithms of the angle above its least one; beyond, nothing changes, so a search may lean on these bounds.
+pub(super) const PRESLIDING_RANGE: (f64, f64) = (-12.0, 1.0);
+
 /// The angle over which dry friction changes sign; 0 where it does so at once.
 pub(super) fn presliding(values: &Values) -> f64 {
-    if values[PRESLIDING] == 0.0 { 0.0 } else { LEAST_PRESLIDING + libm::exp(values[PRESLIDING]) }
+    let above = values[PRESLIDING].clamp(PRESLIDING_RANGE.0, PRESLIDING_RANGE.1);
+    if values[PRESLIDING] == 0.0 { 0.0 } else { LEAST_PRESLIDING + libm::exp(above) }
 }
 
 /// Whether a motion is one of a pendulum in a laboratory. Beyond these bounds a search that has gone astray would integrate
@@ -94,7 +98,6 @@ fn bounded(values: &Values, span: f64) -> bool {
         && values[QUADRATIC] <= 1e4
         && driven(values[QUADRATIC] * omega0)
         && values[DRY].abs() <= values[OMEGA2]
-        && (values[PRESLIDING] == 0.0 || (-40.0..=1.0).contains(&values[PRESLIDING]))
 }
 
 /// The motion of a set of values over an interval around its state; none where the values are out of their domain.
@@ -223,6 +226,8 @@ impl<'a> Problem<'a> {
                     matrix[(start + row, column)] = match *value {
                         OFFSET => 1.0,
                         DRY if self.values[DRY] < 0.0 => 0.0,
+                        PRESLIDING if self.values[PRESLIDING] < PRESLIDING_RANGE.0 => 0.0,
+                        PRESLIDING if self.values[PRESLIDING] > PRESLIDING_RANGE.1 => 0.0,
                         SCALE => {
                             (self.plain()[start + row] + self.samples.y[start + row] - self.values[OFFSET])
                                 / scale

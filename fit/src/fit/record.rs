@@ -91,7 +91,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
                 rung(&thin, measured, Model::Presliding, &plain.outcome.values, options.free_scale, CLOSE);
             slid.not_above(&plain);
             // A few samples fewer: the ratio of what dry friction leaves stays near 1.
-            slid.mean_square *= (dry.mean_square / plain.mean_square).clamp(0.8, 1.25);
+            slid.mean_square *= (dry.mean_square / plain.mean_square).clamp(0.95, 1.25);
             rungs.push(slid);
             effective = criteria(&mut rungs, per_period);
             let last = rungs.len() - 1;

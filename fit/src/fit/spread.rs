@@ -1,7 +1,7 @@
 //! What the choice of a model, and what every model leaves out, do to omega0: beyond what noise explains.
 
 use super::covariance::Covariance;
-use super::data::{Measured, median};
+use super::data::Measured;
 use super::ladder::{Rung, moved};
 use super::optimiser::{CLOSE, minimum};
 use super::problem::{Loss, OMEGA2, Problem, Samples, Values, always_free};
@@ -48,26 +48,22 @@ pub(super) fn windows(
             found.push((outcome.values[OMEGA2], covariance.matrix[(2, 2)].sqrt()));
         }
     }
-    // A window after the stop knows nothing of omega0.
-    let usual = median(&found.iter().map(|w| w.1).collect::<Vec<f64>>());
-    found.retain(|w| w.1 <= 5.0 * usual);
+    found.retain(|w| w.0.is_finite() && w.1.is_finite() && w.1 > 0.0);
     found
 }
 
-/// The scatter of windows as that of their mean, and the part of it that their own uncertainties leave unexplained.
+/// The scatter of windows as that of their weighted mean, and the part of it that their own uncertainties leave unexplained.
 pub(super) fn scatter(windows: &[(f64, f64)]) -> Option<(f64, f64)> {
-    let n = windows.len() as f64;
     if windows.len() < 4 {
         return None;
     }
-    let mean = windows.iter().map(|w| w.0).sum::<f64>() / n;
-    let squares: f64 = windows.iter().map(|w| (w.0 - mean).powi(2)).sum();
-    let own: f64 = windows.iter().map(|w| w.1 * w.1).sum();
-    let variance = squares / (n * (n - 1.0));
-    let expected = own / (n * n);
-    // With five windows noise alone gives more than twice what is expected in 9 % of records.
-    let excess = (variance - 2.0 * expected).max(0.0);
-    Some((variance.sqrt(), excess.sqrt()))
+    let weight = |w: &(f64, f64)| 1.0 / (w.1 * w.1);
+    let sum: f64 = windows.iter().map(weight).sum();
+    let mean = windows.iter().map(|w| w.0 * weight(w)).sum::<f64>() / sum;
+    let chi: f64 = windows.iter().map(|w| (w.0 - mean).powi(2) * weight(w)).sum();
+    let ratio = chi / (windows.len() - 1) as f64;
+    // With five windows noise alone gives more than three times what is expected in 2 % of records.
+    Some(((ratio / sum).sqrt(), ((ratio - 3.0).max(0.0) / sum).sqrt()))
 }
 
 /// Spread of a value between rungs, weighted by Akaike's weights, beyond what noise does between nested models (Hausman,
