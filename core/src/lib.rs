@@ -13,6 +13,7 @@
 //! | u'' + alpha u + beta u^3 + gamma u^5 = 0 | [`CubicQuintic`] |
 //! | friction and torque: the motion over an interval | [`DampedPendulum`], [`Friction`], [`Torque`], [`Trajectory`] |
 //! | its derivatives | [`DampedSensitivity`] |
+//! | inertia and length of a rigid pendulum, corrections of its period | [`compound`] |
 //! | approximations by name, and how far they are off | [`approx`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
@@ -26,6 +27,7 @@
 //! SI units and radians everywhere. Scalars out of domain give NaN; constructors give a [`Domain`] error.
 
 pub mod approx;
+pub mod compound;
 pub mod damped;
 pub mod elliptic;
 mod float;
@@ -36,6 +38,7 @@ pub mod pendulum;
 
 mod domain;
 
+pub use compound::{Compound, Part, Shape};
 pub use damped::{
     DampedJacobian, DampedPendulum, DampedSensitivity, Friction, Interpolation, Torque, Trajectory,
     half_swing,

@@ -1,6 +1,7 @@
 """The exact nonlinear pendulum, in every regime, right to the last digits.
 
-``Pendulum`` is one orbit and answers at any time; ``DampedPendulum`` has friction and torque; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
+``Pendulum`` is one orbit and answers at any time; ``DampedPendulum`` has friction and torque, ``fit`` finds
+both and g in measurements; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
 ``libration.elliptic``; ``approx`` holds the approximations by name, and
 ``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
@@ -19,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from . import approx as approx
     from . import elliptic as elliptic
+    from . import measurement as measurement
     from . import oscillator as oscillator
     from . import papers as papers
     from . import pendulum as pendulum
@@ -49,6 +51,7 @@ if TYPE_CHECKING:
         theta3,
         theta4,
     )
+    from .measurement import Estimate, Fit, fit, gravity_of_period, normal_gravity
     from .oscillator import CubicQuintic, Duffing, DuffingForm, OscillatorRegime, duffing_motion
     from .pendulum import (
         Fourier,
@@ -71,6 +74,8 @@ __all__ = [
     "DampedPendulum",
     "Duffing",
     "DuffingForm",
+    "Estimate",
+    "Fit",
     "Fourier",
     "Friction",
     "JacobiComplexValues",
@@ -90,8 +95,10 @@ __all__ = [
     "complete_k",
     "complete_pi",
     "duffing_motion",
+    "fit",
     "frequency",
     "from_action_phase",
+    "gravity_of_period",
     "harmonic_distortion",
     "heuman_lambda",
     "incomplete_e",
@@ -103,6 +110,7 @@ __all__ = [
     "jacobi_zeta",
     "motion",
     "nome",
+    "normal_gravity",
     "phase",
     "sensitivities",
     "theta",
@@ -130,9 +138,12 @@ if not TYPE_CHECKING:
         if name == "__version__":
             found = import_module("._core", __name__).__version__
         elif name in __all__:
-            rooms = (import_module(f".{room}", __name__) for room in ("pendulum", "damped", "oscillator", "elliptic"))
+            rooms = (
+                import_module(f".{room}", __name__)
+                for room in ("pendulum", "damped", "oscillator", "elliptic", "measurement")
+            )
             found = getattr(next(room for room in rooms if name in room.__all__), name)
-        elif name in ("approx", "elliptic", "oscillator", "papers", "pendulum", "plot"):
+        elif name in ("approx", "elliptic", "measurement", "oscillator", "papers", "pendulum", "plot"):
             found = import_module(f".{name}", __name__)
         else:
             elliptic = import_module(".elliptic", __name__)

@@ -12,6 +12,7 @@ __all__ = [
     "DuffingForm",
     "Orbit",
     "PeriodFormula",
+    "Record",
     "SineFormula",
     "__version__",
     "action",
@@ -92,9 +93,13 @@ __all__ = [
     "duffing_of_pendulum",
     "duffing_u",
     "duffing_velocity",
+    "equivalent_length",
     "factors",
+    "fit_columns",
     "frequency",
+    "friction_models",
     "from_action_phase",
+    "gravity_of_period",
     "harmonic_distortion",
     "heuman_lambda_k",
     "heuman_lambda_m",
@@ -130,6 +135,7 @@ __all__ = [
     "nome_k",
     "nome_m",
     "nome_mc",
+    "normal_gravity",
     "ns_k",
     "ns_m",
     "ns_mc",
@@ -552,6 +558,53 @@ def march(
     scheme: str, start: tuple[float, float], omega2: float, step: float, count: int
 ) -> tuple[np.ndarray, np.ndarray]: ...
 def schemes() -> list[tuple[str, str, str]]: ...
+
+@final
+class Record:
+    def __new__(
+        cls,
+        name: str,
+        data: bytes,
+        columns: list[str],
+        units: list[str],
+        rate: float | None = None,
+        run: int | None = None,
+        length: float | None = None,
+    ) -> Record: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def understood(self) -> list[str]: ...
+    @property
+    def dropped(self) -> list[tuple[str, int, list[int], str]]: ...
+    @property
+    def run(self) -> tuple[int, int]: ...
+    @property
+    def time(self) -> np.ndarray: ...
+    @property
+    def series(self) -> list[tuple[str, str, np.ndarray, float | None]]: ...
+    def columns(self) -> tuple[str, list[np.ndarray]]: ...
+
+def friction_models() -> list[str]: ...
+def fit_columns(
+    kind: str,
+    columns: list[np.ndarray],
+    length: tuple[float, float] | None,
+    gravity: tuple[float, float] | None,
+    parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
+    model: str | None,
+    window: tuple[float, float] | None,
+    relative: tuple[float, float],
+    free_scale: bool,
+    resampled: tuple[int, int, int],
+) -> tuple[str, list[str], list[np.ndarray]]: ...
+def equivalent_length(
+    parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
+) -> tuple[float, float]: ...
+def gravity_of_period(
+    period: tuple[float, float], length: tuple[float, float], swing: tuple[float, float]
+) -> tuple[tuple[float, float], list[tuple[str, float]], float]: ...
+def normal_gravity(latitude: float, height: float) -> float: ...
 def column(
     data: bytes,
     name: str | None,

@@ -10,7 +10,7 @@ use crate::orbit::{ROWS, float64, refused};
 use crate::signals;
 
 /// An array of results.
-type Floats<'py> = Bound<'py, PyArray1<f64>>;
+pub(crate) type Floats<'py> = Bound<'py, PyArray1<f64>>;
 
 /// Friction and torque, as Python gives them.
 type Terms = [f64; 4];

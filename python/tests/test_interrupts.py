@@ -43,6 +43,9 @@ BEGIN = f"""if True:
     def damped(k):
         return libration.DampedPendulum(1.0 + k / 10**5, friction=libration.Friction(linear=1e-9))
 
+    seconds = np.linspace(0.0, 60.0, 6000)
+    swings = np.exp(-0.01 * seconds) * np.cos(3.0 * seconds)
+
     def same(value, count=10**9):
         return np.broadcast_to(value, (count,))
 
@@ -75,6 +78,7 @@ CALLS = {
     "steps of a scheme": "[approx.numerical('rk4:0.00001').of(swing).error(4.0 + k / 100) for k in range(50)]",
     "a damped motion": "[damped(k).theta(1e9) for k in range(10**4)]",
     "derivatives of a damped motion": "[damped(k).sensitivities(np.arange(1e5)) for k in range(10**4)]",
+    "fits": "[libration.fit(seconds, swings) for _ in range(10**4)]",
     "SciPy's solution": "approx.numerical('odeint').of(Pendulum(3.0)).error(10000)",
 }
 

@@ -32,11 +32,11 @@ def test_close_sees_nan_signs_and_negative_truth():
 
 def test_every_public_name_is_there_and_documented():
     names = [
-        "CubicQuintic DampedPendulum Duffing DuffingForm Fourier Friction JacobiComplexValues JacobiValues",
+        "CubicQuintic DampedPendulum Duffing DuffingForm Estimate Fit Fourier Friction JacobiComplexValues JacobiValues",
         "OscillatorRegime Pendulum Regime Torque __version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
-        "complete_pi duffing_motion frequency from_action_phase harmonic_distortion heuman_lambda",
+        "complete_pi duffing_motion fit frequency from_action_phase gravity_of_period harmonic_distortion heuman_lambda",
         "incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex jacobi_epsilon jacobi_zeta motion nome",
-        "phase sensitivities theta theta1 theta2 theta3 theta4 velocity",
+        "normal_gravity phase sensitivities theta theta1 theta2 theta3 theta4 velocity",
     ]
     assert libration.__all__ == " ".join(names).split()
     for name in libration.__all__:

@@ -127,6 +127,16 @@ class Value(click.Option):
         return values[0] if values else None
 
 
+class Values(Value):
+    """An option that may be given several times; every value is kept as typed."""
+
+    def once(self, ctx: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> Any:
+        """The values; the name of an option is no value."""
+        if any(value.startswith("--") for value in values):
+            raise Refusal(needs_value(ctx.command_path, self))
+        return values
+
+
 class Flag(click.Option):
     """An option without a value."""
 
@@ -149,6 +159,29 @@ class Word(click.Argument):
         if value is not None and value.startswith("-") and not NEGATIVE.match(value):
             raise Refusal(unknown(ctx, value))
         return value
+
+
+class Words(click.Argument):
+    """Any number of words that are no options, kept as typed."""
+
+    def __init__(self, name: str, metavar: str, text: str, group: str, *, offered: "Offered | None" = None) -> None:
+        super().__init__(
+            [name],
+            metavar=metavar,
+            required=False,
+            nargs=-1,
+            type=click.UNPROCESSED,
+            callback=self.known,
+            shell_complete=offered,
+        )
+        self.row, self.group = (metavar, text), group
+
+    def known(self, ctx: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
+        """The words, or a Refusal of the first that begins like an option."""
+        for value in values:
+            if value.startswith("-"):
+                raise Refusal(unknown(ctx, value))
+        return values
 
 
 class Command(click.Command):
@@ -215,7 +248,10 @@ class Command(click.Command):
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """The words and options by groups, in the order given."""
         records = [
-            (getattr(each, "group", "options"), each.row if isinstance(each, Word) else each.get_help_record(ctx))
+            (
+                getattr(each, "group", "options"),
+                each.row if isinstance(each, Word | Words) else each.get_help_record(ctx),
+            )
             for each in self.params
         ]
         rows = [(group, record) for group, record in records if record]

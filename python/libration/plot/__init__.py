@@ -1,4 +1,4 @@
-"""Pictures of motions, springs, formulas of the period and approximations, saved as PNG or SVG.
+"""Pictures of motions, fits, springs, formulas of the period and approximations, saved as PNG or SVG.
 
 matplotlib is needed only here (`pip install 'libration[plot]'`), and only when a picture is drawn.
 
@@ -13,12 +13,21 @@ b'PNG'
 """
 
 from ._comparison import plot_comparison
+from ._fit import plot_fit
 from ._linear import linear_theta
 from ._motion import plot_motion
 from ._periods import plot_period, plot_periods
 from ._springs import plot_oscillator
 
-__all__ = ["linear_theta", "plot_comparison", "plot_motion", "plot_oscillator", "plot_period", "plot_periods"]
+__all__ = [
+    "linear_theta",
+    "plot_comparison",
+    "plot_fit",
+    "plot_motion",
+    "plot_oscillator",
+    "plot_period",
+    "plot_periods",
+]
 
 
 def __dir__() -> list[str]:

@@ -84,6 +84,18 @@ CATALOGUE = {
     "well": ("oscilação em um poço", "oscilación en un pozo"),
     "homoclinic": ("homoclínica", "homoclínica"),
     "heteroclinic": ("heteroclínica", "heteroclínica"),
+    "measured": ("medido", "medido"),
+    "fitted": ("ajustado", "ajustado"),
+    "degrees": ("graus", "grados"),
+    "angle [degrees]": ("ângulo [graus]", "ángulo [grados]"),
+    "angular velocity [rad/s]": ("velocidade angular [rad/s]", "velocidad angular [rad/s]"),
+    "acceleration [m/s²]": ("aceleração [m/s²]", "aceleración [m/s²]"),
+    "period [s]": ("período [s]", "periodo [s]"),
+    "residual [{unit}]": ("resíduo [{unit}]", "residuo [{unit}]"),
+    "Not a result: a verdict speaks against it": (
+        "Não é um resultado: um veredito o contradiz",
+        "No es un resultado: un veredicto lo contradice",
+    ),
 }
 
 

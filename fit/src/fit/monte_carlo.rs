@@ -1,0 +1,40 @@
+//! The quoted quantity's distribution by Monte Carlo, after Supplement 1 to the GUM (JCGM 101:2008).
+
+use super::options::FitOptions;
+use super::quote::quoted;
+use super::random::Stream;
+use super::result::Estimate;
+
+/// The interval that holds 95 % of the draws of g, of the length or of omega0; none where no draws are asked for.
+///
+/// Drawn are omega0 with all its parts and what is given beside it, each normal; the formula is not made linear.
+pub(super) fn interval(omega0: Estimate, options: &FitOptions) -> Option<(f64, f64)> {
+    if options.monte_carlo < 40 {
+        return None;
+    }
+    let stream = Stream::new(options.seed ^ 0x4d43);
+    let length = match options.length {
+        None if !options.parts.is_empty() => super::known::length_of_parts(&options.parts).ok(),
+        length => length,
+    };
+    let mut drawn: Vec<f64> = Vec::with_capacity(options.monte_carlo);
+    for draw in 0..options.monte_carlo as u64 {
+        let normal = |number: u64| stream.normal(3 * draw + number);
+        let value = omega0.value + omega0.u * normal(0);
+        let once = |measure: Option<super::options::Measure>, number: u64| {
+            measure.map(|m| super::options::Measure { value: m.value + m.u * normal(number), u: 0.0 })
+        };
+        let changed = FitOptions {
+            length: once(length, 1),
+            gravity: once(options.gravity, 2),
+            parts: Vec::new(),
+            ..options.clone()
+        };
+        let quote = quoted(Estimate::new(value, 0.0, 0.0, 0.0), &changed).ok()?;
+        let found = if changed.length.is_some() { quote.g } else { quote.length };
+        drawn.push(found.map_or(value, |found| found.value));
+    }
+    drawn.sort_by(f64::total_cmp);
+    let at = |share: f64| drawn[((share * drawn.len() as f64) as usize).min(drawn.len() - 1)];
+    Some((at(0.025), at(0.975)))
+}

@@ -1,0 +1,115 @@
+//! What the user knows beside the record, and which model is asked for.
+
+use super::known::{Corrections, MeasuredPart};
+use super::refusal::FitRefusal;
+use serde::Serialize;
+
+/// A value with its standard uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measure {
+    /// The value.
+    pub value: f64,
+    /// Its standard uncertainty, not negative.
+    pub u: f64,
+}
+
+/// The rungs of the ladder: each adds one friction term to the one before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Model {
+    /// No friction.
+    None,
+    /// 2 gamma theta'.
+    Linear,
+    /// And beta |theta'| theta'.
+    Quadratic,
+    /// And mu sgn theta'.
+    Dry,
+    /// And the angle over which dry friction changes sign.
+    Presliding,
+}
+
+impl Model {
+    /// From none to all.
+    pub const LADDER: [Model; 5] =
+        [Model::None, Model::Linear, Model::Quadratic, Model::Dry, Model::Presliding];
+
+    /// The name that is printed.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Model::None => "none",
+            Model::Linear => "linear",
+            Model::Quadratic => "quadratic",
+            Model::Dry => "dry",
+            Model::Presliding => "presliding",
+        }
+    }
+}
+
+/// What is known beside the record. [`FitOptions::default`] knows nothing and climbs the ladder by itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FitOptions {
+    /// The equivalent length in m: gives g.
+    pub length: Option<Measure>,
+    /// Parts of a rigid pendulum, which give the length.
+    pub parts: Vec<MeasuredPart>,
+    /// Bob, wire and air of a simple pendulum.
+    pub corrections: Corrections,
+    /// The local g in m/s^2: gives the length.
+    pub gravity: Option<Measure>,
+    /// The rung; none for the ladder's own choice.
+    pub model: Option<Model>,
+    /// The interval of time that is fitted, in s; none for from the release to the stop.
+    pub window: Option<(f64, f64)>,
+    /// Relative standard uncertainty of the scale of the angle.
+    pub scale_u: f64,
+    /// Relative standard uncertainty of the clock's rate.
+    pub clock_u: f64,
+    /// Whether the scale of the angle is free in the result, not in the diagnosis alone.
+    pub free_scale: bool,
+    /// Resamplings of the block bootstrap; 0 for none.
+    pub bootstrap: usize,
+    /// Draws of the Monte Carlo propagation; 0 for none.
+    pub monte_carlo: usize,
+    /// The first counter of its random numbers.
+    pub seed: u64,
+}
+
+impl FitOptions {
+    pub(super) fn check(&self) -> Result<(), FitRefusal> {
+        if self.length.is_some() && self.gravity.is_some() {
+            return Err(FitRefusal::new(
+                "length and gravity are both given: the motion holds g/L alone, so one of them must be left to the fit",
+            ));
+        }
+        if !self.parts.is_empty() && (self.length.is_some() || self.gravity.is_some()) {
+            let other = if self.length.is_some() { "length" } else { "gravity" };
+            return Err(FitRefusal::new(format!(
+                "parts and {other} are both given: parts give the length, and the motion holds g/L alone"
+            )));
+        }
+        let positive = |name: &str, measure: &Option<Measure>| match measure {
+            Some(Measure { value, .. }) if !(value.is_finite() && *value > 0.0) => {
+                Err(FitRefusal::new(format!("{name} = {value}: must be finite and positive")))
+            }
+            Some(Measure { u, .. }) if !(u.is_finite() && *u >= 0.0) => {
+                Err(FitRefusal::new(format!("uncertainty of {name} = {u}: must be finite and not negative")))
+            }
+            _ => Ok(()),
+        };
+        positive("length", &self.length)?;
+        positive("gravity", &self.gravity)?;
+        for (name, u) in [("scale_u", self.scale_u), ("clock_u", self.clock_u)] {
+            if !(u.is_finite() && u >= 0.0) {
+                return Err(FitRefusal::new(format!("{name} = {u}: must be finite and not negative")));
+            }
+        }
+        if let Some((from, to)) = self.window
+            && !(from.is_finite() && to.is_finite() && from < to)
+        {
+            return Err(FitRefusal::new(format!("window = {from} to {to}: must be two rising finite times")));
+        }
+        Ok(())
+    }
+}

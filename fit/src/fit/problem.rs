@@ -1,0 +1,337 @@
+//! The least-squares problem of one record: residuals and their exact Jacobian, both from the core.
+//!
+//! Residual i is offset + scale q(t_i) - measured_i, where q is the angle or the angular velocity of a damped pendulum whose
+//! state at t = 0 is free.
+
+use super::data::Measured;
+use levenberg_marquardt::LeastSquaresProblem;
+use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+
+/// Everything that a fit may vary. The first seven stand in the order of the core's derivatives; presliding as the logarithm of
+/// what it is above its least value, so that no step leaves its domain.
+pub(super) const NAMES: [&str; 9] =
+    ["theta", "velocity", "omega2", "linear", "quadratic", "dry", "ln presliding", "offset", "scale"];
+pub(super) const THETA: usize = 0;
+pub(super) const VELOCITY: usize = 1;
+pub(super) const OMEGA2: usize = 2;
+pub(super) const LINEAR: usize = 3;
+pub(super) const QUADRATIC: usize = 4;
+pub(super) const DRY: usize = 5;
+pub(super) const PRESLIDING: usize = 6;
+pub(super) const OFFSET: usize = 7;
+pub(super) const SCALE: usize = 8;
+
+pub(super) type Values = [f64; NAMES.len()];
+
+/// How many times are handed to the core at once: the derivatives of all of a long record would not fit into memory.
+const CHUNK: usize = 4096;
+
+/// Samples with times since the state, rising.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Samples {
+    pub t: Vec<f64>,
+    pub y: Vec<f64>,
+}
+
+impl Samples {
+    pub fn len(&self) -> usize {
+        self.t.len()
+    }
+    /// Those in an interval, at most about `most` of them, evenly spread.
+    pub fn thinned(&self, from: f64, to: f64, most: usize) -> Samples {
+        let inside: Vec<usize> = (0..self.len()).filter(|i| (from..=to).contains(&self.t[*i])).collect();
+        let stride = inside.len().div_ceil(most.max(1)).max(1);
+        let kept = || inside.iter().step_by(stride);
+        Samples { t: kept().map(|i| self.t[*i]).collect(), y: kept().map(|i| self.y[*i]).collect() }
+    }
+    /// Those for which `keep` holds.
+    pub fn only(&self, keep: impl Fn(usize) -> bool) -> Samples {
+        let kept = || (0..self.len()).filter(|i| keep(*i));
+        Samples { t: kept().map(|i| self.t[i]).collect(), y: kept().map(|i| self.y[i]).collect() }
+    }
+}
+
+/// What a residual costs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Loss {
+    /// Its square.
+    Squares,
+    /// 2 f^2 (sqrt(1 + r^2/f^2) - 1): a square below f, linear above.
+    Soft(f64),
+}
+
+/// A record, a model, and where the search stands.
+#[derive(Clone, Debug)]
+pub(super) struct Problem<'a> {
+    samples: &'a Samples,
+    measured: Measured,
+    free: &'a [usize],
+    loss: Loss,
+    values: Values,
+    state: Option<(Trajectory, Vec<f64>)>,
+    /// What a residual is where there is no motion: so large that the step is taken back.
+    rejected: f64,
+}
+
+/// Over which angle dry friction changes sign, at least: below it, only the time of the integration changes.
+const LEAST_PRESLIDING: f64 = 1e-3;
+
+/// Logarithms of the angle above its least one; beyond, nothing changes, so a search may lean on these bounds.
+pub(super) const PRESLIDING_RANGE: (f64, f64) = (-12.0, 1.0);
+
+/// The angle over which dry friction changes sign; 0 where it does so at once.
+pub(super) fn presliding(values: &Values) -> f64 {
+    let above = values[PRESLIDING].clamp(PRESLIDING_RANGE.0, PRESLIDING_RANGE.1);
+    if values[PRESLIDING] == 0.0 { 0.0 } else { LEAST_PRESLIDING + libm::exp(above) }
+}
+
+/// Whether a motion is one of a pendulum in a laboratory. Beyond these bounds a search that has gone astray would integrate
+/// millions of turns.
+fn bounded(values: &Values, span: f64) -> bool {
+    let omega0 = values[OMEGA2].sqrt();
+    let driven = |rate: f64| rate >= 0.0 || -rate * span <= 3.0;
+    values[OMEGA2] > 0.0
+        && values[VELOCITY].abs() <= 40.0 * omega0
+        && values[LINEAR] <= omega0
+        && driven(values[LINEAR])
+        && values[QUADRATIC] <= 1e4
+        && driven(values[QUADRATIC] * omega0)
+        && values[DRY].abs() <= values[OMEGA2]
+}
+
+/// The motion of a set of values over an interval around its state; none where the values are out of their domain.
+///
+/// Dry friction below 0 counts as 0, so that a search may lean on this bound without being stopped there.
+pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajectory> {
+    if values.iter().any(|value| !value.is_finite()) || !bounded(values, to - from) {
+        return None;
+    }
+    let frequency = Frequency::from_omega2(values[OMEGA2]).ok()?;
+    let presliding = presliding(values);
+    let friction = Friction::new(values[LINEAR], values[QUADRATIC], values[DRY].max(0.0), presliding).ok()?;
+    let pendulum =
+        DampedPendulum::new(values[THETA], values[VELOCITY], frequency, friction, Torque::NONE).ok()?;
+    pendulum.trajectory(from.min(0.0), to.max(0.0)).ok()
+}
+
+fn difference(values: &Values) -> f64 {
+    if values[OMEGA2] > 0.0 { 5e-4 / values[OMEGA2].sqrt() } else { 0.0 }
+}
+
+/// Times a little before and after: the acceleration is the difference of velocities over 1e-3 of the small swing's unit of time,
+/// which leaves out 4e-8 of it.
+fn neighbours(t: &[f64], (from, to): (f64, f64), values: &Values) -> [Vec<f64>; 2] {
+    let step = difference(values);
+    [-step, step].map(|step| t.iter().map(|t| (t + step).clamp(from, to)).collect())
+}
+
+/// What is free in every model of a record.
+pub(super) fn always_free(measured: Measured) -> Vec<usize> {
+    let mut free = vec![THETA, VELOCITY, OMEGA2, OFFSET];
+    if measured == Measured::Acceleration {
+        free.push(SCALE);
+    }
+    free
+}
+
+/// What a record would show of a motion.
+pub(super) fn predicted(trajectory: &Trajectory, measured: Measured, values: &Values, t: &[f64]) -> Vec<f64> {
+    let (mut theta, mut velocity) = (vec![0.0; t.len()], vec![0.0; t.len()]);
+    trajectory.motion_into(t, &mut theta, &mut velocity);
+    let shown = match measured {
+        Measured::Angle => theta,
+        Measured::Velocity => velocity,
+        Measured::Acceleration => {
+            let [before, after] = neighbours(t, trajectory.interval(), values);
+            let mut next = vec![0.0; t.len()];
+            trajectory.motion_into(&before, &mut theta, &mut velocity);
+            trajectory.motion_into(&after, &mut theta, &mut next);
+            (0..t.len()).map(|i| (next[i] - velocity[i]) / (after[i] - before[i])).collect()
+        }
+    };
+    shown.into_iter().map(|q| values[OFFSET] + values[SCALE] * q).collect()
+}
+
+impl<'a> Problem<'a> {
+    pub fn new(
+        samples: &'a Samples,
+        measured: Measured,
+        free: &'a [usize],
+        loss: Loss,
+        values: Values,
+    ) -> Problem<'a> {
+        let size = samples.y.iter().fold(0.0f64, |size, y| size.max(y.abs()));
+        let mut problem =
+            Problem { samples, measured, free, loss, values, state: None, rejected: 1e6 * (size + 1.0) };
+        problem.evaluate();
+        problem
+    }
+    pub fn values(&self) -> &Values {
+        &self.values
+    }
+    /// Predicted less measured; empty where there is no motion.
+    pub fn plain(&self) -> &[f64] {
+        self.state.as_ref().map_or(&[], |(_, residuals)| residuals)
+    }
+    pub fn sum_of_squares(&self) -> f64 {
+        if self.state.is_none() {
+            return f64::INFINITY;
+        }
+        self.plain().iter().map(|r| r * r).sum()
+    }
+
+    fn evaluate(&mut self) {
+        let t = &self.samples.t;
+        let (first, last) = (t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(0.0));
+        // Room for the differences of velocities; presliding has no time before its state.
+        let room = if self.measured == Measured::Acceleration { difference(&self.values) } else { 0.0 };
+        let before = if self.values[PRESLIDING] == 0.0 { room } else { 0.0 };
+        self.state = trajectory(&self.values, first - before, last + room).and_then(|trajectory| {
+            let shown = predicted(&trajectory, self.measured, &self.values, t);
+            let residuals: Vec<f64> = shown.iter().zip(&self.samples.y).map(|(q, y)| q - y).collect();
+            residuals.iter().all(|r| r.is_finite()).then_some((trajectory, residuals))
+        });
+    }
+
+    /// d residual/d value for every free value, a column each, without the loss.
+    pub fn derivatives(&self) -> Option<DMatrix<f64>> {
+        let (trajectory, _) = self.state.as_ref()?;
+        let sensitivity = DampedSensitivity::new(trajectory).ok()?;
+        let t = &self.samples.t;
+        let mut matrix = DMatrix::zeros(t.len(), self.free.len());
+        let mut columns = vec![vec![0.0; CHUNK]; 22];
+        let mut earlier = if self.measured == Measured::Acceleration { columns.clone() } else { Vec::new() };
+        for start in (0..t.len()).step_by(CHUNK) {
+            let part = &t[start..(start + CHUNK).min(t.len())];
+            if self.measured == Measured::Acceleration {
+                let [before, after] = neighbours(part, trajectory.interval(), &self.values);
+                fill(&sensitivity, &before, &mut earlier);
+                fill(&sensitivity, &after, &mut columns);
+                for (column, early) in columns.iter_mut().zip(&earlier) {
+                    for row in 0..part.len() {
+                        column[row] = (column[row] - early[row]) / (after[row] - before[row]);
+                    }
+                }
+            } else {
+                fill(&sensitivity, part, &mut columns);
+            }
+            let shown = match self.measured {
+                Measured::Angle => &columns[..11],
+                Measured::Velocity | Measured::Acceleration => &columns[11..],
+            };
+            for (column, value) in self.free.iter().enumerate() {
+                let scale = self.values[SCALE];
+                for row in 0..part.len() {
+                    matrix[(start + row, column)] = match *value {
+                        OFFSET => 1.0,
+                        DRY if self.values[DRY] < 0.0 => 0.0,
+                        PRESLIDING if self.values[PRESLIDING] < PRESLIDING_RANGE.0 => 0.0,
+                        PRESLIDING if self.values[PRESLIDING] > PRESLIDING_RANGE.1 => 0.0,
+                        SCALE => {
+                            (self.plain()[start + row] + self.samples.y[start + row] - self.values[OFFSET])
+                                / scale
+                        }
+                        PRESLIDING => scale * shown[PRESLIDING][row] * libm::exp(self.values[PRESLIDING]),
+                        value => scale * shown[value][row],
+                    };
+                }
+            }
+        }
+        matrix.iter().all(|entry| entry.is_finite()).then_some(matrix)
+    }
+}
+
+/// The core's derivatives of angle and velocity at some times, a column each.
+fn fill(sensitivity: &DampedSensitivity, t: &[f64], columns: &mut [Vec<f64>]) {
+    let mut slices = columns.iter_mut();
+    sensitivity
+        .at_into(t, core::array::from_fn(|_| slices.next().map_or(&mut [][..], |c| &mut c[..t.len()])));
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, params: &DVector<f64>) {
+        for (place, value) in self.free.iter().zip(params.iter()) {
+            self.values[*place] = *value;
+        }
+        self.evaluate();
+    }
+    fn params(&self) -> DVector<f64> {
+        DVector::from_iterator(self.free.len(), self.free.iter().map(|place| self.values[*place]))
+    }
+    fn residuals(&self) -> Option<DVector<f64>> {
+        if self.state.is_none() {
+            return Some(DVector::from_element(self.samples.len(), self.rejected));
+        }
+        let reduced = |r: f64| match self.loss {
+            Loss::Squares => r,
+            Loss::Soft(f) => f * soft(r / f).0,
+        };
+        Some(DVector::from_iterator(self.samples.len(), self.plain().iter().map(|r| reduced(*r))))
+    }
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let mut matrix = self.derivatives()?;
+        if let Loss::Soft(f) = self.loss {
+            for (row, r) in self.plain().iter().enumerate() {
+                let slope = soft(r / f).1;
+                matrix.row_mut(row).scale_mut(slope);
+            }
+        }
+        Some(matrix)
+    }
+}
+
+/// The number whose square is the soft loss, and its derivative.
+fn soft(z: f64) -> (f64, f64) {
+    let root = libm::hypot(z, 1.0);
+    // 2 (root - 1) = 2 z^2/(root + 1), without cancellation.
+    let reduced = z * (2.0 / (root + 1.0)).sqrt();
+    let slope = if reduced == 0.0 { 1.0 } else { z / (root * reduced) };
+    (reduced, slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest difference of the Jacobian from central differences, over the largest entry of its column.
+    fn off(measured: Measured, values: Values, free: &[usize], spoil: f64) -> f64 {
+        let t: Vec<f64> = (0..400).map(|i| 0.05 * f64::from(i)).collect();
+        let samples = Samples { y: vec![0.0; t.len()], t };
+        let matrix = Problem::new(&samples, measured, free, Loss::Squares, values).derivatives().unwrap();
+        let mut worst = 0.0f64;
+        for (column, place) in free.iter().enumerate() {
+            let step = 1e-5 * values[*place].abs().max(0.05);
+            let shifted = |side: f64| {
+                let mut values = values;
+                values[*place] += side * step;
+                Problem::new(&samples, measured, free, Loss::Squares, values).plain().to_vec()
+            };
+            let (before, after) = (shifted(-1.0), shifted(1.0));
+            let size = matrix.column(column).amax();
+            for row in 0..samples.len() {
+                let difference = (after[row] - before[row]) / (2.0 * step);
+                worst = worst.max((spoil * matrix[(row, column)] - difference).abs() / size);
+            }
+        }
+        worst
+    }
+
+    #[test]
+    fn the_jacobian_is_that_of_the_residuals() {
+        let smooth = [0.1, 4.0, 12.0, 0.02, 0.03, 0.0, 0.0, 0.01, 1.1];
+        let free = [THETA, VELOCITY, OMEGA2, LINEAR, QUADRATIC, OFFSET, SCALE];
+        assert!(off(Measured::Angle, smooth, &free, 1.0) < 1e-6);
+        assert!(off(Measured::Velocity, smooth, &free, 1.0) < 1e-6);
+        assert!(off(Measured::Acceleration, smooth, &free, 1.0) < 1e-6);
+        let slid = [0.1, 4.0, 12.0, 0.02, 0.03, 0.2, -3.0, 0.01, 1.0];
+        let free = [THETA, VELOCITY, OMEGA2, LINEAR, QUADRATIC, DRY, PRESLIDING, OFFSET];
+        assert!(off(Measured::Angle, slid, &free, 1.0) < 1e-6);
+        // The spoiled sibling.
+        assert!(off(Measured::Angle, smooth, &[OMEGA2], 1.0001) > 1e-5);
+    }
+}

@@ -1,0 +1,263 @@
+//! Gate and table data: periods alone, fitted by the core's period without an integration.
+
+use super::curve::{CurveFit, inside, nearest};
+use super::data::{extent, median};
+use super::monte_carlo::interval;
+use super::options::{FitOptions, Model};
+use super::quote::{Quote, quoted};
+use super::refusal::FitRefusal;
+use super::result::{
+    Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals, Verdict,
+};
+use libration::damped::averaged_turning_angle;
+use libration::{Frequency, Orbit};
+
+/// Rows that can be used, and what was left out.
+struct Rows {
+    kept: Vec<usize>,
+    dropped: Vec<Dropped>,
+}
+
+fn period_of_angle(theta_max: f64, omega0: f64) -> Option<f64> {
+    let theta_max = theta_max.abs();
+    if theta_max >= core::f64::consts::PI {
+        return None;
+    }
+    Some(Orbit::new(theta_max, 0.0, Frequency::from_omega0(omega0).ok()?).ok()?.period())
+}
+
+fn period_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
+    if velocity.abs() >= 2.0 * omega0 {
+        return None;
+    }
+    Some(Orbit::new(0.0, velocity, Frequency::from_omega0(omega0).ok()?).ok()?.period())
+}
+
+fn swing_of_velocity(velocity: f64, omega0: f64) -> f64 {
+    let orbit = Frequency::from_omega0(omega0).and_then(|frequency| Orbit::new(0.0, velocity, frequency));
+    orbit.map_or(f64::NAN, |orbit| orbit.theta_max())
+}
+
+/// Periods that are numbers, positive, and no multiples of the usual one by a missed passage.
+fn usable(columns: &[&[f64]], periods: &[f64]) -> Result<Rows, FitRefusal> {
+    let finite = |row: usize| columns.iter().all(|column| column[row].is_finite()) && periods[row] > 0.0;
+    let good: Vec<f64> = (0..periods.len()).filter(|row| finite(*row)).map(|row| periods[row]).collect();
+    let usual = median(&good);
+    let mut rows = Rows { kept: Vec::new(), dropped: Vec::new() };
+    for row in 0..periods.len() {
+        let reason = if !finite(row) {
+            "no number, or a period that is not positive"
+        } else if !(0.3..1.7).contains(&(periods[row] / usual)) && periods.len() > 10 {
+            "a passage was missed or counted twice"
+        } else {
+            rows.kept.push(row);
+            continue;
+        };
+        rows.dropped.push(Dropped { row, reason: reason.to_string() });
+    }
+    if rows.kept.len() < 3 {
+        return Err(FitRefusal::new(format!("{} rows with periods: at least 3 are needed", rows.kept.len())));
+    }
+    Ok(rows)
+}
+
+/// omega0 of the smallest swings, to start from.
+fn omega0_start(periods: &[f64]) -> f64 {
+    let unit = period_of_angle(0.1, 1.0).unwrap_or(core::f64::consts::TAU);
+    unit / extent(periods).0
+}
+
+/// Periods of known swings: omega0 and, where the rows determine it, an offset of the angle.
+pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Result<Fit, FitRefusal> {
+    let rows = usable(&[swings, periods], periods)?;
+    let a: Vec<f64> = rows.kept.iter().map(|row| swings[*row]).collect();
+    let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
+    if let Some(wide) = a.iter().find(|a| a.abs() >= core::f64::consts::PI) {
+        return Err(FitRefusal::new(format!(
+            "swing = {wide} rad: must lie below pi; are the swings in degrees?"
+        )));
+    }
+    let plain =
+        |values: &[f64]| -> Option<Vec<f64>> { a.iter().map(|a| period_of_angle(*a, values[0])).collect() };
+    let shifted = |values: &[f64]| -> Option<Vec<f64>> {
+        a.iter().map(|a| period_of_angle(a - values[1], values[0])).collect()
+    };
+    let start = omega0_start(&measured);
+    let failed = || FitRefusal::new("the table does not determine omega0");
+    let one = nearest(&plain, &measured, &[start], 0).ok_or_else(failed)?;
+    let both_sides = a.iter().any(|a| *a > 0.0) && a.iter().any(|a| *a < 0.0);
+    let two = if both_sides && a.len() > 4 {
+        nearest(&shifted, &measured, &[one.values[0], 1e-3], 0)
+    } else {
+        None
+    };
+    // An offset stays where the rows ask for it.
+    let best = match two {
+        Some(two) if two.aicc() < one.aicc() - 2.0 => two,
+        _ => one,
+    };
+    let offset = best.values.get(1).map(|value| Estimate::new(*value, best.u(1), 0.0, 0.0));
+    let swing = a.iter().fold(0.0f64, |most, a| most.max(a.abs()));
+    let mut fit = of_periods(&best, options, rows, swing, &measured)?;
+    fit.offset = offset;
+    fit.offset_deg = offset.map(|e| Estimate::new(e.value.to_degrees(), e.u.to_degrees(), 0.0, 0.0));
+    fit.residuals.t = a;
+    Ok(fit)
+}
+
+/// Periods at a light gate: the swing follows from the time that a flag takes, with its width free, or from the decay of the period
+/// itself.
+pub(super) fn gate(
+    t: &[f64],
+    periods: &[f64],
+    transits: Option<&[f64]>,
+    options: &FitOptions,
+) -> Result<Fit, FitRefusal> {
+    let columns: Vec<&[f64]> = [Some(t), Some(periods), transits].into_iter().flatten().collect();
+    let mut rows = usable(&columns, periods)?;
+    let failed = || FitRefusal::new("the periods do not determine omega0");
+    // Once for the outliers, once without them.
+    for _ in 0..2 {
+        let best = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
+        let keep = inside(&best.0.residuals);
+        let out: Vec<usize> = (0..keep.len()).filter(|i| !keep[*i]).collect();
+        if out.is_empty() || out.len() * 10 > keep.len() {
+            break;
+        }
+        for i in &out {
+            rows.dropped.push(Dropped { row: rows.kept[*i], reason: "outlier: beyond 6 deviations".into() });
+        }
+        rows.kept = (0..keep.len()).filter(|i| keep[*i]).map(|i| rows.kept[i]).collect();
+    }
+    let (best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
+    let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
+    let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
+    let mut fit = of_periods(&best, options, rows, swing, &measured)?;
+    fit.residuals.t = times;
+    fit.window = extent(&fit.residuals.t);
+    if let Some(place) = linear {
+        fit.model = Model::Linear;
+        fit.friction.linear = Some(Estimate::new(best.values[place], best.u(place), 0.0, 0.0));
+        if best.values[1] < 2.0 * best.u(1) {
+            fit.verdicts.push(Verdict::new(
+                Grade::Warning,
+                "the periods do not determine the swing: omega0 holds for small swings only",
+            ));
+        }
+    }
+    Ok(fit)
+}
+
+/// The fit, the largest swing, and the place of the linear friction if it is among the values.
+fn gate_once(
+    t: &[f64],
+    periods: &[f64],
+    transits: Option<&[f64]>,
+    kept: &[usize],
+) -> Option<(CurveFit, f64, Option<usize>)> {
+    let measured: Vec<f64> = kept.iter().map(|row| periods[*row]).collect();
+    let start = omega0_start(&measured);
+    let lags = (kept.len() / 8).min(30);
+    if let Some(transits) = transits {
+        let dark: Vec<f64> = kept.iter().map(|row| transits[*row]).collect();
+        let shortest = extent(&dark).0;
+        let curve = |values: &[f64]| -> Option<Vec<f64>> {
+            dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
+        };
+        // A width that gives the fastest passage this share of the separatrix's speed.
+        let tried = [0.1, 0.3, 0.6]
+            .map(|share| nearest(&curve, &measured, &[start, share * 2.0 * start * shortest], lags));
+        let best = tried.into_iter().flatten().min_by(|a, b| a.rms().total_cmp(&b.rms()))?;
+        let swing = swing_of_velocity(best.values[1] / shortest, best.values[0]);
+        return Some((best, swing, None));
+    }
+    let first = t[kept[0]];
+    let times: Vec<f64> = kept.iter().map(|row| t[*row] - first).collect();
+    let span = extent(&times).1.max(f64::MIN_POSITIVE);
+    let curve = |values: &[f64]| -> Option<Vec<f64>> {
+        let frequency = Frequency::from_omega0(values[0]).ok()?;
+        let swing = |t: f64| averaged_turning_angle(values[1], t, frequency, values[2]);
+        times.iter().map(|t| period_of_angle(swing(*t), values[0])).collect()
+    };
+    let mut tried = Vec::new();
+    for swing in [0.2, 0.8] {
+        for decay in [0.1, 1.0] {
+            tried.extend(nearest(&curve, &measured, &[start, swing, decay / span], lags));
+        }
+    }
+    let best = tried.into_iter().min_by(|a, b| a.rms().total_cmp(&b.rms()))?;
+    let swing = best.values[1];
+    Some((best, swing, Some(2)))
+}
+
+/// The result of periods alone.
+fn of_periods(
+    best: &CurveFit,
+    options: &FitOptions,
+    rows: Rows,
+    swing: f64,
+    measured: &[f64],
+) -> Result<Fit, FitRefusal> {
+    let value = best.values[0];
+    let omega0 = Estimate::new(value, best.u(0), 0.0, options.clock_u * value);
+    let Quote { g, length, corrections, budget } = quoted(omega0, options)?;
+    let n = measured.len() as f64;
+    let mean = measured.iter().sum::<f64>() / n;
+    let constant = (measured.iter().map(|t| (t - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let rms = best.rms();
+    let mut verdicts = Vec::new();
+    let expected =
+        period_of_angle(swing, value).unwrap_or(mean) / period_of_angle(0.0, value).unwrap_or(mean) - 1.0;
+    if rms > 0.01 * mean && constant > 0.01 * mean && rms > 0.6 * constant {
+        verdicts.push(Verdict::new(
+            Grade::Refuted,
+            format!(
+                "periods scatter by {:.1} %: more than one mode moves, or passages were missed",
+                100.0 * rms / mean
+            ),
+        ));
+    } else if expected > 0.02 && constant < 0.5 * rms {
+        verdicts.push(Verdict::new(
+            Grade::Refuted,
+            "the period does not depend on the swing: this is no angle of a pendulum",
+        ));
+    }
+    let names = &["omega0", "second value", "linear"][..best.values.len()];
+    let matrix = &best.covariance.matrix;
+    let entry = |i: usize, j: usize| matrix[(i, j)] / (matrix[(i, i)] * matrix[(j, j)]).sqrt();
+    Ok(Fit {
+        model: Model::None,
+        rms,
+        rms_deg: None,
+        omega0,
+        g,
+        length,
+        length_given: options.length.is_some() || !options.parts.is_empty(),
+        corrections,
+        monte_carlo: interval(omega0, options),
+        offset: None,
+        offset_deg: None,
+        scale: None,
+        friction: FrictionEstimates::default(),
+        swing,
+        verdicts,
+        dropped: rows.dropped,
+        window: (0.0, 0.0),
+        window_reason: "all rows".to_string(),
+        samples: measured.len(),
+        ladder: Vec::new(),
+        correlation: Correlation {
+            names: names.to_vec(),
+            rows: (0..names.len()).map(|i| (0..names.len()).map(|j| entry(i, j)).collect()).collect(),
+        },
+        budget,
+        diagnostics: Diagnostics {
+            condition: best.covariance.condition,
+            omega0_u_naive: best.covariance.naive[(0, 0)].sqrt(),
+            effective_size: n,
+            ..Diagnostics::default()
+        },
+        residuals: Residuals { t: Vec::new(), measured: measured.to_vec(), residual: best.residuals.clone() },
+        state: (swing, 0.0, 0.0),
+    })
+}

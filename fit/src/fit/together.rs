@@ -1,0 +1,151 @@
+//! Several records together: of one pendulum, or of one g with several lengths.
+//!
+//! Each record is fitted alone; what they share is then the generalised least squares of their results. To first order this is the
+//! minimum of the sum of all squares, because every other value belongs to one record.
+
+use super::data::Data;
+use super::entry::fit;
+use super::options::{FitOptions, Measure};
+use super::refusal::FitRefusal;
+use super::result::{Estimate, Fit, Grade, Verdict};
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+/// What several records share.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Together {
+    /// In rad/s, where all records are of one pendulum.
+    pub omega0: Option<Estimate>,
+    /// In m/s^2.
+    pub g: Option<Estimate>,
+    /// What must be added to every stated length, in m, where three or more lengths were given.
+    pub length_offset: Option<Estimate>,
+    /// Sum of squares of the deviations over their uncertainties, and its degrees of freedom.
+    pub chi_squared: (f64, usize),
+    /// Findings in words.
+    pub verdicts: Vec<Verdict>,
+    /// The records alone.
+    pub fits: Vec<Fit>,
+}
+
+/// Records of one pendulum: the shared omega0, and g or the length as the options say.
+///
+/// # Errors
+/// As for [`fit`], with the number of the record.
+pub fn fit_runs(runs: &[Data], options: &FitOptions) -> Result<Together, FitRefusal> {
+    let fits = each(runs, |_| options.clone())?;
+    let values: Vec<(f64, f64)> = fits
+        .iter()
+        .map(|fit| (fit.omega0.value, libm::hypot(fit.omega0.statistical, fit.omega0.model)))
+        .collect();
+    let design = DMatrix::from_element(values.len(), 1, 1.0);
+    let (mean, chi) = solved(&design, &values)?;
+    let calibration = fits.iter().map(|fit| fit.omega0.calibration).fold(0.0, f64::max);
+    let freedom = values.len() - 1;
+    // Birge's ratio: scatter beyond the uncertainties widens the mean.
+    let birge = (chi / freedom.max(1) as f64).max(1.0).sqrt();
+    let statistical = mean[0].1;
+    let omega0 =
+        Estimate::new(mean[0].0, statistical, statistical * (birge * birge - 1.0).sqrt(), calibration);
+    let quote = super::quote::quoted(omega0, options)?;
+    Ok(Together {
+        omega0: Some(omega0),
+        g: quote.g,
+        length_offset: None,
+        chi_squared: (chi, freedom),
+        verdicts: consistent(chi, freedom, "omega0"),
+        fits,
+    })
+}
+
+/// Records at several lengths: 1/omega0^2 = (L + c)/g by least squares, c free where there are three lengths or more.
+///
+/// # Errors
+/// As for [`fit`], with the number of the record; where the numbers of records and lengths differ.
+pub fn fit_lengths(runs: &[Data], lengths: &[Measure], options: &FitOptions) -> Result<Together, FitRefusal> {
+    if runs.len() != lengths.len() || runs.len() < 2 {
+        return Err(FitRefusal::new(format!(
+            "{} records with {} lengths: each record needs its length, and two are the least",
+            runs.len(),
+            lengths.len()
+        )));
+    }
+    let alone = FitOptions { length: None, gravity: None, parts: Vec::new(), ..options.clone() };
+    let fits = each(runs, |_| alone.clone())?;
+    let free_offset = lengths.len() > 2;
+    // Lengths stand on the right, with the uncertainty of both sides.
+    let g0 = fits[0].omega0.value.powi(2) * lengths[0].value;
+    let values: Vec<(f64, f64)> = fits
+        .iter()
+        .zip(lengths)
+        .map(|(fit, length)| {
+            let inverse = 1.0 / fit.omega0.value.powi(2);
+            let own = g0 * inverse * 2.0 * fit.omega0.u / fit.omega0.value;
+            (length.value, libm::hypot(own, length.u))
+        })
+        .collect();
+    let design = DMatrix::from_fn(fits.len(), 1 + usize::from(free_offset), |row, column| {
+        if column == 0 { 1.0 / fits[row].omega0.value.powi(2) } else { -1.0 }
+    });
+    let (found, chi) = solved(&design, &values)?;
+    let freedom = values.len() - found.len();
+    let estimate = |place: usize| Estimate::new(found[place].0, found[place].1, 0.0, 0.0);
+    let mut verdicts = consistent(chi, freedom, "g");
+    let offset = free_offset.then(|| estimate(1));
+    if let Some(offset) = offset.filter(|offset| offset.value.abs() > 3.0 * offset.u) {
+        verdicts.push(Verdict::new(
+            Grade::Warning,
+            format!(
+                "every stated length is short by {:.4} m: it may end above the centre of the bob",
+                offset.value
+            ),
+        ));
+    }
+    Ok(Together {
+        omega0: None,
+        g: Some(estimate(0)),
+        length_offset: offset,
+        chi_squared: (chi, freedom),
+        verdicts,
+        fits,
+    })
+}
+
+fn each(runs: &[Data], options: impl Fn(usize) -> FitOptions) -> Result<Vec<Fit>, FitRefusal> {
+    if runs.is_empty() {
+        return Err(FitRefusal::new("0 records: at least one is needed"));
+    }
+    let one = |(number, run): (usize, &Data)| {
+        fit(run, &options(number))
+            .map_err(|refusal| FitRefusal::new(format!("record {}: {refusal}", number + 1)))
+    };
+    runs.iter().enumerate().map(one).collect()
+}
+
+/// Values with their uncertainties, and chi squared.
+type Solved = (Vec<(f64, f64)>, f64);
+
+/// Weighted least squares of a design to values with uncertainties.
+fn solved(design: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Solved, FitRefusal> {
+    let weight = |row: usize| 1.0 / values[row].1.max(1e-15 * values[row].0.abs());
+    let matrix =
+        DMatrix::from_fn(design.nrows(), design.ncols(), |row, column| design[(row, column)] * weight(row));
+    let right = DVector::from_fn(values.len(), |row, _| values[row].0 * weight(row));
+    let failed = || FitRefusal::new("the records do not determine what they share: are all lengths equal?");
+    let inverse = matrix.tr_mul(&matrix).try_inverse().ok_or_else(failed)?;
+    let found = &inverse * matrix.tr_mul(&right);
+    let chi = (&matrix * &found - right).norm_squared();
+    Ok(((0..found.len()).map(|i| (found[i], inverse[(i, i)].sqrt())).collect(), chi))
+}
+
+/// A word where the scatter is beyond the uncertainties: chi squared exceeds its mean by four deviations.
+fn consistent(chi: f64, freedom: usize, what: &str) -> Vec<Verdict> {
+    let freedom = freedom as f64;
+    if freedom > 0.0 && chi > freedom + 4.0 * (2.0 * freedom).sqrt() {
+        let sentence = format!(
+            "the records do not agree on {what}: chi squared {chi:.1} for {freedom} degrees of freedom"
+        );
+        return vec![Verdict::new(Grade::Warning, sentence)];
+    }
+    Vec::new()
+}

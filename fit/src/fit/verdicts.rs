@@ -1,0 +1,188 @@
+//! Findings in words: what a person with experience would say of the record and the fit.
+
+use super::result::{Fit, Grade, Verdict};
+
+/// What verdicts need beside the result.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Evidence {
+    /// The largest distance from the rest, in the unit of the record.
+    pub reach: f64,
+    /// Terms of the chosen model that wanted to be negative.
+    pub wanted_negative: usize,
+    /// The relative scatter of omega0^2 between windows.
+    pub window_spread: f64,
+    /// Periods in the window.
+    pub periods: f64,
+    /// Whether the record is of angles.
+    pub angles: bool,
+}
+
+/// g on the surface of the Earth, pole to equator with mountains, in m/s^2.
+pub(super) const GRAVITY_ON_EARTH: (f64, f64) = (9.763, 9.834);
+
+pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
+    let mut found = Vec::new();
+    let mut say = |grade: Grade, sentence: String| found.push(Verdict::new(grade, sentence));
+    let diagnostics = &fit.diagnostics;
+    let share = fit.rms / evidence.reach;
+    let linear = diagnostics.linear_equation_rms;
+    let degrees = fit.swing.to_degrees();
+    let isochronous = linear > 0.0 && linear < 0.5 * fit.rms && degrees > 15.0 && evidence.angles;
+    if isochronous && linear < 1e-4 * evidence.reach {
+        say(
+            Grade::Refuted,
+            format!(
+                "too good: this is a linear cosine, computed and not measured (the linear equation leaves {:.1e} of the swing, the pendulum's {:.1e})",
+                linear / evidence.reach,
+                share
+            ),
+        );
+    } else if isochronous {
+        say(
+            Grade::Refuted,
+            format!(
+                "the period does not depend on the swing: this is no angle of a pendulum (the linear equation leaves {:.2} deg rms, the pendulum's {:.2} deg)",
+                linear.to_degrees(),
+                fit.rms.to_degrees()
+            ),
+        );
+    } else if share < 3e-6 {
+        say(
+            Grade::Warning,
+            format!("too good: residuals of {share:.1e} of the swing are below any sensor's noise"),
+        );
+    }
+    let s = diagnostics.scale;
+    let gain = fit.rms / diagnostics.scale_rms;
+    let asks = s > 0.0
+        && (s - 1.0).abs() > 4.0 * diagnostics.scale_u
+        && gain > 1.1
+        && !isochronous
+        && degrees > 10.0;
+    let waveform = asks && gain > 2.0 && (s - 1.0).abs() > 0.1;
+    let in_degrees = libm::log(s / 1f64.to_radians()).abs() < 0.1;
+    let in_radians = libm::log(s * 1f64.to_radians()).abs() < 0.1;
+    if s > 0.0 && gain > 1.1 && evidence.angles && !isochronous && (in_degrees || in_radians) {
+        let (given, meant) = if in_degrees { ("degrees", "radians") } else { ("radians", "degrees") };
+        say(
+            Grade::Refuted,
+            format!("the unit is wrong: a scale of {s:.4} says that values read as {given} are {meant}"),
+        );
+    } else if waveform {
+        say(
+            Grade::Refuted,
+            format!(
+                "the waveform is not a rigid pendulum's: with a scale of {s:.3} of the angle the rms falls by a factor of {gain:.1}"
+            ),
+        );
+    } else if asks && (s - 1.0).abs() > 0.01 {
+        say(
+            Grade::Warning,
+            format!(
+                "the record asks for a scale of {s:.3} of its angle: with it the rms falls by a factor of {gain:.2}"
+            ),
+        );
+    }
+    if share > 0.25 {
+        say(
+            Grade::Refuted,
+            format!(
+                "no motion of a pendulum describes the record: {:.0} % of the swing is left",
+                100.0 * share
+            ),
+        );
+    } else if share > 8e-3
+        && diagnostics.lag1 > 0.9
+        && (evidence.wanted_negative > 0 || evidence.window_spread > 0.01)
+        && !isochronous
+        && !waveform
+    {
+        say(
+            Grade::Refuted,
+            format!(
+                "the base moves or the friction law is wrong: {:.1} % of the swing is left, from one sample to the next with a correlation of {:.2}",
+                100.0 * share,
+                diagnostics.lag1
+            ),
+        );
+    } else if evidence.wanted_negative > 0 {
+        say(
+            Grade::Warning,
+            "a friction term wants to be negative and was held at 0: the friction law is not quite that of the models".to_string(),
+        );
+    }
+    if evidence.window_spread > 3e-3 && evidence.periods > 10.0 {
+        say(
+            Grade::Warning,
+            format!(
+                "omega0 is not constant: five windows of the record scatter by {:.2} %",
+                50.0 * evidence.window_spread
+            ),
+        );
+    }
+    if let (Some(g), Some(length)) = (fit.g, fit.length)
+        && fit.length_given
+    {
+        let (low, high) = GRAVITY_ON_EARTH;
+        if g.value < low - 3.0 * g.u || g.value > high + 3.0 * g.u {
+            let middle = 0.5 * (low + high);
+            let off = 100.0 * (g.value / middle - 1.0);
+            say(
+                Grade::Warning,
+                format!(
+                    "the stated length is off by {:.1} %: g would be {:.3} m/s^2, and with g = {middle:.2} the length is {:.4} m",
+                    off.abs(),
+                    g.value,
+                    length.value * middle / g.value
+                ),
+            );
+        }
+    }
+    let per_period = diagnostics.samples_per_period;
+    if per_period > 0.0 && per_period < 4.0 {
+        let word = if per_period < 2.6 { "two" } else { "three" };
+        say(
+            Grade::Warning,
+            format!(
+                "{word} points per swing ({per_period:.1} samples in a period): another frequency may fit as well"
+            ),
+        );
+    }
+    if evidence.periods > 0.0 && evidence.periods < 2.0 {
+        say(
+            Grade::Warning,
+            format!(
+                "the record holds {:.1} periods: friction and rest are hardly determined",
+                evidence.periods
+            ),
+        );
+    }
+    if diagnostics.condition > 1e6 {
+        say(
+            Grade::Warning,
+            format!(
+                "the values depend on each other (condition {:.0e}): only their combination is known",
+                diagnostics.condition
+            ),
+        );
+    }
+    if diagnostics.lag1 > 0.5 {
+        let ratio = fit.omega0.u / diagnostics.omega0_u_naive;
+        say(
+            Grade::Note,
+            format!(
+                "residuals follow each other (correlation {:.2}): an uncertainty that takes them as independent would be {ratio:.0} times too small",
+                diagnostics.lag1
+            ),
+        );
+    }
+    let clock = diagnostics.against_velocity.abs();
+    if clock > 0.3 && diagnostics.effective_size > 20.0 {
+        say(
+            Grade::Note,
+            format!("residuals follow the velocity (correlation {clock:.2}): the clock has faults"),
+        );
+    }
+    found.sort_by_key(|verdict| core::cmp::Reverse(verdict.grade));
+    found
+}

@@ -1,0 +1,121 @@
+//! Lengths from parts, corrections, reversible pendulums, records together.
+
+use libration::{DampedPendulum, Frequency, Friction, Shape, Torque};
+use libration_fit::fit::{
+    Corrections, Data, FitOptions, Measure, Measured, MeasuredPart, fit, fit_lengths, fit_runs,
+    length_of_parts, reversible,
+};
+
+fn measure(value: f64, u: f64) -> Measure {
+    Measure { value, u }
+}
+
+/// A record of a pendulum of this length where g is 9.81, with noise that repeats on every machine.
+fn record(length: f64, seed: u64) -> Data {
+    let frequency = Frequency::from_gravity_length(9.81, length).unwrap();
+    let friction = Friction::new(0.02, 0.0, 0.0, 0.0).unwrap();
+    let pendulum = DampedPendulum::new(0.6, 0.0, frequency, friction, Torque::NONE).unwrap();
+    let trajectory = pendulum.trajectory(0.0, 20.0).unwrap();
+    let t: Vec<f64> = (0..500).map(|i| 0.04 * f64::from(i)).collect();
+    let mut state = seed;
+    let mut noise = || {
+        let mut sum = 0.0;
+        for _ in 0..12 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            sum += (state >> 11) as f64 / 9_007_199_254_740_992.0;
+        }
+        sum - 6.0
+    };
+    let values = t.iter().map(|t| trajectory.theta(*t) + 0.004 * noise()).collect();
+    Data::Record { measured: Measured::Angle, t, values }
+}
+
+#[test]
+fn parts_give_the_length_and_its_uncertainty() {
+    let part = |shape, mass: f64, distance: f64, size: f64| MeasuredPart {
+        shape,
+        mass: measure(mass, 1e-4),
+        distance: measure(distance, 5e-4),
+        size: measure(size, 5e-4),
+    };
+    let parts = vec![part(Shape::Rod, 0.019, 0.2475, 0.495), part(Shape::Ball, 0.031, 0.495, 0.01)];
+    let length = length_of_parts(&parts).unwrap();
+    assert!((length.value - 0.4564).abs() < 2e-4 && (2e-4..2e-3).contains(&length.u), "{length:?}");
+    let found = fit(&record(length.value, 4), &FitOptions { parts, ..FitOptions::default() }).unwrap();
+    let g = found.g.unwrap();
+    assert!(
+        (g.value - 9.81).abs() < 4.0 * g.u && g.calibration > 0.9 * 9.81 * length.u / length.value,
+        "{g:?}"
+    );
+}
+
+#[test]
+fn corrections_change_g_and_can_be_switched_off() {
+    let known =
+        Corrections { radius: Some(0.02), mass: Some(0.0027), wire: Some(1e-4), ..Corrections::default() };
+    let options =
+        |corrections| FitOptions { length: Some(measure(0.5, 0.0)), corrections, ..FitOptions::default() };
+    let data = record(0.5, 4);
+    let g = |corrections| fit(&data, &options(corrections)).unwrap();
+    let with = g(known);
+    let off = Corrections { bob_size: false, wire_mass: false, buoyancy: false, added_mass: false, ..known };
+    let without = g(off);
+    let ratio = with.g.unwrap().value / without.g.unwrap().value;
+    let product: f64 = with.corrections.iter().map(|row| (1.0 + row.relative_period).powi(2)).product();
+    assert!((ratio - product).abs() < 1e-12 && ratio > 1.01, "{ratio} {product}");
+    assert_eq!(with.corrections.len(), 4);
+    assert!(without.corrections.iter().all(|row| !row.made));
+}
+
+#[test]
+fn a_symmetric_crossing_of_a_reversible_pendulum_is_flagged() {
+    let good =
+        reversible([measure(1.638_2, 2e-4); 2], [measure(0.5, 5e-4), measure(1.0 / 6.0, 5e-4)]).unwrap();
+    assert!((good.g.value - 9.81).abs() < 4.0 * good.g.u && good.verdicts.is_empty(), "{good:?}");
+    let bad = reversible([measure(1.5995, 2e-4); 2], [measure(0.4, 5e-4), measure(0.2503, 5e-4)]).unwrap();
+    assert!(!bad.verdicts.is_empty(), "{bad:?}");
+    assert!(reversible([measure(1.6, 0.0), measure(1.7, 0.0)], [measure(0.4, 0.0); 2]).is_err());
+}
+
+#[test]
+fn records_together_know_more_than_one() {
+    let runs: Vec<Data> = (0..4).map(|i| record(0.5, 100 + i)).collect();
+    let options = FitOptions { length: Some(measure(0.5, 0.0)), ..FitOptions::default() };
+    let all = fit_runs(&runs, &options).unwrap();
+    let one = all.fits[0].g.unwrap();
+    let g = all.g.unwrap();
+    assert!((g.value - 9.81).abs() < 4.0 * g.u && g.u < 0.75 * one.u, "{g:?} {one:?}");
+    // One run of another pendulum does not agree.
+    let mut spoiled = runs;
+    spoiled[2] = record(0.51, 7);
+    assert!(!fit_runs(&spoiled, &options).unwrap().verdicts.is_empty());
+}
+
+#[test]
+fn several_lengths_show_what_they_leave_out() {
+    // Each is measured to the top of a bob whose centre lies 15 mm below.
+    let lengths = [0.4, 0.6, 0.8, 1.0];
+    let runs: Vec<Data> = lengths.iter().enumerate().map(|(i, l)| record(l + 0.015, 50 + i as u64)).collect();
+    let stated: Vec<Measure> = lengths.iter().map(|l| measure(*l, 2e-4)).collect();
+    let found = fit_lengths(&runs, &stated, &FitOptions::default()).unwrap();
+    let (g, offset) = (found.g.unwrap(), found.length_offset.unwrap());
+    assert!((g.value - 9.81).abs() < 4.0 * g.u && g.u < 0.05, "{g:?}");
+    assert!((offset.value - 0.015).abs() < 4.0 * offset.u && !found.verdicts.is_empty(), "{offset:?}");
+    assert!(fit_lengths(&runs, &stated[..3], &FitOptions::default()).is_err());
+}
+
+#[test]
+fn monte_carlo_and_bootstrap_agree_with_the_budget() {
+    let options = FitOptions {
+        length: Some(measure(0.5, 0.001)),
+        monte_carlo: 4000,
+        bootstrap: 400,
+        ..FitOptions::default()
+    };
+    let found = fit(&record(0.5, 4), &options).unwrap();
+    let (g, (low, high)) = (found.g.unwrap(), found.monte_carlo.unwrap());
+    assert!(((high - low) / (2.0 * 1.96 * g.u) - 1.0).abs() < 0.1, "{low} {high} {g:?}");
+    let bootstrap = found.diagnostics.omega0_u_bootstrap.unwrap();
+    assert!((0.5..1.6).contains(&(bootstrap / found.omega0.statistical)), "{bootstrap} {:?}", found.omega0);
+    assert_eq!(found, fit(&record(0.5, 4), &options).unwrap());
+}

@@ -1,0 +1,127 @@
+"""The picture and the page of a fit."""
+
+import math
+import re
+from html.parser import HTMLParser
+from io import BytesIO
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import libration
+from libration import DampedPendulum, Friction, fit
+from libration.cli import main
+from libration.plot import plot_fit
+
+T = np.linspace(0.0, 60.0, 1500)
+
+
+@pytest.fixture(scope="module")
+def found():
+    motion = DampedPendulum(math.radians(70), length=0.8, gravity=9.81, friction=Friction(linear=0.02))
+    return fit(T, motion.theta(T) + np.random.default_rng(3).normal(0.0, 0.01, T.size), length=(0.8, 0.001))
+
+
+@pytest.fixture(scope="module")
+def table():
+    swings = np.radians([10, 30, 50, 70])
+    return fit(swings, [libration.Pendulum(each, length=0.8).period for each in swings], quantity="swings")
+
+
+def test_a_picture_has_data_curve_and_residuals(found):
+    axes = found.plot()
+    upper, lower = axes.figure.axes
+    dots, curve = upper.get_lines()
+    # The first twelve periods above, all residuals below.
+    assert dots.get_xdata()[-1] < 25 < lower.get_lines()[-1].get_xdata()[-1]
+    near = np.interp(dots.get_xdata(), *curve.get_data())
+    assert np.abs(near - dots.get_ydata()).max() < 4.5 * math.degrees(0.01)
+    assert len(lower.get_lines()[-1].get_ydata()) == found.t.size
+
+
+@pytest.mark.parametrize("lang", ["en", "pt-BR", "es"])
+@pytest.mark.parametrize("which", ["found", "table"])
+def test_pictures_in_three_languages(lang, which, request):
+    picture = BytesIO()
+    request.getfixturevalue(which).plot(picture, form="svg", lang=lang, title="ℓ = 0.8 m")
+    text = picture.getvalue().decode()
+    assert ElementTree.fromstring(text).tag.endswith("svg")
+    assert {"en": "measured", "pt-BR": "medido", "es": "medido"}[lang] in text
+
+
+def test_own_axes(found):
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots()
+    assert found.plot(ax=axes) is axes
+    assert len(axes.get_lines()) == 2
+
+
+def test_bad_pictures(found):
+    with pytest.raises(ValueError, match="must be a Fit"):
+        plot_fit(3.0, BytesIO())
+    with pytest.raises(ValueError, match="lang = 'fr'"):
+        found.plot(BytesIO(), lang="fr")
+
+
+class Page(HTMLParser):
+    """Tags that are open, ids, and addresses of the page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.ids, self.addresses = [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.ids += [given["id"]] if "id" in given else []
+        self.addresses += [each for name, each in attributes if name in ("src", "href", "xlink:href")]
+        if tag not in ("meta", "path", "use", "image", "rect"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if self.open and self.open[-1] == tag:
+            self.open.pop()
+
+    def handle_endtag(self, tag):
+        if self.open and self.open[-1] == tag:
+            self.open.pop()
+
+
+@pytest.mark.parametrize("which", ["found", "table"])
+def test_the_page_needs_no_other_file(which, request):
+    result = request.getfixturevalue(which)
+    text = result.report()
+    page = Page(text)
+    assert not page.open
+    assert len(set(page.ids)) == len(page.ids)
+    assert all(each.startswith(("#", "data:")) for each in page.addresses)
+    assert {each[1:] for each in page.addresses if each.startswith("#")} <= set(page.ids)
+    assert not re.search(r"<script|@import|<link", text)
+    for head in ("Result", "Data with the fitted curve", "Budget of uncertainty", "What was read"):
+        assert head in text
+    assert ("Friction models" in text) == (which == "found")
+    assert ("Period against swing" in text) == (which == "found")
+
+
+def test_a_name_is_no_markup(tmp_path):
+    path = tmp_path / "<b>&.csv"
+    motion = DampedPendulum(1.0, length=0.8)
+    rows = "".join(f"{t:.4f},{each:.6f}\n" for t, each in zip(T, motion.theta(T) + 0.001 * np.sin(40 * T), strict=True))
+    path.write_text("t [s],theta [rad]\n" + rows)
+    assert "<b>" not in fit(path).report()
+
+
+def test_the_command_writes_both(tmp_path, capsys):
+    motion = DampedPendulum(1.0, length=0.8, friction=Friction(linear=0.01))
+    noise = np.random.default_rng(3).normal(0.0, 0.005, T.size)
+    rows = "".join(f"{t:.4f},{each:.6f}\n" for t, each in zip(T, motion.theta(T) + noise, strict=True))
+    (tmp_path / "a.csv").write_text("t [s],theta [rad]\n" + rows)
+    picture, report = tmp_path / "a.png", tmp_path / "a.html"
+    words = ["fit", str(tmp_path / "a.csv"), "--plot", str(picture), "--report", str(report), "--lang", "pt"]
+    assert main([*words, "--title", "Pêndulo", "--dpi", "50"]) == 0
+    assert picture.read_bytes()[1:4] == b"PNG"
+    assert report.read_text().startswith("<!doctype html>")
+    assert capsys.readouterr().out.count("written") == 2
