@@ -105,11 +105,11 @@ const ECCENTRICITY2: f64 = 0.006_694_379_990_13;
 ///
 /// ```
 /// let g = libration_fit::normal_gravity(45f64.to_radians(), 0.0)?;
-/// assert!((g - 9.806_199).abs() < 1e-6);
+/// assert!((g - 9.806_197_8).abs() < 1e-7);
 /// # Ok::<(), libration_fit::fit::FitRefusal>(())
 /// ```
 pub fn normal_gravity(latitude: f64, height: f64) -> Result<f64, FitRefusal> {
-    if !(latitude.abs() <= 0.5 * PI) {
+    if !(-0.5 * PI..=0.5 * PI).contains(&latitude) {
         return Err(FitRefusal::new(format!(
             "latitude = {latitude} rad: must be from -pi/2 to pi/2, -90deg to 90deg"
         )));

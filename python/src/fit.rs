@@ -1,6 +1,9 @@
 //! Files of measurements, their fit, and g: what `libration fit` and `libration.fit` stand on; and one column of numbers,
 //! for `--times` and for series that are drawn.
 
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 
@@ -22,6 +25,9 @@ type Pair = (f64, f64);
 
 /// Result in JSON without its residuals; grades of the verdicts; times, values and residuals.
 type Fitted<'py> = (String, Vec<&'static str>, [Floats<'py>; 3]);
+
+/// g with its uncertainty, its budget, and g by the formula of small swings.
+type Weighed = (Pair, Vec<(String, f64)>, f64);
 
 fn measure((value, u): Pair) -> Measure {
     Measure { value, u }
@@ -71,6 +77,7 @@ impl Record {
     /// Reads the bytes of a file; `columns` and `units` are texts such as `angle=theta`. `ValueError` of one line.
     #[new]
     #[pyo3(signature = (name, data, columns, units, rate=None, run=None, length=None))]
+    #[allow(clippy::too_many_arguments, reason = "what is stated about a file, handed over once")]
     fn new(
         py: Python<'_>,
         name: &str,
@@ -218,6 +225,7 @@ fn fit_columns<'py>(
         bootstrap: resampled.0,
         monte_carlo: resampled.1,
         seed: resampled.2,
+        stop: Some(given_up),
     };
     let mut fit = interruptible(py, data, options)?;
     let residuals = std::mem::take(&mut fit.residuals);
@@ -230,20 +238,38 @@ fn fit_columns<'py>(
     Ok((fit.json(), grades.collect(), arrays))
 }
 
-/// The fit on a thread of its own, while this one asks for signals. After one the thread is left to its end, and what it finds is
-/// dropped.
+thread_local! {
+    /// Whether the call that waits for the fit of this thread has given up.
+    static GIVEN_UP: RefCell<Arc<AtomicBool>> = RefCell::default();
+}
+
+fn given_up() -> bool {
+    GIVEN_UP.with_borrow(|flag| flag.load(Ordering::Relaxed))
+}
+
+/// The fit on a thread of its own, while this one asks for signals. After one the thread ends at its next evaluation, and what it
+/// finds is dropped.
 fn interruptible(py: Python<'_>, data: Data, options: FitOptions) -> PyResult<Fit> {
     let (sender, receiver) = mpsc::channel();
+    let flag = Arc::new(AtomicBool::new(false));
+    let seen = Arc::clone(&flag);
     thread::Builder::new()
         .name("libration fit".to_owned())
-        .spawn(move || sender.send(libration_fit::fit::fit(&data, &options)))
+        .spawn(move || {
+            GIVEN_UP.set(seen);
+            // Nobody waits any more after a signal.
+            let _ = sender.send(libration_fit::fit::fit(&data, &options));
+        })
         .map_err(|error| PyRuntimeError::new_err(format!("no thread for the fit: {error}")))?;
     let found = signals::detached(py, move |ended| {
         loop {
             match receiver.recv_timeout(INTERVAL) {
                 Ok(found) => return Some(found),
                 Err(RecvTimeoutError::Disconnected) => return None,
-                Err(RecvTimeoutError::Timeout) if ended(usize::MAX / 2) => return None,
+                Err(RecvTimeoutError::Timeout) if ended(usize::MAX / 2) => {
+                    flag.store(true, Ordering::Relaxed);
+                    return None;
+                }
                 Err(RecvTimeoutError::Timeout) => {}
             }
         }
@@ -253,7 +279,7 @@ fn interruptible(py: Python<'_>, data: Data, options: FitOptions) -> PyResult<Fi
 
 /// g from period, length and swing with its uncertainty; its budget; and 4 pi^2 length / T^2.
 #[pyfunction]
-fn gravity_of_period(period: Pair, length: Pair, swing: Pair) -> PyResult<(Pair, Vec<(String, f64)>, f64)> {
+fn gravity_of_period(period: Pair, length: Pair, swing: Pair) -> PyResult<Weighed> {
     let found = libration_fit::gravity_of_period(measure(period), measure(length), measure(swing))
         .map_err(refused)?;
     let budget = found.budget.into_iter().map(|row| (row.source, row.u)).collect();

@@ -104,12 +104,16 @@ pub(super) fn linear_equation(
     rms: f64,
 ) -> Option<f64> {
     const SMALLER: f64 = 1e-3;
-    let small =
-        Samples { t: samples.t.clone(), y: samples.y.iter().map(|y| SMALLER * (y - offset)).collect() };
+    let small = Samples {
+        t: samples.t.clone(),
+        y: samples.y.iter().map(|y| SMALLER * (y - offset)).collect(),
+        stop: samples.stop,
+    };
     let swings = Swings::of(&small.t, &small.y);
     let decay = free_decay(&swings, small.len());
     let begin = *starts(&swings, &decay, measured).first()?;
-    let moved = Samples { t: small.t.iter().map(|t| t - begin.anchor).collect(), y: small.y };
+    let moved =
+        Samples { t: small.t.iter().map(|t| t - begin.anchor).collect(), y: small.y, stop: small.stop };
     let count = terms(model).len().clamp(1, 3);
     let reached = grown(&moved, measured, &begin, count, noise(&moved.y));
     // Far from the pendulum's there is no doubt.

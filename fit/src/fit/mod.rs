@@ -31,7 +31,7 @@ mod window;
 pub use data::{Data, Measured};
 pub use entry::fit;
 pub use known::{CorrectionRow, Corrections, MeasuredPart, length_of_parts};
-pub use options::{FitOptions, Measure, Model};
+pub use options::{FitOptions, Measure, Model, Stop};
 pub use refusal::FitRefusal;
 pub use result::{
     BudgetRow, Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals,

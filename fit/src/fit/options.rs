@@ -47,8 +47,11 @@ impl Model {
     }
 }
 
+/// A question to the caller, whether to give up; none for a caller who never does.
+pub type Stop = Option<fn() -> bool>;
+
 /// What is known beside the record. [`FitOptions::default`] knows nothing and climbs the ladder by itself.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct FitOptions {
     /// The equivalent length in m: gives g.
     pub length: Option<Measure>,
@@ -74,6 +77,8 @@ pub struct FitOptions {
     pub monte_carlo: usize,
     /// The first counter of its random numbers.
     pub seed: u64,
+    /// Asked between evaluations: whether to give up.
+    pub stop: Stop,
 }
 
 impl FitOptions {

@@ -4,6 +4,7 @@
 //! state at t = 0 is free.
 
 use super::data::Measured;
+use super::options::Stop;
 use levenberg_marquardt::LeastSquaresProblem;
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
@@ -32,6 +33,8 @@ const CHUNK: usize = 4096;
 pub(super) struct Samples {
     pub t: Vec<f64>,
     pub y: Vec<f64>,
+    /// Asked before each evaluation; after it no motion is found, and every search ends.
+    pub stop: Stop,
 }
 
 impl Samples {
@@ -43,12 +46,20 @@ impl Samples {
         let inside: Vec<usize> = (0..self.len()).filter(|i| (from..=to).contains(&self.t[*i])).collect();
         let stride = inside.len().div_ceil(most.max(1)).max(1);
         let kept = || inside.iter().step_by(stride);
-        Samples { t: kept().map(|i| self.t[*i]).collect(), y: kept().map(|i| self.y[*i]).collect() }
+        Samples {
+            t: kept().map(|i| self.t[*i]).collect(),
+            y: kept().map(|i| self.y[*i]).collect(),
+            stop: self.stop,
+        }
     }
     /// Those for which `keep` holds.
     pub fn only(&self, keep: impl Fn(usize) -> bool) -> Samples {
         let kept = || (0..self.len()).filter(|i| keep(*i));
-        Samples { t: kept().map(|i| self.t[i]).collect(), y: kept().map(|i| self.y[i]).collect() }
+        Samples {
+            t: kept().map(|i| self.t[i]).collect(),
+            y: kept().map(|i| self.y[i]).collect(),
+            stop: self.stop,
+        }
     }
 }
 
@@ -182,6 +193,10 @@ impl<'a> Problem<'a> {
     }
 
     fn evaluate(&mut self) {
+        if self.samples.stop.is_some_and(|stop| stop()) {
+            self.state = None;
+            return;
+        }
         let t = &self.samples.t;
         let (first, last) = (t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(0.0));
         // Room for the differences of velocities; presliding has no time before its state.
@@ -301,7 +316,7 @@ mod tests {
     /// Largest difference of the Jacobian from central differences, over the largest entry of its column.
     fn off(measured: Measured, values: Values, free: &[usize], spoil: f64) -> f64 {
         let t: Vec<f64> = (0..400).map(|i| 0.05 * f64::from(i)).collect();
-        let samples = Samples { y: vec![0.0; t.len()], t };
+        let samples = Samples { y: vec![0.0; t.len()], t, stop: None };
         let matrix = Problem::new(&samples, measured, free, Loss::Squares, values).derivatives().unwrap();
         let mut worst = 0.0f64;
         for (column, place) in free.iter().enumerate() {

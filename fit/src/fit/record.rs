@@ -4,7 +4,7 @@ use super::data::{Clean, Measured, extent, robust_deviation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
-use super::options::{FitOptions, Model};
+use super::options::{FitOptions, Model, Stop};
 use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
@@ -43,13 +43,13 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let decay = free_decay(&swings, y.len());
     let sensor = noise(&y);
     let starts = starts(&swings, &decay, measured);
-    let Some(start) = nearest_start(&t, &y, measured, &starts, sensor) else {
+    let Some(start) = nearest_start(&t, &y, measured, &starts, sensor, options.stop) else {
         return Err(FitRefusal::new(format!(
             "{} turning points in the record: at least one whole swing is needed",
             swings.turns.len()
         )));
     };
-    let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y };
+    let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y, stop: options.stop };
     let (mut from, mut to) = (all.t[0], all.t[all.len() - 1]);
     let mut reason = "as stated";
     if options.window.is_none() {
@@ -84,6 +84,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
             let later = |samples: &Samples| Samples {
                 t: samples.t.iter().filter(|t| **t >= shift).map(|t| t - shift).collect(),
                 y: (0..samples.len()).filter(|i| samples.t[*i] >= shift).map(|i| samples.y[i]).collect(),
+                stop: samples.stop,
             };
             let thin = later(&thin);
             let plain = rung(&thin, measured, Model::Dry, &values, options.free_scale, CLOSE);
@@ -131,12 +132,19 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
 }
 
 /// Of several starts the one whose search over a short horizon ends best.
-fn nearest_start(t: &[f64], y: &[f64], measured: Measured, starts: &[Start], noise: f64) -> Option<Start> {
+fn nearest_start(
+    t: &[f64],
+    y: &[f64],
+    measured: Measured,
+    starts: &[Start],
+    noise: f64,
+    stop: Stop,
+) -> Option<Start> {
     if starts.len() < 2 {
         return starts.first().copied();
     }
     let tried = starts.iter().map(|start| {
-        let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y: y.to_vec() };
+        let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y: y.to_vec(), stop };
         let part = all.thinned(-0.3 * start.period, 12.0 * start.period, 1500);
         let outcome = grown(&part, measured, start, 1, noise);
         (outcome.sum_of_squares, Start { values: outcome.values, ..*start })

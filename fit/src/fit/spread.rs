@@ -33,6 +33,7 @@ pub(super) fn windows(
         let part = Samples {
             t: inside.t.iter().step_by(stride).map(|t| t - shift).collect(),
             y: inside.y.iter().step_by(stride).copied().collect(),
+            stop: inside.stop,
         };
         let part = if values[slide] == 0.0 { part } else { part.only(|i| part.t[i] >= 0.0) };
         let free = always_free(measured);
