@@ -1,6 +1,6 @@
 //! What is known of the apparatus: parts of a rigid pendulum, bob and air of a simple one.
 
-use super::options::Measure;
+use super::measure::Measure;
 use super::refusal::FitRefusal;
 use libration::compound::{added_mass, bob_size, buoyancy, wire_mass};
 use libration::{Compound, Part, Shape};

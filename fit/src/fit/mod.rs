@@ -10,6 +10,7 @@ mod entry;
 mod horizon;
 mod known;
 mod ladder;
+mod measure;
 mod monte_carlo;
 mod optimiser;
 mod options;
@@ -31,7 +32,8 @@ mod window;
 pub use data::{Data, Measured};
 pub use entry::fit;
 pub use known::{CorrectionRow, Corrections, MeasuredPart, length_of_parts};
-pub use options::{FitOptions, Measure, Model, Stop};
+pub use measure::Measure;
+pub use options::{FitOptions, Model, Stop};
 pub use refusal::FitRefusal;
 pub use result::{
     BudgetRow, Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals,

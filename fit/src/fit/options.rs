@@ -1,17 +1,9 @@
 //! What the user knows beside the record, and which model is asked for.
 
 use super::known::{Corrections, MeasuredPart};
+use super::measure::Measure;
 use super::refusal::FitRefusal;
 use serde::Serialize;
-
-/// A value with its standard uncertainty.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Measure {
-    /// The value.
-    pub value: f64,
-    /// Its standard uncertainty, not negative.
-    pub u: f64,
-}
 
 /// The rungs of the ladder: each adds one friction term to the one before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]

@@ -1,7 +1,8 @@
 //! The quoted quantity, g or a length, from omega0, with its corrections and its budget.
 
 use super::known::{CorrectionRow, length_of_parts, table};
-use super::options::{FitOptions, Measure};
+use super::measure::Measure;
+use super::options::FitOptions;
 use super::refusal::FitRefusal;
 use super::result::{BudgetRow, Estimate};
 

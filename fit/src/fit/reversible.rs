@@ -1,6 +1,6 @@
 //! g from a reversible pendulum, with its budget.
 
-use super::options::Measure;
+use super::measure::Measure;
 use super::refusal::FitRefusal;
 use super::result::{BudgetRow, Estimate, Grade, Verdict};
 use super::verdicts::GRAVITY_ON_EARTH;

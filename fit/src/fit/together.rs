@@ -5,7 +5,8 @@
 
 use super::data::Data;
 use super::entry::fit;
-use super::options::{FitOptions, Measure};
+use super::measure::Measure;
+use super::options::FitOptions;
 use super::refusal::FitRefusal;
 use super::result::{Estimate, Fit, Grade, Verdict};
 use nalgebra::{DMatrix, DVector};
