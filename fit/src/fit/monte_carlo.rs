@@ -21,8 +21,8 @@ pub(super) fn interval(omega0: Estimate, options: &FitOptions) -> Option<(f64, f
     for draw in 0..options.monte_carlo as u64 {
         let normal = |number: u64| stream.normal(3 * draw + number);
         let value = omega0.value + omega0.u * normal(0);
-        let once = |measure: Option<super::options::Measure>, number: u64| {
-            measure.map(|m| super::options::Measure { value: m.value + m.u * normal(number), u: 0.0 })
+        let once = |measure: Option<super::measure::Measure>, number: u64| {
+            measure.map(|m| super::measure::Measure { value: m.value + m.u * normal(number), u: 0.0 })
         };
         let changed = FitOptions {
             length: once(length, 1),
