@@ -120,7 +120,7 @@ fn main() {
                 ..plain
             },
         ];
-        for case in cases.iter().filter(|case| only.is_none_or(|only| case.name.contains(only))) {
+        for case in cases.iter().filter(|case| only.is_none_or(|only| case.name == only)) {
             pulls(case, replicas);
         }
     }

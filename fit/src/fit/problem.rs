@@ -104,6 +104,7 @@ fn bounded(values: &Values, span: f64) -> bool {
     let driven = |rate: f64| rate >= 0.0 || -rate * span <= 3.0;
     values[OMEGA2] > 0.0
         && values[VELOCITY].abs() <= 40.0 * omega0
+        && span * omega0.max(values[VELOCITY].abs()) <= 1e5
         && values[LINEAR] <= omega0
         && driven(values[LINEAR])
         && values[QUADRATIC] <= 1e4
@@ -202,6 +203,12 @@ impl<'a> Problem<'a> {
         // Room for the differences of velocities; presliding has no time before its state.
         let room = if self.measured == Measured::Acceleration { difference(&self.values) } else { 0.0 };
         let before = if self.values[PRESLIDING] == 0.0 { room } else { 0.0 };
+        // Far more periods than samples are a search that has gone astray.
+        let fastest = self.values[OMEGA2].abs().sqrt().max(self.values[VELOCITY].abs());
+        if (last - first) * fastest > 25.0 * (t.len() as f64).max(100.0) {
+            self.state = None;
+            return;
+        }
         self.state = trajectory(&self.values, first - before, last + room).and_then(|trajectory| {
             let shown = predicted(&trajectory, self.measured, &self.values, t);
             let residuals: Vec<f64> = shown.iter().zip(&self.samples.y).map(|(q, y)| q - y).collect();

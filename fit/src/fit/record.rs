@@ -49,6 +49,12 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
             swings.turns.len()
         )));
     };
+    if measured == Measured::Angle && start.last > 1.1 * core::f64::consts::PI {
+        return Err(FitRefusal::new(format!(
+            "the last swing turns back {:.4} rad from the rest: a pendulum turns back below pi; are these degrees or counts?",
+            start.last
+        )));
+    }
     let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y, stop: options.stop };
     let (mut from, mut to) = (all.t[0], all.t[all.len() - 1]);
     let mut reason = "as stated";
