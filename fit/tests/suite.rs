@@ -6,6 +6,7 @@ mod clocks;
 mod column;
 mod containers;
 mod fit_apparatus;
+mod fit_no_record;
 mod fit_record;
 mod fit_verdicts;
 mod malformed;

@@ -19,7 +19,7 @@ use crate::float::Dd;
 pub const MOST_SEGMENTS: usize = 1_000_000;
 
 /// Segments between two questions to the caller.
-pub(super) const ASKED_EVERY: usize = 512;
+pub const ASKED_EVERY: usize = 512;
 
 /// Presliding has settled where what it leaves out of dry friction changes the velocity by less than a step may.
 const SETTLED: f64 = 1.0 / (1u128 << 68) as f64;

@@ -24,7 +24,7 @@ pub use damped_pendulum::DampedPendulum;
 pub use damped_sensitivity::{DampedJacobian, DampedSensitivity};
 pub use friction::Friction;
 pub use half_swing::half_swing;
-pub use integrator::MOST_SEGMENTS;
+pub use integrator::{ASKED_EVERY, MOST_SEGMENTS};
 pub use lazy_trajectory::LazyTrajectory;
 pub use torque::{Interpolation, Torque};
 pub use trajectory::Trajectory;

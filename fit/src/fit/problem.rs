@@ -5,7 +5,10 @@
 
 use super::data::Measured;
 use super::options::Stop;
+use core::cell::Cell;
+use core::f64::consts::PI;
 use levenberg_marquardt::LeastSquaresProblem;
+use libration::damped::ASKED_EVERY;
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
@@ -124,8 +127,24 @@ pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajecto
     let friction = Friction::new(values[LINEAR], values[QUADRATIC], values[DRY].max(0.0), presliding).ok()?;
     let pendulum =
         DampedPendulum::new(values[THETA], values[VELOCITY], frequency, friction, Torque::NONE).ok()?;
-    pendulum.trajectory(from.min(0.0), to.max(0.0)).ok()
+    let (from, to) = (from.min(0.0), to.max(0.0));
+    // A motion of so many small periods takes some fifteen steps in each. Far more are a search that has gone astray, into
+    // presliding over an angle that is next to nothing, and each step of it would cost as much as one of a motion that counts.
+    let fastest = values[OMEGA2].sqrt().max(values[VELOCITY].abs());
+    let most = (STEPS_PER_RADIAN * (to - from) * fastest) as usize + LEAST_STEPS;
+    let asked = Cell::new(0);
+    let gone_astray = || {
+        asked.set(asked.get() + 1);
+        asked.get() * ASKED_EVERY > most
+    };
+    let trajectory = pendulum.reachable_unless(from, to, &gone_astray);
+    let whole = asked.get() * ASKED_EVERY <= most && trajectory.interval() == (from, to);
+    whole.then_some(trajectory)
 }
+
+/// The steps that a motion may take: so many for each radian that it turns at its fastest, and so many besides.
+const STEPS_PER_RADIAN: f64 = 10.0;
+const LEAST_STEPS: usize = 2000;
 
 fn difference(values: &Values) -> f64 {
     if values[OMEGA2] > 0.0 { 5e-4 / values[OMEGA2].sqrt() } else { 0.0 }
@@ -203,9 +222,9 @@ impl<'a> Problem<'a> {
         // Room for the differences of velocities; presliding has no time before its state.
         let room = if self.measured == Measured::Acceleration { difference(&self.values) } else { 0.0 };
         let before = if self.values[PRESLIDING] == 0.0 { room } else { 0.0 };
-        // Far more periods than samples are a search that has gone astray.
+        // More small periods than samples are a search that has gone astray.
         let fastest = self.values[OMEGA2].abs().sqrt().max(self.values[VELOCITY].abs());
-        if (last - first) * fastest > 25.0 * (t.len() as f64).max(100.0) {
+        if (last - first) * fastest > 2.0 * PI * (t.len() as f64).max(100.0) {
             self.state = None;
             return;
         }

@@ -51,8 +51,8 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     };
     if measured == Measured::Angle && start.last > 1.1 * core::f64::consts::PI {
         return Err(FitRefusal::new(format!(
-            "the last swing turns back {:.4} rad from the rest: a pendulum turns back below pi; are these degrees or counts?",
-            start.last
+            "the last swing turns back {} rad from the rest: a pendulum turns back below pi; are these degrees or counts?",
+            if start.last < 1e6 { format!("{:.4}", start.last) } else { format!("{:.3e}", start.last) }
         )));
     }
     let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y, stop: options.stop };

@@ -74,7 +74,7 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     if let Some(wide) = a.iter().find(|a| a.abs() >= core::f64::consts::PI) {
         return Err(FitRefusal::new(format!(
-            "swing = {wide} rad: must lie below pi; are the swings in degrees?"
+            "swing = {wide:?} rad: must lie below pi; are the swings in degrees?"
         )));
     }
     let plain =
