@@ -63,7 +63,7 @@ impl Compound {
     /// use libration::{Compound, Part, Shape};
     /// let rod = Part { shape: Shape::Rod, mass: 0.019, distance: 0.2475, size: 0.495 };
     /// let end = Part { shape: Shape::Point, mass: 0.031, distance: 0.495, size: 0.0 };
-    /// assert_eq!(format!("{:.5}", Compound::new(&[rod, end])?.length()), "0.45634");
+    /// assert_eq!(format!("{:.5}", Compound::new(&[rod, end])?.length()), "0.45630");
     /// # Ok::<(), libration::Domain>(())
     /// ```
     pub fn new(parts: &[Part]) -> Result<Compound, Domain> {
