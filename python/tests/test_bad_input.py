@@ -200,8 +200,12 @@ ODD = {
 }
 
 
+# `fit` takes files and tables, which are odd for the others; test_fit.py has what it refuses.
+FUNCTIONS = [getattr(libration, name) for name in libration.__all__ if name[0].islower() and name != "fit"]
+
+
 @pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
-@pytest.mark.parametrize("function", [getattr(libration, name) for name in libration.__all__ if name[0].islower()])
+@pytest.mark.parametrize("function", FUNCTIONS)
 def test_no_message_names_what_is_inside(function, odd):
     """Each argument of each function in turn is something odd: the answer is one short line that names the argument."""
     names = [each for each in inspect.signature(function).parameters if each not in ("out", "where")]

@@ -88,7 +88,16 @@ for name in elliptic.__all__:
         CALLS[name] = (call(getattr(elliptic, name)), [(name, "1")])
 
 # Public functions and methods that take no array of any length, or make a matrix of every element.
-NO_ARRAYS = {"sensitivities", "claims", "errata", "limits", "pictures"}
+NO_ARRAYS = {
+    "sensitivities",
+    "claims",
+    "errata",
+    "limits",
+    "pictures",
+    "fit",
+    "gravity_of_period",
+    "normal_gravity",
+}
 OTHERS = {
     "Pendulum": {
         "degrees",
