@@ -3,8 +3,10 @@
 Every file is read and fitted before anything is printed or written, so that a refusal leaves nothing half done.
 """
 
+import contextlib
+from collections.abc import Iterator
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from libration.cli.files import staged, strict
 from libration.cli.help import Topic
@@ -32,13 +34,15 @@ from libration.cli.picture import (
     picture_look,
     picture_options,
 )
-from libration.cli.quantities import GRAVITY, LENGTH, ONE, TIME, Dimension, plain, quantity
+from libration.cli.quantities import GRAVITY, LENGTH, ONE, TIME, Dimension, plain, quantity, whole
 
 if TYPE_CHECKING:
     from libration import Fit
 
 MODELS = ("auto", "none", "linear", "quadratic", "dry", "presliding")
 REPORTS = (".html", ".htm")
+# Of runs and of resamplings.
+MOST = 100_000
 
 DESCRIPTION = """\
 Fits a pendulum with friction to measurements: a file of a video tracker, a phone, a photogate or an encoder. Prints what
@@ -146,29 +150,16 @@ def run(options: FitOptions) -> None:
         raise Finding(f"{shown(path)}: {each.verdicts[0]}{more}")
 
 
-class targets:
+@contextlib.contextmanager
+def targets(options: FitOptions) -> Iterator[dict[str, BinaryIO]]:
     """The files that are written, opened before anything is computed, by option."""
-
-    def __init__(self, options: FitOptions) -> None:
-        import contextlib
-
-        self.stack = contextlib.ExitStack()
-        self.wanted = [("--plot", options.plot, PICTURES), ("--report", options.report, REPORTS)]
-        self.keep = options.file
-
-    def __enter__(self) -> dict[str, Any]:
-        opened = {}
-        try:
-            for option, path, suffixes in self.wanted:
-                if path is not None:
-                    opened[option] = self.stack.enter_context(staged(option, path, suffixes, keep=self.keep))
-        except BaseException as error:
-            if not self.stack.__exit__(type(error), error, error.__traceback__):
-                raise
-        return opened
-
-    def __exit__(self, *error: Any) -> bool | None:
-        return self.stack.__exit__(*error)
+    wanted = [("--plot", options.plot, PICTURES), ("--report", options.report, REPORTS)]
+    with contextlib.ExitStack() as stack:
+        yield {
+            option: stack.enter_context(staged(option, path, suffixes, keep=options.file))
+            for option, path, suffixes in wanted
+            if path is not None
+        }
 
 
 def arguments(options: FitOptions) -> dict[str, Any]:
@@ -194,7 +185,7 @@ def arguments(options: FitOptions) -> dict[str, Any]:
     if options.rate is not None:
         known["rate"] = quantity("--rate", options.rate, RATE, above=0.0)
     if options.run is not None:
-        known["run"] = whole("--run", options.run, 1)
+        known["run"] = whole("--run", options.run, 1, MOST)
     if options.window is not None:
         known["window"] = window(options.window)
     if options.scale is not None:
@@ -202,7 +193,7 @@ def arguments(options: FitOptions) -> dict[str, Any]:
     if options.clock is not None:
         known["clock_u"] = share("--clock", options.clock)
     if options.bootstrap is not None:
-        known["bootstrap"] = whole("--bootstrap", options.bootstrap, 10)
+        known["bootstrap"] = whole("--bootstrap", options.bootstrap, 10, MOST)
     return known | {"free_scale": options.free_scale}
 
 
@@ -250,14 +241,6 @@ def parts_of(texts: tuple[str, ...]) -> list[Any]:
     return found
 
 
-def whole(option: str, text: str, least: int) -> int:
-    """A whole number, or a Refusal."""
-    number = plain(option, text)
-    if number != int(number) or not least <= number <= 100_000:
-        raise refusal(option, text, f"must be a whole number from {least} to 100000")
-    return int(number)
-
-
 def share(option: str, text: str) -> float:
     """A relative uncertainty, `0.5%` or `0.005`, or a Refusal."""
     percent = text.strip().endswith("%")
@@ -280,7 +263,7 @@ def window(text: str) -> tuple[float, float]:
 
 def fitted(path: str, known: dict[str, Any]) -> "Fit":
     """The fit of a file, or a Refusal."""
-    from libration.measurement._columns import of_bytes
+    from libration.measurement._columns import of_bytes, stated_of
     from libration.measurement._fit import fit_given
 
     try:
@@ -288,13 +271,8 @@ def fitted(path: str, known: dict[str, Any]) -> "Fit":
             content = file.read()
     except (OSError, ValueError) as error:
         raise Refusal(f"{shown(path)}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
-    reader = {
-        "columns": [f"{role}={name}" for role, name in known["columns"].items()],
-        "units": [f"{role}={unit}" for role, unit in known["units"].items()],
-        "rate": known.get("rate"),
-        "run": known.get("run"),
-        "length": known["length"][0] if "length" in known else None,
-    }
+    of_reader = ("columns", "units", "rate", "run", "length")
+    reader = stated_of(**{name: known.get(name) for name in of_reader})
     others = {name: each for name, each in known.items() if name not in ("columns", "units", "rate", "run")}
     try:
         return fit_given(of_bytes(path, content, reader), **others)

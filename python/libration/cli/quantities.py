@@ -236,6 +236,14 @@ def plain(option: str, text: str) -> float:
     return quantity(option, text, NUMBERS)
 
 
+def whole(option: str, text: str, least: int, most: int) -> int:
+    """A whole number of a range, or a Refusal."""
+    number = plain(option, text)
+    if not (number.is_integer() and least <= number <= most):
+        raise refusal(option, text, f"must be a whole number from {least} to {most}")
+    return int(number)
+
+
 def parts(text: str) -> tuple[str | None, str]:
     """The number at the start of a text, with a decimal point, None if there is none, and what follows it."""
     text = text.replace("\N{MINUS SIGN}", "-").strip()

@@ -7,7 +7,7 @@ import click
 
 from libration.cli.offers import words
 from libration.cli.parser import Options, Value, refusal
-from libration.cli.quantities import plain
+from libration.cli.quantities import whole
 
 SIGNS = ("point", "comma")
 # A double has no more decimal digits that mean anything.
@@ -74,12 +74,7 @@ def number_style(options: StyleOptions) -> NumberStyle:
         for option, given in (("--decimal", options.decimal), ("--digits", options.digits)):
             if given not in (None, "point"):
                 raise refusal(option, given, "is for what is printed and for .csv; --out names another kind of file")
-    return NumberStyle(options.decimal == "comma", None if options.digits is None else digit_count(options.digits))
-
-
-def digit_count(text: str) -> int:
-    """A whole number of digits, or a Refusal."""
-    count = plain("--digits", text)
-    if not (count.is_integer() and 1 <= count <= MOST_DIGITS):
-        raise refusal("--digits", text, f"must be a whole number from 1 to {MOST_DIGITS}")
-    return int(count)
+    return NumberStyle(
+        options.decimal == "comma",
+        None if options.digits is None else whole("--digits", options.digits, 1, MOST_DIGITS),
+    )

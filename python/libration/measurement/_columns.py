@@ -40,6 +40,23 @@ def measure(name: str, given: Any) -> tuple[float, float]:
     return real(name, given), 0.0
 
 
+def stated_of(
+    columns: Mapping[str, str] | None,
+    units: Mapping[str, str] | None,
+    rate: float | None,
+    run: int | None,
+    length: tuple[float, float] | None,
+) -> dict[str, Any]:
+    """What is stated about a file, as the reader takes it."""
+    return {
+        "columns": [f"{role}={name}" for role, name in (columns or {}).items()],
+        "units": [f"{role}={unit}" for role, unit in (units or {}).items()],
+        "rate": rate,
+        "run": run,
+        "length": length and length[0],
+    }
+
+
 def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
     """The columns in the bytes of a file."""
     name = name if name.isprintable() else repr(name)

@@ -5,7 +5,7 @@ from typing import Any, TypeAlias
 
 from .. import _core
 from .._scalars import real, shown
-from ._columns import ARRAYS, Given, measure, of_source
+from ._columns import ARRAYS, Given, measure, of_source, stated_of
 from ._result import Fit
 
 # Shape, and mass, distance of the centre and size with their uncertainties.
@@ -105,14 +105,7 @@ def fit(
     if known_length and known_gravity:
         raise ValueError("length and gravity: give one of the two; the motion holds g/length alone")
     known_parts = [measured_part(each) for each in parts]
-    stated: dict[str, Any] = {
-        "columns": [f"{role}={name}" for role, name in (columns or {}).items()],
-        "units": [f"{role}={unit}" for role, unit in (units or {}).items()],
-        "rate": None if rate is None else real("rate", rate),
-        "run": run,
-    }
-    if known_length:
-        stated["length"] = known_length[0]
+    stated = stated_of(columns, units, None if rate is None else real("rate", rate), run, known_length)
     given = of_source(source, values, quantity, stated)
     return fit_given(
         given,
