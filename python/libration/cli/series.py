@@ -4,6 +4,7 @@ import math
 import os
 import re
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from libration.cli.parser import refusal, shown
@@ -39,13 +40,17 @@ class Series:
     instants: "Floats"
     given: "Floats"
 
+    @cached_property
+    def differences(self) -> "Floats":
+        """The series minus the exact angle at its own instants."""
+        found: Floats = self.given - self.pendulum.theta(self.instants)
+        return found
+
     def difference(self, t: "Floats") -> "Floats":
         """The series minus the exact angle: at its instants as it is, between them interpolated, NaN outside."""
         import numpy as np
 
-        found: Floats = np.interp(
-            t, self.instants, self.given - self.pendulum.theta(self.instants), left=np.nan, right=np.nan
-        )
+        found: Floats = np.interp(t, self.instants, self.differences, left=np.nan, right=np.nan)
         return found
 
     def theta(self, t: "Floats") -> "Floats":
@@ -65,7 +70,7 @@ class Series:
         if not inside.any():
             return AngleError(math.nan, math.nan, math.nan, undefined)
         t = self.instants[inside]
-        size = np.abs(self.given[inside] - self.pendulum.theta(t))
+        size = np.abs(self.differences[inside])
         where = int(np.argmax(size))
         return AngleError(float(size[where]), float(size[where]) / self.pendulum.theta_max, float(t[where]), undefined)
 

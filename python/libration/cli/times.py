@@ -8,6 +8,7 @@ semicolons separate, a comma in a number is a decimal comma. The reader is fit's
 import math
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from libration.cli.files import readable
@@ -62,6 +63,11 @@ class TextFile:
     option: str
     path: str
 
+    @cached_property
+    def data(self) -> bytes:
+        """Its bytes, read once however many columns are asked for, or a Refusal."""
+        return text_bytes(self)
+
     def refusal(self, reason: str) -> Refusal:
         """What is wrong with it."""
         return refusal(self.option, self.path, reason)
@@ -87,7 +93,7 @@ def file_times(path: str, column: str | None) -> "tuple[Floats, str]":
 
 def file_column(file: TextFile, column: str | None, kind: ColumnKind) -> "tuple[Floats, str]":
     """A column of a text file, in the first unit of its dimension, as an array, and the column's name."""
-    data = text_bytes(file)
+    data = file.data
     from libration import _core
 
     def factor(unit: str) -> str | None:
