@@ -122,6 +122,10 @@ __all__ = [
 ]
 
 
+# The packages whose names are those of this one, the lightest first.
+_ROOMS = ("pendulum", "damped", "oscillator", "elliptic", "measurement")
+
+
 def __dir__() -> list[str]:
     return [*__all__, "approx", "elliptic", "papers", "plot"]
 
@@ -138,12 +142,9 @@ if not TYPE_CHECKING:
         if name == "__version__":
             found = import_module("._core", __name__).__version__
         elif name in __all__:
-            rooms = (
-                import_module(f".{room}", __name__)
-                for room in ("pendulum", "damped", "oscillator", "elliptic", "measurement")
-            )
+            rooms = (import_module(f".{room}", __name__) for room in _ROOMS)
             found = getattr(next(room for room in rooms if name in room.__all__), name)
-        elif name in ("approx", "elliptic", "measurement", "oscillator", "papers", "pendulum", "plot"):
+        elif name in (*_ROOMS, "approx", "papers", "plot"):
             found = import_module(f".{name}", __name__)
         else:
             elliptic = import_module(".elliptic", __name__)
