@@ -73,6 +73,12 @@ NAMES = {
 CALLS = r"""
 Pendulum(1, length=1, g=9.8)
     TypeError: Pendulum() got an unexpected keyword argument 'g': did you mean gravity?
+libration.DampedPendulum(1, g=9.8)
+    TypeError: DampedPendulum() got an unexpected keyword argument 'g': did you mean gravity?
+libration.Friction(lin=0.1)
+    TypeError: Friction() got an unexpected keyword argument 'lin': did you mean linear?
+libration.Torque(const=1)
+    TypeError: Torque() got an unexpected keyword argument 'const': did you mean constant?
 Pendulum(1, L=1)
     TypeError: Pendulum() got an unexpected keyword argument 'L': did you mean length?
 Pendulum(1, lenght=1)

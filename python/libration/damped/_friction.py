@@ -4,6 +4,7 @@ from typing import Any, Self
 
 from .. import _core
 from .._immutable import Immutable
+from .._messages import explained
 from .._scalars import real
 
 
@@ -45,6 +46,7 @@ class Friction(Immutable):
 
     _terms: tuple[float, float, float, float]
 
+    @explained
     def __new__(cls, *, linear: float = 0.0, quadratic: float = 0.0, dry: float = 0.0, presliding: float = 0.0) -> Self:
         terms = real("linear", linear), real("quadratic", quadratic), real("dry", dry), real("presliding", presliding)
         _core.check_friction(terms)

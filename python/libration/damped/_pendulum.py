@@ -12,11 +12,9 @@ import numpy as np
 from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import Elementwise, apply, tensor, unindexed
 from .._labels import Result
+from ..pendulum._results import MOTION, THETA, TURNS, VELOCITY
 from ._events import Events
 
-THETA = Result("theta", "rad", "angle")
-VELOCITY = Result("velocity", "rad/s", "angular velocity")
-TURNS = Result("n", "1", "whole turns"), Result("angle", "rad", "angle beyond whole turns")
 ENERGY = Result("energy", "rad**2/s**2", "energy per unit inertia")
 # The units differ from element to element.
 SENSITIVITIES = Result("sensitivities", None, "derivatives of the state by start and constants")
@@ -177,7 +175,7 @@ class DampedPendulum(Events):
         """
         if type(t) is float:
             return self._damped.state(t)
-        return apply(Elementwise(self._damped.motion, 2), t, results=(THETA, VELOCITY))
+        return apply(Elementwise(self._damped.motion, 2), t, results=MOTION)
 
     @overload
     def turns(self, t: Scalar) -> tuple[np.int64, np.float64]: ...

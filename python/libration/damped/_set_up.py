@@ -6,7 +6,9 @@ from typing import Any, Self
 
 from .. import _core
 from .._immutable import Immutable
+from .._messages import explained
 from .._scalars import real, shown
+from ..pendulum._orbit import frequency_given
 from ._friction import Friction
 from ._torque import Torque
 
@@ -22,6 +24,7 @@ class SetUp(Immutable):
     _start: tuple[float, float]
     _torque: Torque
 
+    @explained
     def __new__(
         cls,
         theta0: float,
@@ -34,8 +37,7 @@ class SetUp(Immutable):
         friction: Friction | None = None,
         torque: Torque | None = None,
     ) -> Self:
-        given = {"omega0": omega0, "omega2": omega2, "length": length, "gravity": gravity}
-        frequency = {name: real(name, value) for name, value in given.items() if value is not None}
+        frequency = frequency_given(omega0, omega2, length, gravity)
         start = real("theta0", theta0), real("velocity0", velocity0)
         friction = Friction() if friction is None else friction
         torque = Torque() if torque is None else torque

@@ -11,6 +11,7 @@ from .._arrays import Array, Floats, Labelled, Scalar
 from .._dispatch import Elementwise, apply, numbers
 from .._immutable import Immutable
 from .._labels import Result
+from .._messages import explained
 from .._scalars import real, shown
 
 TORQUE = Result("torque", "rad/s**2", "torque per unit inertia")
@@ -60,6 +61,7 @@ class Torque(Immutable):
     _samples: tuple[tuple[float, ...], tuple[float, ...]] | None
     _interpolation: str
 
+    @explained
     def __new__(
         cls,
         *,

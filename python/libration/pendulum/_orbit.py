@@ -31,7 +31,7 @@ def _warn_of_radians(theta0: float) -> None:
     )
 
 
-def _frequency(omega0: Any, omega2: Any, length: Any, gravity: Any) -> dict[str, float]:
+def frequency_given(omega0: Any, omega2: Any, length: Any, gravity: Any) -> dict[str, float]:
     """The numbers that state the frequency, by name; those that are not given are left out."""
     given = {}
     if omega0 is not None:
@@ -65,7 +65,7 @@ class Orbit(Immutable):
         length: float | None = None,
         gravity: float | None = None,
     ) -> Self:
-        frequency = _frequency(omega0, omega2, length, gravity)
+        frequency = frequency_given(omega0, omega2, length, gravity)
         theta0 = real("theta0", theta0)
         orbit = _core.Orbit(theta0, real("velocity0", velocity0), **frequency)
         if abs(theta0) > TWO_TURNS and velocity0 == 0:
@@ -126,7 +126,7 @@ class Orbit(Immutable):
         '2.094395 rad, period 2.463754 s'
         """
         state = radians(real("theta0", theta0)), radians(real("velocity0", velocity0))
-        return cls(*state, **_frequency(omega0, omega2, length, gravity))
+        return cls(*state, **frequency_given(omega0, omega2, length, gravity))
 
     @classmethod
     @explained
@@ -180,7 +180,7 @@ class Orbit(Immutable):
         >>> f"{pendulum.theta0:.6f} {pendulum.action:.6f} {pendulum.phase(0.0):.6f}"
         '0.751444 1.000000 0.500000'
         """
-        frequency = _frequency(omega0, omega2, length, gravity)
+        frequency = frequency_given(omega0, omega2, length, gravity)
         place = real("action", action), real("phase", phase), real("direction", direction)
         return cls(*_core.Orbit.state_of(*place, **frequency), **frequency)
 
