@@ -97,6 +97,7 @@ __all__ = [
     "factors",
     "fit_columns",
     "frequency",
+    "friction_law",
     "friction_models",
     "from_action_phase",
     "gravity_of_period",
@@ -504,6 +505,16 @@ class DampedPendulum:
     def decrements(self, /, start: float, stop: float) -> tuple[np.ndarray, np.ndarray]: ...
 
 def check_friction(terms: tuple[float, ...]) -> None: ...
+def friction_law(
+    name: str,
+    values: np.ndarray,
+    friction: tuple[float, ...],
+    theta_max: float = 0.0,
+    omega0: float | None = None,
+    omega2: float | None = None,
+    length: float | None = None,
+    gravity: float | None = None,
+) -> np.ndarray: ...
 def torque_at(
     terms: tuple[float, ...], samples: tuple[np.ndarray, np.ndarray, str] | None, t: np.ndarray
 ) -> np.ndarray: ...

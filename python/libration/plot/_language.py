@@ -18,6 +18,13 @@ CATALOGUE = {
     "this motion": ("este movimento", "este movimiento"),
     "other energies": ("outras energias", "otras energías"),
     "separatrix": ("separatriz", "separatriz"),
+    "without friction": ("sem atrito", "sin rozamiento"),
+    "envelope in the mean": ("envoltória em média", "envolvente en promedio"),
+    "held by dry friction": ("parado pelo atrito seco", "detenido por el rozamiento seco"),
+    "energy per unit inertia [rad²/s²]": (
+        "energia por unidade de inércia [rad²/s²]",
+        "energía por unidad de inercia [rad²/s²]",
+    ),
     "enlarged": ("ampliado", "ampliado"),
     "{axis}, the first {shown} of {all} s": (
         "{axis}, os primeiros {shown} de {all} s",
