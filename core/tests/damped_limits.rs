@@ -164,7 +164,8 @@ fn averaged_decays() {
         for t in [-1.0, 0.3, 20.0, 300.0] {
             let closed = averaged_turning_angle(start, t, force, of([0.02, 0.0, 0.0, 0.0]));
             let sum = averaged_turning_angle(start, t, force, of([0.02, 1e-20, 0.0, 0.0]));
-            assert!((sum - closed).abs() <= 1e-14 * closed, "{start} {t} {sum} {closed}");
+            let both = sum.is_nan() && closed.is_nan();
+            assert!(both || (sum - closed).abs() <= 1e-14 * closed, "{start} {t} {sum} {closed}");
         }
     }
     // Small swings: 1/a = 1/a0 + 4 beta omega0 t/3 pi, and dry friction takes 2 mu/pi omega0 in the mean.

@@ -89,7 +89,9 @@ def test_decays(law, omega2, start, end):
         loss = 2 * quad(work, -math.pi / 2, math.pi / 2, (a,), epsabs=0, epsrel=1e-12)[0]
         return float(period(mp.mpf(a), mp.mpf(omega2))) * omega2 * math.sin(a) / loss
 
-    time = quad(lambda x: slowness(math.exp(x)) * math.exp(x), math.log(end), math.log(start), epsabs=0, epsrel=1e-10)[0]
+    time = quad(lambda x: slowness(math.exp(x)) * math.exp(x), math.log(end), math.log(start), epsabs=0, epsrel=1e-10)[
+        0
+    ]
     found = averaged_turning_angle(start, time, friction_of(law), omega2=omega2)
     assert abs(found / end - 1) < 1e-8
     assert abs(averaged_turning_angle(start, 1.001 * time, friction_of(law), omega2=omega2) / end - 1) > 1e-6

@@ -35,7 +35,7 @@ class Plots(Events):
         ax : Axes, optional
             Where to draw; by default a new figure. Axes that are given keep their look, and no setting is changed.
         undamped : bool, default True
-            Whether to draw the same motion without friction; where there is a torque, and over more than 60 swings, it is not drawn.
+            Whether to draw the same motion without friction; where there is a torque, and over more than 12 swings, it is not drawn.
         envelope : bool, default True
             Whether to draw `libration.damped.averaged_turning_angle` from the first turn on; where there is a torque, and where
             friction drives, it is not drawn.

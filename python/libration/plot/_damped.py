@@ -13,17 +13,19 @@ from ._angle import state_text
 from ._axes import given_or_new, named, once
 from ._language import ENGLISH, Language
 from ._portrait import SMALL, draw_enlarged, draw_others
-from ._style import DOTTED, EXACT, FAINT, FEW, LINEAR, MANY, SEPARATRIX, angle_ticks, finite, quiet
+from ._style import DOTTED, EXACT, FAINT, FEW, LINEAR, SEPARATRIX, angle_ticks, finite, quiet
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 # Without instants: this many periods of small swings; without a force, this many seconds.
 SWINGS, SECONDS = 10, 10.0
+# The motion without friction is drawn up to this number of swings: beyond, it would hide the other.
+BESIDE = 12
 # Points of a curve for each turn, swing or period of the torque, and the least and the largest number of them.
 FINE, LEAST, MOST = 150, 600, 60_000
 # Points of an envelope, and rests that are marked.
-POINTS, RESTS = 200, 50
+POINTS, RESTS = 100, 50
 
 
 def damped_angle_axes(
@@ -162,7 +164,7 @@ def draw_curves(
         axes.plot(t, pendulum.theta(t), "o", ms=4, color=color, label=label, clip_on=False)
     free = pendulum.torque == Torque()
     swings = np.ptp(fine) * pendulum.omega0 / math.tau
-    if undamped and free and 0 < swings <= MANY:
+    if undamped and free and 0 < swings <= BESIDE:
         exact = Pendulum(pendulum.theta0, pendulum.velocity0, **pendulum._frequency)
         label = once(axes, say.word("without friction"))
         axes.plot(fine, exact.theta(fine), color=LINEAR, lw=1.0, ls=(0, (5, 3)), label=label, zorder=1.8)
