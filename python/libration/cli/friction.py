@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -22,9 +22,7 @@ MINUTE = LONG.divide(ONE, Decimal(60))
 DECAY = Dimension(
     "rates",
     {"/s": ONE, "/min": MINUTE},
-    names(ONE, "1/s", "s-1")
-    | names(MINUTE, "1/min", "min-1")
-    | names(LONG.divide(ONE, Decimal(3600)), "1/h", "/h"),
+    names(ONE, "1/s", "s-1") | names(MINUTE, "1/min", "min-1") | names(LONG.divide(ONE, Decimal(3600)), "1/h", "/h"),
 )
 PER_DEGREE = LONG.divide(ONE, DEGREE)
 QUADRATIC = Dimension(
@@ -114,7 +112,7 @@ def forces(options: ForceOptions) -> Forces | None:
     check_together(options)
     dimensions = {"linear": DECAY, "quadratic": QUADRATIC, "dry": TORQUE, "presliding": ANGLE}
     friction = {name: quantity(f"--{name}", given[name], dimensions[name]) for name in FRICTION if name in given}
-    drive = {}
+    drive: dict[str, Any] = {}
     kinds = {"constant": TORQUE, "amplitude": TORQUE, "frequency": FREQUENCY, "phase": ANGLE}
     for name, (option, _) in DRIVE.items():
         if (text := given.get(option.replace("-", "_"))) is not None:

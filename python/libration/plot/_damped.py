@@ -29,7 +29,7 @@ POINTS, RESTS = 100, 50
 
 
 def damped_angle_axes(
-    pendulum: DampedPendulum, t: Any, ax: Any, *, undamped: bool, envelope: bool, lang: str, style: dict[str, Any]
+    pendulum: Any, t: Any, ax: Any, *, undamped: bool, envelope: bool, lang: str, style: dict[str, Any]
 ) -> Axes:
     """Draw theta(t) into axes of the user or new ones, and return them."""
     say = Language(lang)
@@ -42,9 +42,7 @@ def damped_angle_axes(
     return axes
 
 
-def damped_phase_axes(
-    pendulum: DampedPendulum, t: Any, ax: Any, *, others: bool, lang: str, style: dict[str, Any]
-) -> Axes:
+def damped_phase_axes(pendulum: Any, t: Any, ax: Any, *, others: bool, lang: str, style: dict[str, Any]) -> Axes:
     """Draw the phase portrait into axes of the user or new ones, and return them."""
     say = Language(lang)
     t = span(pendulum) if t is None else finite(t)
@@ -56,7 +54,7 @@ def damped_phase_axes(
     return axes
 
 
-def damped_energy_axes(pendulum: DampedPendulum, t: Any, ax: Any, *, lang: str, style: dict[str, Any]) -> Axes:
+def damped_energy_axes(pendulum: Any, t: Any, ax: Any, *, lang: str, style: dict[str, Any]) -> Axes:
     """Draw the energy into axes of the user or new ones, and return them."""
     say = Language(lang)
     t = span(pendulum) if t is None else finite(t)

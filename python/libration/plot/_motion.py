@@ -72,12 +72,12 @@ def plot_motion(
     if not hasattr(pendulum, "theta0"):
         raise ValueError(f"pendulum = {shown(pendulum)}: must be a Pendulum")
     t, say = finite(t), Language(lang)
+    kinds: Any = (headline, draw_angle, draw_portrait)
     if isinstance(pendulum, DampedPendulum):
-        line, left, right = damped_headline(pendulum, say), draw_damped_angle, draw_damped_portrait
-    else:
-        line, left, right = headline(pendulum, say), draw_angle, draw_portrait
+        kinds = (damped_headline, draw_damped_angle, draw_damped_portrait)
+    line, left, right = kinds
     panels = (lambda axes: left(axes, pendulum, t, say)), (lambda axes: right(axes, pendulum, t, say))
-    save(path, form, line if title is None else title, *panels, dpi=dpi)
+    save(path, form, line(pendulum, say) if title is None else title, *panels, dpi=dpi)
 
 
 def headline(pendulum: Pendulum, say: Language = ENGLISH) -> str:
