@@ -12,7 +12,7 @@ import numpy as np
 from libration import DampedPendulum, Friction, Torque
 
 # Of locked(): periods of the drive between two looks, and the largest number of looks.
-PERIODS, LOOKS = 20, 30
+PERIODS, LOOKS = 20, 60
 
 
 def junction(current, start=(0.0, 0.0), *, alpha, drive, frequency):

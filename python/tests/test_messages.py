@@ -78,13 +78,9 @@ libration.DampedPendulum(1, g=9.8)
 libration.damped.half_swing(1.0)
     TypeError: half_swing() needs friction; it takes theta, friction, omega0, omega2, length, gravity
 libration.damped.averaged_energy_loss("1", libration.Friction(dry=1))
-    TypeError: theta_max = '1': must be real numbers
-libration.damped.averaged_turning_angle(1.0, 2.0, libration.Friction(dry=1), w0=2)
-    TypeError: averaged_turning_angle() got an unexpected keyword argument 'w0': did you mean omega0?
+    TypeError: theta_max = '1': must be real numbers; write float(theta_max)
 libration.damped.averaged_turning_angle(4.0, 2.0, libration.Friction(dry=1))
     ValueError: theta_max = 4.0: must be in [0, pi)
-libration.damped.half_swing(1.0, libration.Friction(linear=1))
-    ValueError: friction = Friction(linear=1.0, quadratic=0.0, dry=0.0, presliding=0.0): must be a Friction without a linear term and without presliding, its quadratic term not negative
 libration.Friction(lin=0.1)
     TypeError: Friction() got an unexpected keyword argument 'lin': did you mean linear?
 libration.Torque(const=1)

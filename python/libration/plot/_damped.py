@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..damped import DampedPendulum, Torque, averaged_turning_angle
+from ..damped._laws import averaged_turning_angle
+from ..damped._torque import Torque
 from ..pendulum import Pendulum
 from ._angle import state_text
 from ._axes import given_or_new, named, once
@@ -75,7 +76,7 @@ def damped_energy_axes(pendulum: Any, t: Any, ax: Any, *, lang: str, style: dict
     return axes
 
 
-def draw_damped_angle(axes: Any, pendulum: DampedPendulum, t: np.ndarray, say: Language = ENGLISH) -> None:
+def draw_damped_angle(axes: Any, pendulum: Any, t: np.ndarray, say: Language = ENGLISH) -> None:
     """The left panel of a saved picture."""
     quiet(axes)
     style = {"color": EXACT, "lw": 1.8, "label": say.word("this motion")}
@@ -84,7 +85,7 @@ def draw_damped_angle(axes: Any, pendulum: DampedPendulum, t: np.ndarray, say: L
     named(axes, new=True)
 
 
-def draw_damped_portrait(axes: Any, pendulum: DampedPendulum, t: np.ndarray, say: Language = ENGLISH) -> None:
+def draw_damped_portrait(axes: Any, pendulum: Any, t: np.ndarray, say: Language = ENGLISH) -> None:
     """The right panel of a saved picture."""
     quiet(axes)
     style = {"color": EXACT, "lw": 1.4, "label": say.word("this motion")}
@@ -93,7 +94,7 @@ def draw_damped_portrait(axes: Any, pendulum: DampedPendulum, t: np.ndarray, say
     named(axes, new=True)
 
 
-def damped_headline(pendulum: DampedPendulum, say: Language = ENGLISH) -> str:
+def damped_headline(pendulum: Any, say: Language = ENGLISH) -> str:
     """Initial state, friction and torque in one line, by their symbols."""
     start = state_text(pendulum, say)
     if not pendulum.velocity0:
@@ -124,12 +125,12 @@ def torque_text(torque: Torque, say: Language) -> str:
     return " + ".join(parts).replace("+ −", "− ")
 
 
-def span(pendulum: DampedPendulum) -> np.ndarray:
+def span(pendulum: Any) -> np.ndarray:
     """The instants that are drawn if nobody says."""
     return np.array([0.0, SWINGS * math.tau / pendulum.omega0 if pendulum.omega0 else SECONDS])
 
 
-def curve(pendulum: DampedPendulum, t: np.ndarray) -> np.ndarray:
+def curve(pendulum: Any, t: np.ndarray) -> np.ndarray:
     """Instants of a smooth curve over the range of t, as far as the motion gets."""
     first, last = t.min(), t.max()
     if first == last:
@@ -146,7 +147,7 @@ def curve(pendulum: DampedPendulum, t: np.ndarray) -> np.ndarray:
 
 def draw_curves(
     axes: Any,
-    pendulum: DampedPendulum,
+    pendulum: Any,
     t: np.ndarray,
     *,
     undamped: bool,
@@ -185,7 +186,7 @@ def room(values: np.ndarray) -> tuple[float, float]:
     return low - margin, high + margin
 
 
-def draw_envelope(axes: Any, pendulum: DampedPendulum, fine: np.ndarray, say: Language) -> None:
+def draw_envelope(axes: Any, pendulum: Any, fine: np.ndarray, say: Language) -> None:
     """The turning angle in the mean, from the first turn on, on both sides."""
     friction = pendulum.friction
     if pendulum.omega2 <= 0 or min(friction.linear, friction.quadratic) < 0 or fine[0] < 0:
@@ -204,7 +205,7 @@ def draw_envelope(axes: Any, pendulum: DampedPendulum, fine: np.ndarray, say: La
         label = None
 
 
-def draw_rests(axes: Any, pendulum: DampedPendulum, fine: np.ndarray, say: Language) -> None:
+def draw_rests(axes: Any, pendulum: Any, fine: np.ndarray, say: Language) -> None:
     """A grey band where dry friction holds the pendulum."""
     label: str | None = once(axes, say.word("held by dry friction"))
     for begin, end in pendulum.rests(float(fine[0]), float(fine[-1]))[:RESTS]:
@@ -212,9 +213,7 @@ def draw_rests(axes: Any, pendulum: DampedPendulum, fine: np.ndarray, say: Langu
         label = None
 
 
-def draw_spiral(
-    axes: Any, pendulum: DampedPendulum, t: np.ndarray, *, others: bool, say: Language, style: dict[str, Any]
-) -> None:
+def draw_spiral(axes: Any, pendulum: Any, t: np.ndarray, *, others: bool, say: Language, style: dict[str, Any]) -> None:
     """The path in the phase plane, its start, the separatrix and orbits of other energies, and the axes."""
     free = pendulum.omega0 == 0
     omega0 = 1.0 if free else pendulum.omega0
