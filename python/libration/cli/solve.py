@@ -57,8 +57,8 @@ EXAMPLES = (
     "libration solve --theta0 170deg --length 1m",
     "libration solve --theta0 3 --length 1m --gravity 9.8 --out motion.csv --plot motion.png",
     "libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz",
-    "libration solve --theta0 2 --length 1m --linear 0.02/s --dry 0.1 --until 60s --plot decay.png",
-    "libration solve --theta0 0 --omega0 1 --torque 0.5 --torque-amplitude 0.3 --torque-frequency 0.6",
+    "libration solve --theta0 2 --length 1m --linear 0.02/s --dry 0.1 --plot decay.png",
+    "libration solve --theta0 0 --omega0 1 --torque-amplitude 0.3 --torque-frequency 0.1Hz",
 )
 
 
