@@ -143,6 +143,7 @@ def test_pictures(words):
     ("words", "line"),
     [
         (["--linear", "0.02/m"], "--linear = 0.02/m: unknown unit '/m'; rates take /s, /min"),
+        (["--linear", ""], "--linear = '': is not a number with a unit; rates look like 1.5 or 1.5/s"),
         (["--linear", "much"], "--linear = much: is not a number with a unit; rates look like 1.5 or 1.5/s"),
         (["--dry", "-0.1"], "--dry = -0.1: must be finite and not negative"),
         (["--dry", "0.1m"], "--dry = 0.1m: unknown unit 'm'; torques over inertia take rad/s2, deg/s2"),

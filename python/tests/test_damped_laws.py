@@ -56,15 +56,14 @@ def period(a, omega2):
     return 2 * mp.pi / mp.sqrt(omega2) / mp.agm(1, mp.cos(a / 2))
 
 
-def rate(a, law, omega2):
-    return -lost(a, law, omega2) / (period(a, omega2) * omega2 * mp.sin(a))
-
-
 @pytest.mark.parametrize(("law", "omega2"), LAWS)
 def test_losses_and_rates(law, omega2):
     with mp.workdps(22):
         losses = [lost(mp.mpf(a), law, mp.mpf(omega2)) for a in ANGLES]
-        rates = [rate(mp.mpf(a), law, mp.mpf(omega2)) for a in ANGLES]
+        rates = [
+            -loss / (period(mp.mpf(a), mp.mpf(omega2)) * omega2 * mp.sin(a))
+            for a, loss in zip(ANGLES, losses, strict=True)
+        ]
         found = averaged_energy_loss(ANGLES, friction_of(law), omega2=omega2)
         slopes = averaged_turning_rate(ANGLES, friction_of(law), omega2=omega2)
         assert max(abs(x / y - 1) for x, y in zip(found, losses, strict=True)) <= 1e-15
@@ -95,6 +94,41 @@ def test_decays(law, omega2, start, end):
     found = averaged_turning_angle(start, time, friction_of(law), omega2=omega2)
     assert abs(found / end - 1) < 1e-8
     assert abs(averaged_turning_angle(start, 1.001 * time, friction_of(law), omega2=omega2) / end - 1) > 1e-6
+
+
+@pytest.mark.parametrize(
+    ("law", "omega2", "start", "end"),
+    [
+        ((0.01, 0.02, 0.005, 0.0), 1.5, 1.75, 0.25),
+        ((0.0, 0.05, 0.0, 0.0), 2.0, 3.125, 1.0),
+        ((0.0, 0.0, 0.03, 0.0), 0.25, 0.5, 0.0078125),
+        ((0.01, 0.02, 0.02, 0.0625), 4.0, 0.5, 0.0078125),
+    ],
+)
+def test_decays_to_the_last_digits(law, omega2, start, end):
+    """The time by the closed form of the loss, whose quadrature is above, with Legendre's integrals of mpmath."""
+    with mp.workdps(22):
+        linear, quadratic, dry, presliding, square = map(mp.mpf, (*law, omega2))
+
+        def slowness(a):
+            m = mp.sin(a / 2) ** 2
+            action = 8 * mp.sqrt(square) / mp.pi * (mp.ellipe(m) - (1 - m) * mp.ellipk(m))
+            hysteresis = a - (presliding * mp.tanh(a / presliding) if presliding else 0)
+            loss = (
+                4 * mp.pi * linear * action
+                + 8 * quadratic * square * (mp.sin(a) - a * mp.cos(a))
+                + 4 * dry * hysteresis
+            )
+            return 4 * mp.ellipk(m) * mp.sqrt(square) * mp.sin(a) / loss
+
+        points = mp.linspace(mp.log(mp.mpf(end)), mp.log(mp.mpf(start)), 4)
+        time = mp.quad(lambda x: slowness(mp.exp(x)) * mp.exp(x), points)
+        slow = slowness(mp.mpf(end))
+        # The double nearest to the time is not the time.
+        truth = end - (mp.mpf(float(time)) - time) / slow
+        found = averaged_turning_angle(start, float(time), friction_of(law), omega2=omega2)
+        assert abs(found - truth) <= 16 * math.ulp(end) + 2.0**-52 * time / slow
+        assert abs(found * (1 + 1e-13) - truth) > 16 * math.ulp(end) + 2.0**-52 * time / slow
 
 
 @pytest.mark.parametrize(

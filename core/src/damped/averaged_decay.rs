@@ -42,8 +42,8 @@ const NEGLIGIBLE: f64 = 1.0 / (1u64 << 60) as f64;
 /// | `friction` | no term below 0, or the linear one alone, of any sign |
 ///
 /// Under linear friction alone it is that of the action J(0) e^(-2 gamma t). 0 where dry friction has stopped the pendulum, and below
-/// 1e-100 rad; NaN out of the domain, and where the angle would be beyond pi. **Error** 16 ulp times 1 + ln(theta_max/result), as a
-/// formula of first order.
+/// 1e-100 rad; NaN out of the domain, and where the angle would be beyond pi. **Error** 16 ulp, plus 2^-52 of t times the
+/// rate there, as a formula of first order.
 ///
 /// ```
 /// use libration::{Frequency, Friction, damped::averaged_turning_angle};

@@ -106,7 +106,8 @@ class Forces:
 
 def forces(options: ForceOptions) -> Forces | None:
     """Friction and torque, None where no option asks for one, or a Refusal."""
-    given = {name: text for name, text in vars(options).items() if name in ForceOptions.__annotations__ and text}
+    typed = {name: getattr(options, name) for name in ForceOptions.__annotations__}
+    given = {name: text for name, text in typed.items() if text is not None}
     if not given:
         return None
     check_together(options)
