@@ -1,10 +1,10 @@
-"""Files that a library of their own reads, as text tables for the reader: MATLAB by SciPy, Parquet by pandas."""
+"""Files that a library of their own reads, as text tables for the reader: MATLAB by SciPy and h5py, Parquet by pyarrow."""
 
 import csv
 import importlib
 import io
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -19,14 +19,67 @@ LEAST_ROWS = 8
 def as_text(content: bytes) -> bytes:
     """The bytes of a text table in the place of a MATLAB or Parquet file; other bytes as they are."""
     if content.startswith(b"PAR1"):
-        frame = needed("pandas", "a Parquet file").read_parquet(io.BytesIO(content))
-        return bytes(frame.to_csv(index=False).encode())
+        return of_parquet(content)
     if content.startswith(b"MATLAB 5.0"):
-        loaded = needed("scipy.io", "a MATLAB file").loadmat(
-            io.BytesIO(content), squeeze_me=True, struct_as_record=False
+        loaded = read_by(
+            "a MATLAB file",
+            lambda: needed("scipy.io", "a MATLAB file").loadmat(
+                io.BytesIO(content), squeeze_me=True, struct_as_record=False
+            ),
         )
         return table([each for name, value in loaded.items() if name[:2] != "__" for each in vectors(name, value)])
+    if content.startswith(b"MATLAB 7.3"):
+        return of_hdf5(content)
     return content
+
+
+def read_by(kind: str, read: Callable[[], Any]) -> Any:
+    """What a library reads, or a ValueError of one line."""
+    try:
+        return read()
+    except ImportError as error:
+        raise ValueError(f"{kind} needs {error.name}: {INSTALL}") from error
+    except ValueError:
+        raise
+    except Exception as error:
+        # Libraries of binary files raise whatever their damage is.
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise ValueError(f"{kind} that cannot be read: {reason[:200]}") from error
+
+
+def of_parquet(content: bytes) -> bytes:
+    """The columns of a Parquet file."""
+
+    def read() -> bytes:
+        columns = needed("pyarrow.parquet", "a Parquet file").read_table(io.BytesIO(content))
+        durations = importlib.import_module("pyarrow.compute")
+        for place, field in enumerate(columns.schema):
+            if str(field.type).startswith("duration"):
+                seconds = durations.divide(durations.cast(columns[place].cast("duration[ns]"), "int64"), 1e9)
+                columns = columns.set_column(place, field.name, seconds)
+        written = io.BytesIO()
+        importlib.import_module("pyarrow.csv").write_csv(columns, written)
+        return written.getvalue()
+
+    return bytes(read_by("a Parquet file", read))
+
+
+def of_hdf5(content: bytes) -> bytes:
+    """The series of a MATLAB file of version 7.3, which is HDF5; its arrays are transposed there, which columns do not mind."""
+    series: list[tuple[str, np.ndarray]] = []
+
+    def read() -> None:
+        hdf5 = needed("h5py", "a MATLAB file of version 7.3")
+        with hdf5.File(io.BytesIO(content), "r") as file:
+
+            def visited(name: str, value: Any) -> None:
+                if isinstance(value, hdf5.Dataset) and not name.startswith("#"):
+                    series.extend(vectors(name.replace("/", "."), np.squeeze(value[()])))
+
+            file.visititems(visited)
+
+    read_by("a MATLAB file of version 7.3", read)
+    return table(series)
 
 
 def needed(package: str, kind: str) -> Any:

@@ -12,8 +12,8 @@ from .._scalars import real, shown
 from ._binary import as_text
 from ._frames import frame_as_text
 
-# The name of what is no file.
-ARRAYS = "arrays"
+# The names of what is no file.
+ARRAYS, FRAME = "arrays", "data frame"
 # In place of the number of a run.
 ALL = "all"
 # As the messages of the reader name the options of the command.
@@ -91,10 +91,10 @@ def runs_of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> list[
     """The columns in the bytes of a file; of every run in it where `run` is "all"."""
     if stated["run"] != ALL:
         return [of_bytes(name, content, stated)]
-    first = of_bytes(name, content, stated | {"run": None})
+    first = of_bytes(name, content, {**stated, "run": None})
     if first.runs == 1:
         return [first]
-    each = (of_bytes(name, content, stated | {"run": run}) for run in range(1, first.runs + 1))
+    each = (of_bytes(name, content, {**stated, "run": run}) for run in range(1, first.runs + 1))
     return [given._replace(name=f"{given.name}, run {run}") for run, given in enumerate(each, start=1)]
 
 
@@ -132,7 +132,7 @@ def of_each(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) 
                 content = file.read()
             return runs_of_bytes(str(name), content, stated)
         if hasattr(source, "to_csv") or hasattr(source, "write_csv"):
-            return runs_of_bytes("data frame", frame_as_text(source), stated)
+            return runs_of_bytes(FRAME, frame_as_text(source), stated)
     except ValueError as error:
         raise ValueError(in_python(str(error))) from None
     raise TypeError(f"source = {shown(source)}: must be a path, a data frame, or times with their values beside them")
