@@ -26,13 +26,9 @@ PATTERNS = {
         "bom demais: resíduos de {} da amplitude estão abaixo do ruído de qualquer sensor",
         "demasiado bueno: residuos de {} de la amplitud están por debajo del ruido de cualquier sensor",
     ),
-    "the unit is wrong: a scale of {} says that values read as degrees are radians": (
-        "a unidade está errada: uma escala de {} diz que os valores lidos como graus são radianos",
-        "la unidad es errónea: una escala de {} dice que los valores leídos como grados son radianes",
-    ),
-    "the unit is wrong: a scale of {} says that values read as radians are degrees": (
-        "a unidade está errada: uma escala de {} diz que os valores lidos como radianos são graus",
-        "la unidad es errónea: una escala de {} dice que los valores leídos como radianes son grados",
+    "the unit is wrong: a scale of {} says that values read as {} are {}": (
+        "a unidade está errada: uma escala de {} diz que os valores lidos como {} são {}",
+        "la unidad es errónea: una escala de {} dice que los valores leídos como {} son {}",
     ),
     "the waveform is not a rigid pendulum's: with a scale of {} of the angle the rms falls by a factor of {}": (
         "a forma de onda não é a de um pêndulo rígido: com uma escala de {} do ângulo o rms cai por um fator de {}",
@@ -62,13 +58,9 @@ PATTERNS = {
         "o comprimento indicado está errado em {} %: g seria {} m/s^2, e com g = {} o comprimento é {} m",
         "la longitud indicada está errada en un {} %: g sería {} m/s^2, y con g = {} la longitud es {} m",
     ),
-    "two points per swing ({} samples in a period): another frequency may fit as well": (
-        "dois pontos por oscilação ({} amostras em um período): outra frequência pode se ajustar igualmente",
-        "dos puntos por oscilación ({} muestras en un periodo): otra frecuencia puede ajustarse igual de bien",
-    ),
-    "three points per swing ({} samples in a period): another frequency may fit as well": (
-        "três pontos por oscilação ({} amostras em um período): outra frequência pode se ajustar igualmente",
-        "tres puntos por oscilación ({} muestras en un periodo): otra frecuencia puede ajustarse igual de bien",
+    "{} points per swing ({} samples in a period): another frequency may fit as well": (
+        "{} pontos por oscilação ({} amostras em um período): outra frequência pode se ajustar igualmente",
+        "{} puntos por oscilación ({} muestras en un periodo): otra frecuencia puede ajustarse igual de bien",
     ),
     "the record holds {} periods: friction and rest are hardly determined": (
         "o registro contém {} períodos: o atrito e o repouso são mal determinados",
@@ -108,13 +100,9 @@ PATTERNS = {
     ),
     # What was read.
     "Columns read, {}.": ("Colunas lidas, {}.", "Columnas leídas, {}."),
-    "Column {} has no unit: taken as rad by its size (the largest, {}, does not exceed {}); --unit angle=deg or =rad says otherwise.": (
-        "A coluna {} não tem unidade: tomada como rad pelo tamanho (o maior, {}, não passa de {}); --unit angle=deg ou =rad diz outra coisa.",
-        "La columna {} no tiene unidad: tomada como rad por su tamaño (el mayor, {}, no pasa de {}); --unit angle=deg o =rad dice otra cosa.",
-    ),
-    "Column {} has no unit: taken as degrees by its size (the largest, {}, exceeds {}); --unit angle=deg or =rad says otherwise.": (
-        "A coluna {} não tem unidade: tomada como graus pelo tamanho (o maior, {}, passa de {}); --unit angle=deg ou =rad diz outra coisa.",
-        "La columna {} no tiene unidad: tomada como grados por su tamaño (el mayor, {}, pasa de {}); --unit angle=deg o =rad dice otra cosa.",
+    "Column {} has no unit: taken as {} by its size (the largest, {}, {} {}); --unit angle=deg or =rad says otherwise.": (
+        "A coluna {} não tem unidade: tomada como {} pelo tamanho (o maior, {}, {} {}); --unit angle=deg ou =rad diz outra coisa.",
+        "La columna {} no tiene unidad: tomada como {} por su tamaño (el mayor, {}, {} {}); --unit angle=deg o =rad dice otra cosa.",
     ),
     "Column {} has no unit: taken as {} by its size ({}, {} {}).": (
         "A coluna {} não tem unidade: tomada como {} pelo tamanho ({}, {} {}).",
@@ -168,13 +156,19 @@ PATTERNS = {
         "O ângulo é a coluna {}: nenhuma outra coluna se move com o tempo.",
         "El ángulo es la columna {}: ninguna otra columna se mueve con el tiempo.",
     ),
-    "The angular velocity is column {}, the axis that moves most; another axis has {} % of it.": (
-        "A velocidade angular é a coluna {}, o eixo que mais se move; outro eixo tem {} % dela.",
-        "La velocidad angular es la columna {}, el eje que más se mueve; otro eje tiene el {} % de ella.",
+    "The angular velocity is column {}, the axis that moves most{}.": (
+        "A velocidade angular é a coluna {}, o eixo que mais se move{}.",
+        "La velocidad angular es la columna {}, el eje que más se mueve{}.",
     ),
-    "The angular velocity is column {}, the axis that moves most.": (
-        "A velocidade angular é a coluna {}, o eixo que mais se move.",
-        "La velocidad angular es la columna {}, el eje que más se mueve.",
+    "; another axis has {} % of it": ("; outro eixo tem {} % dela", "; otro eje tiene el {} % de ella"),
+    "along the path; {} is radial and swings twice in a period": (
+        "ao longo da trajetória; {} é radial e oscila duas vezes por período",
+        "a lo largo de la trayectoria; {} es radial y oscila dos veces por periodo",
+    ),
+    "an accelerometer in {}": ("um acelerômetro em {}", "un acelerómetro en {}"),
+    "Columns {} to {} are {} by their size.": (
+        "As colunas {} a {} são {} pelo tamanho.",
+        "Las columnas {} a {} son {} por su tamaño.",
     ),
     "The acceleration is column {}, {}.": ("A aceleração é a coluna {}, {}.", "La aceleración es la columna {}, {}."),
     "Columns {} and {} lie on a circle: a position x, y.": (
@@ -224,21 +218,13 @@ PATTERNS = {
         "O arquivo não é UTF-8: lido como Latin-1.",
         "El archivo no es UTF-8: leído como Latin-1.",
     ),
-    "{} data sets in the file: {} read, {} rows; --run N chooses.": (
-        "{} conjuntos de dados no arquivo: {} lido, {} linhas; --run N escolhe.",
-        "{} conjuntos de datos en el archivo: {} leído, {} filas; --run N elige.",
+    "{} {} in the file: {} read, {} rows; --run N chooses.": (
+        "{} {} no arquivo: {} lido, {} linhas; --run N escolhe.",
+        "{} {} en el archivo: {} leído, {} filas; --run N elige.",
     ),
-    "{} runs in the file: {} read, {} rows; --run N chooses.": (
-        "{} medições no arquivo: {} lida, {} linhas; --run N escolhe.",
-        "{} mediciones en el archivo: {} leída, {} filas; --run N elige.",
-    ),
-    "Times: {} out of order, {} duplicate; sorted, the first of equal ones kept.": (
-        "Tempos: {} fora de ordem, {} repetido; ordenados, o primeiro dos iguais mantido.",
-        "Tiempos: {} fuera de orden, {} repetido; ordenados, se mantiene el primero de los iguales.",
-    ),
-    "Times: {} out of order, {} duplicates; sorted, the first of equal ones kept.": (
-        "Tempos: {} fora de ordem, {} repetidos; ordenados, o primeiro dos iguais mantido.",
-        "Tiempos: {} fuera de orden, {} repetidos; ordenados, se mantiene el primero de los iguales.",
+    "Times: {} out of order, {} {}; sorted, the first of equal ones kept.": (
+        "Tempos: {} fora de ordem, {} {}; ordenados, o primeiro dos iguais mantido.",
+        "Tiempos: {} fuera de orden, {} {}; ordenados, se mantiene el primero de los iguales.",
     ),
     "Times are rounded until several are equal: rebuilt as {} s + i/{}, of which each is a rounding.": (
         "Os tempos estão arredondados até vários serem iguais: refeitos como {} s + i/{}, de que cada um é um arredondamento.",
@@ -296,6 +282,18 @@ PATTERNS = {
 }
 # What fills a place of a pattern and has words of its own.
 PIECES = {
+    "a gyroscope": ("um giroscópio", "un giroscopio"),
+    "the axis that moves most": ("o eixo que mais se move", "el eje que más se mueve"),
+    "degrees": ("graus", "grados"),
+    "radians": ("radianos", "radianes"),
+    "two": ("dois", "dos"),
+    "three": ("três", "tres"),
+    "exceeds": ("passa de", "pasa de"),
+    "does not exceed": ("não passa de", "no pasa de"),
+    "runs": ("medições", "mediciones"),
+    "data sets": ("conjuntos de dados", "conjuntos de datos"),
+    "duplicate": ("repetido", "repetido"),
+    "duplicates": ("repetidos", "repetidos"),
     "the origin of the axes": ("a origem dos eixos", "el origen de los ejes"),
     "the centre of the track's circle": (
         "o centro do círculo da trajetória",
@@ -338,8 +336,9 @@ def piece(part: str, language: str) -> str:
     """What fills a place: a number, a known text, a sentence of its own, or names, which stay."""
     if NUMBER.fullmatch(part):
         return part.replace(".", ",")
-    if part in PATTERNS:
-        return in_language(part, language)
+    told = in_language(part, language)
+    if told != part:
+        return told
     if part in PIECES:
         return PIECES[part][language == "es"]
     for english, others in PIECES.items():
