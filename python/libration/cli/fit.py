@@ -120,7 +120,11 @@ def run(options: FitOptions) -> None:
     if options.report is not None:
         check_matplotlib("--report", options.report, "plot")
     with targets(options) as opened:
-        givens = [given for path in options.file for given in read(path, known)]
+        # A track on a short arc needs its own length to be read.
+        own = apart.lengths if apart.lengths and len(apart.lengths) == len(options.file) else None
+        lengths = own or [known.get("length")] * len(options.file)
+        pairs = zip(options.file, lengths, strict=True)
+        givens = [given for path, length in pairs for given in read(path, known | {"length": length})]
         found = fitted(givens, known, apart)
         written = []
         if options.plot is not None:

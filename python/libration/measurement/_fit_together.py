@@ -107,7 +107,13 @@ def fit_together(
         run,
         None if length is None else measure("length", length),
     )
-    givens = numbered([given for source in sources for given in of_each(source, None, quantity, stated)])
+    apart = apart_of(lengths, pivots, between)
+    sources = list(sources)
+    # A track on a short arc needs its own length to be read.
+    own = [each[0] for each in apart.lengths or ()] if len(apart.lengths or ()) == len(sources) else []
+    reader = [{**stated, "length": each} for each in own] or [stated] * len(sources)
+    pairs = zip(sources, reader, strict=True)
+    givens = numbered([given for source, each in pairs for given in of_each(source, None, quantity, each)])
     known = known_of(
         length=length,
         gravity=gravity,
@@ -125,7 +131,7 @@ def fit_together(
         monte_carlo=monte_carlo,
         seed=seed,
     )
-    return together_given(givens, known, apart_of(lengths, pivots, between), progress)
+    return together_given(givens, known, apart, progress)
 
 
 def numbered(givens: Sequence[Given]) -> list[Given]:

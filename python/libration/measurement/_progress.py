@@ -27,6 +27,12 @@ WORDS = {
 }
 
 
+def short(name: str) -> str:
+    """The name of a file without its folder, of 30 letters at most."""
+    name = name.replace("\\", "/").rpartition("/")[2] or name
+    return name if len(name) <= 30 else f"{name[:12]}...{name[-15:]}"
+
+
 @contextlib.contextmanager
 def told_steps(names: list[str], wanted: bool) -> Iterator[Told | None]:
     """What the core tells its steps to, or None where no bar is shown."""
@@ -51,7 +57,7 @@ def told_steps(names: list[str], wanted: bool) -> Iterator[Told | None]:
     task = bar.add_task("", total=len(STEPS) * len(names))
     later = threading.Timer(DELAY, bar.start)
     later.daemon = True
-    begun = 0
+    begun, shown = 0, [short(name) for name in names]
 
     def told(step: str) -> None:
         nonlocal begun
@@ -60,7 +66,7 @@ def told_steps(names: list[str], wanted: bool) -> Iterator[Told | None]:
         bar.update(
             task,
             completed=done * len(STEPS) + STEPS.index(step),
-            description=f"{names[min(done, len(names) - 1)]}: {WORDS.get(step, step)}",
+            description=f"{shown[min(done, len(shown) - 1)]}: {WORDS.get(step, step)}",
         )
 
     later.start()
