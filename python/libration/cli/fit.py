@@ -121,8 +121,9 @@ def run(options: FitOptions) -> None:
         check_matplotlib("--report", options.report, "plot")
     with targets(options) as opened:
         # A track on a short arc needs its own length to be read.
-        own = apart.lengths if apart.lengths and len(apart.lengths) == len(options.file) else None
-        lengths = own or [known.get("length")] * len(options.file)
+        own = apart.lengths or []
+        shared = [known.get("length")] * len(options.file)
+        lengths = own if len(own) == len(options.file) else shared
         pairs = zip(options.file, lengths, strict=True)
         givens = [given for path, length in pairs for given in read(path, known | {"length": length})]
         found = fitted(givens, known, apart)

@@ -94,6 +94,7 @@ CATALOGUE = {
     "residual [{unit}]": ("resíduo [{unit}]", "residuo [{unit}]"),
     "together": ("em conjunto", "en conjunto"),
     "record": ("registro", "registro"),
+    "slope 4π²/g": ("inclinação 4π²/g", "pendiente 4π²/g"),
     "length ℓ [m]": ("comprimento ℓ [m]", "longitud ℓ [m]"),
     "Not a result: a verdict speaks against it": (
         "Não é um resultado: um veredito o contradiz",

@@ -174,6 +174,6 @@ def draw_reversible(axes: Any, found: Any, say: Language) -> None:
     slope = 4 * math.pi**2 / found.g.value
     ends = np.array([0.0, 1.1 * float((distances**2).max())])
     left = periods[0] ** 2 * first - slope * first**2
-    axes.plot(ends, left + slope * ends, color=EXACT, lw=1.4, label="4π²/$g$", zorder=2)
+    axes.plot(ends, left + slope * ends, color=EXACT, lw=1.4, label=say.word("slope 4π²/g"), zorder=2)
     axes.set_xlabel("$d^2$ [m²]")
     axes.set_ylabel("$T^2 d$ [s² m]")
