@@ -28,6 +28,7 @@ pub(super) fn record(
 ) -> Result<Fit, FitRefusal> {
     let clean = clean(t, values)?;
     let fitted = fitted(&clean, measured, options)?;
+    options.tell("uncertainty");
     let Fitted { rungs, chosen, samples, rows, anchor, period, .. } = &fitted;
     let rung = &rungs[*chosen];
     let found = &rung.outcome.values;

@@ -32,6 +32,7 @@ pub(super) struct Fitted {
 const MOST: usize = 8000;
 
 pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) -> Result<Fitted, FitRefusal> {
+    options.tell("start");
     let inside = |t: f64| options.window.is_none_or(|(from, to)| (from..=to).contains(&t));
     let kept: Vec<usize> = (0..clean.t.len()).filter(|i| inside(clean.t[*i])).collect();
     if kept.len() < 8 {
@@ -63,6 +64,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         from = swings.turns[decay.start].t - start.anchor;
         to = (swings.turns[decay.end].t - start.anchor + 0.5 * start.period).min(to);
     }
+    options.tell("window");
     let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
     let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
     let values = first.values;
@@ -83,6 +85,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         && let Some(dry) =
             rungs.iter().find(|rung| rung.model == Model::Dry).filter(|rung| moves(rung)).cloned()
     {
+        options.tell("presliding");
         // Presliding has a state of its own that no later one determines: the search starts at the first passage.
         let first = swings.passages[decay.clone()].iter().map(|p| p.t - anchor).find(|t| *t >= from);
         let shift = first.unwrap_or(0.0);
@@ -122,6 +125,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         None => chosen(&rungs),
     };
     let mut dropped = Vec::new();
+    options.tell("all samples");
     finish(&mut rungs[chosen], &mut samples, &mut rows, measured, options, sensor, &mut dropped);
     Ok(Fitted {
         chosen,
@@ -226,6 +230,7 @@ fn climbed(
     };
     let mut rungs: Vec<Rung> = Vec::new();
     for model in models {
+        options.tell(model.name());
         let own = match model {
             Model::None => Start { values: *values, ..*start }.values,
             _ => grown(samples, measured, start, terms(model).len().min(3), noise).values,

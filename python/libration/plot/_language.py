@@ -99,6 +99,10 @@ CATALOGUE = {
     "acceleration [m/s²]": ("aceleração [m/s²]", "aceleración [m/s²]"),
     "period [s]": ("período [s]", "periodo [s]"),
     "residual [{unit}]": ("resíduo [{unit}]", "residuo [{unit}]"),
+    "together": ("em conjunto", "en conjunto"),
+    "record": ("registro", "registro"),
+    "slope 4π²/g": ("inclinação 4π²/g", "pendiente 4π²/g"),
+    "length ℓ [m]": ("comprimento ℓ [m]", "longitud ℓ [m]"),
     "Not a result: a verdict speaks against it": (
         "Não é um resultado: um veredito o contradiz",
         "No es un resultado: un veredicto lo contradice",
