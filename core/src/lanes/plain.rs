@@ -2,6 +2,7 @@
 //! use there.
 
 use super::lane::Kernel;
+use super::pair::Pair;
 
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {
@@ -11,6 +12,11 @@ pub fn instruction_sets() -> usize {
 /// Not on this processor.
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<f64>()
+}
+
+/// Not on this processor.
+pub fn four_fused<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Pair<Pair<f64>>>()
 }
 
 /// Not on this processor.
