@@ -53,6 +53,7 @@ pub(super) fn integrate(
 ) -> (Vec<Segment>, Option<Domain>) {
     let mut state = State::new(equation, theta0, velocity0);
     let mut segments = Vec::new();
+    let mut torque = equation.torque(state.time, state.sinusoid);
     let mut jet = Jet::ZERO;
     while segments.is_empty() || state.time.value() <= stop {
         if segments.len() == most {
@@ -67,7 +68,7 @@ pub(super) fn integrate(
         let (segment, slopes) = if state.side == 0.0 {
             (state.hold(equation, knot, stop), &[0.0; ORDER + 1])
         } else {
-            (state.step(equation, knot, stop, &mut jet), &jet.slopes)
+            (state.step(equation, knot, stop, &mut torque, &mut jet), &jet.slopes)
         };
         // A release at once leaves no segment behind.
         if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
@@ -174,9 +175,18 @@ impl State {
 
     /// A step of the series, as far as it converges, but not beyond a knot of the torque; a series that ends serves until `stop`.
     #[inline(always)]
-    fn step(&mut self, equation: &Equation, knot: f64, stop: f64, jet: &mut Jet) -> Start {
-        let torque = equation.torque(self.time, self.sinusoid);
-        let converged = self.fill(equation, &torque, jet);
+    fn step(
+        &mut self,
+        equation: &Equation,
+        knot: f64,
+        stop: f64,
+        torque: &mut TorqueJet,
+        jet: &mut Jet,
+    ) -> Start {
+        if equation.varies() {
+            *torque = equation.torque(self.time, self.sinusoid);
+        }
+        let converged = self.fill(equation, torque, jet);
         let mut segment = self.segment();
         let velocity = &jet.velocity;
         let end = if converged.is_finite() { knot } else { knot.min(stop) };

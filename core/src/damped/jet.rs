@@ -2,11 +2,13 @@
 //!
 //! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
 //! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
-//! Coefficients below LONG are double-doubles, because a step is 2^(-66/30) = 0.22 of the radius of convergence: the term of order
-//! LONG is below 0.22^9 = 1e-6 of the motion, and its rounding error below 2^-72.
+//! Coefficients below LONG are double-doubles, because a step is 2^(-66/31) = 0.23 of the radius of convergence: the term of order
+//! LONG is below 0.23^5 = 2^-10 of the motion, and its rounding error below 2^-63: summed over N steps, whose errors are
+//! independent, it is that of 2^-63 sqrt(N) in the state.
 //!
-//! One step is, for each of s and c (and |v| v, and u, where they act), 30 31/2 - 36 = 429 multiplications with additions in
-//! double and 36 in double-double; and for each of s, c, v and theta a sum of 22 terms in double and 9 in double-double.
+//! Four numbers are side by side in a lane: c, -s, u, v times one v give the sums of s, c, u and of v^2. Where friction is linear or
+//! dry only c and -s are needed: then a lane holds two terms of the sum. One step is 31 32/2 - 15 = 481 products of a row with a v in
+//! double (half of the lanes where two terms share one) and 10 in double-double, then sums of 27 and 5 terms.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
 use super::taylor::{INVERSE, LONG, ORDER, Series, double, number, on_circle, places};
@@ -194,37 +196,46 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
             sides,
         };
         let mut last = [L::splat(hi[SINE]), L::splat(hi[SLIP])];
-        if FULL {
-            macro_rules! orders {
-                ($($k:literal)*) => {
-                    $(last = constants.order($k, jet, &mut f, &mut w, torque, last);)*
-                };
-            }
-            orders!(4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
-        } else {
-            let mut pairs = Pairs { f, w: [zero; ORDER + 1], two: [zero; (ORDER + 1) / 2] };
-            pairs.w[3] = L::load(&[w[3], w[3], w[2], w[2]]);
-            pairs.w[4] = L::load(&[w[4], w[4], w[3], w[3]]);
-            pairs.two[1] = pair(f[2], f[3]);
-            let mut s = last[0];
-            macro_rules! orders {
-                ($($k:literal)*) => {
-                    $(s = constants.pair_order($k, jet, &mut pairs, &mut w, torque, s);)*
-                };
-            }
-            orders!(4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
+        // A lane in memory keeps the stack aligned to lanes: without it many of those that wait there would lie across two cache lines.
+        let aligned = last;
+        core::hint::black_box(&aligned);
+        let mut rows = Rows { f, v: [zero; ORDER + 1], w: [zero; ORDER + 1], two: [zero; (ORDER + 1) / 2] };
+        let mut k = 0;
+        while k < LONG {
+            rows.v[k] = L::splat(w[k]);
+            k += 1;
         }
+        rows.w[4] = halves(rows.v[4], rows.v[3]);
+        macro_rules! orders {
+            ($($k:literal)*) => {$(
+                last = if FULL {
+                    constants.full_order($k, jet, &mut rows, torque, last)
+                } else {
+                    constants.order($k, jet, &mut rows, torque, last)
+                };
+            )*};
+        }
+        orders!(4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
     }
 }
 
-/// Coefficients side by side for the products with v of s and c alone, two terms in a lane.
-struct Pairs<L: Lane> {
-    /// c, -s of one order.
+/// The coefficients so far.
+struct Rows<L: Lane> {
+    /// c, -s, u, v of one order.
     f: [L; ORDER + 1],
+    /// v in every place.
+    v: [L; ORDER + 1],
     /// v twice, and v of the order before twice.
     w: [L; ORDER + 1],
-    /// c, -s of an even order and of the next one.
+    /// c, -s of an even order, and those of the next one.
     two: [L; (ORDER + 1) / 2],
+}
+
+/// The first half of one and the second half of another.
+#[inline(always)]
+fn halves<L: Lane>(a: L, b: L) -> L {
+    let ([a, b, ..], [.., c, d]) = (places(a), places(b));
+    L::load(&[a, b, c, d])
 }
 
 /// The first two of one and the first two of another.
@@ -245,100 +256,110 @@ struct Constants<L: Lane> {
 }
 
 impl<L: Lane> Constants<L> {
-    /// The row of order k + 1 where neither drag nor presliding acts; s of the last row in every place.
+    /// The row of order k + 1 from those up to k where neither drag nor presliding acts; s of the last row in every place. The latest
+    /// coefficients come last in every sum: so the processor forms the rest while it waits for them.
     #[inline(always)]
-    fn pair_order(
-        &self,
-        k: usize,
-        jet: &mut Jet,
-        pairs: &mut Pairs<L>,
-        v: &mut [f64; ORDER + 1],
-        torque: &TorqueJet,
-        s: L,
-    ) -> L {
-        let Pairs { f, w, two } = pairs;
-        // The products with the latest rows last: the processor forms the others while it waits for them.
+    fn order(&self, k: usize, jet: &mut Jet, rows: &mut Rows<L>, torque: &TorqueJet, [s, u]: [L; 2]) -> [L; 2] {
+        let Rows { f, v, w, two } = rows;
+        // Two terms in a lane from order 4 to k - 4 or k - 5, from the middle to both ends.
+        let last = if k < 9 { 1 } else { (k - 5) / 2 };
         let (mut first, mut second) = (L::splat(0.0), L::splat(0.0));
-        let mut i = 1;
-        while 2 * i + 4 <= k {
+        let half = (2 + last) / 2;
+        let mut i = half;
+        while i <= last {
             first = two[i].mul_add(w[k - 2 * i], first);
             i += 1;
-            if 2 * i + 4 <= k {
-                second = two[i].mul_add(w[k - 2 * i], second);
-                i += 1;
-            }
         }
-        let [a, b, c, d] = places(first + second);
-        let mut middle = L::load(&[a, b, 0.0, 0.0]) + L::load(&[c, d, 0.0, 0.0]);
-        if k % 2 == 1 {
-            middle = f[k - 3].mul_add(L::splat(v[3]), middle);
+        let mut i = half;
+        while i > 2 {
+            i -= 1;
+            second = two[i].mul_add(w[k - 2 * i], second);
         }
-        middle = f[k - 2].mul_add(L::splat(v[2]), middle);
+        let sum = first + second;
+        let mut singly = L::splat(0.0);
+        let mut j = 2 * last + 2;
+        while j + 2 < k {
+            singly = f[j].mul_add(v[k - j], singly);
+            j += 1;
+        }
+        let middle = if last < 2 { singly } else { singly + (sum + exchanged(sum)) };
         let inverse = L::splat(INVERSE[k + 1].hi);
-        let (now, before) = (L::splat(v[k]), L::splat(v[k - 1]));
-        let middle = before.mul_add(f[1] * inverse, middle * inverse);
-        let middle = (f[k - 1] * inverse).mul_add(L::splat(v[1]), middle);
-        let rest = now.mul_add(f[0] * inverse, middle);
-        let x = f[k].mul_add(L::splat(v[0] * INVERSE[k + 1].hi), rest);
-        let force = (self.linear * -inverse).mul_add(now, L::splat(torque.hi[k]) * inverse);
-        let next = (self.omega2 * -inverse).mul_add(s, force);
-        let [sine, cosine, ..] = places(x);
-        f[k + 1] = L::load(&[cosine, -sine, 0.0, 0.0]);
+        let x = latest(k, rows, middle) * inverse;
+        let force = (-self.linear).mul_add(rows.v[k], L::splat(torque.hi[k])) * inverse;
+        let force = (self.omega2 * -inverse).mul_add(s, force);
+        let next = places(x);
+        rows.f[k + 1] = L::load(&[next[COSINE], -next[SINE], 0.0, 0.0]);
         if k % 2 == 0 {
-            two[k / 2] = pair(f[k], f[k + 1]);
+            rows.two[k / 2] = pair(rows.f[k], rows.f[k + 1]);
         }
-        let value = next.first();
-        let slope = value * INVERSE[k + 2].hi;
-        w[k + 1] = L::load(&[value, value, v[k], v[k]]);
-        v[k + 1] = value;
-        x.store(&mut jet.rows[k + 1]);
-        (jet.rows[k + 1][2], jet.rows[k + 1][3]) = (value, slope);
-        (jet.velocity[k + 1], jet.slopes[k + 1]) = (value, slope);
-        L::splat(sine)
+        rows.w[k + 1] = halves(force, rows.v[k]);
+        self.kept(k + 1, jet, rows, x, force);
+        [L::splat(next[SINE]), u]
     }
 
-    /// The row of order k + 1 from those up to k; s and u of the last row in every place.
+    /// The same with drag or presliding; s and u of the last row.
     #[inline(always)]
-    fn order(
-        &self,
-        k: usize,
-        jet: &mut Jet,
-        f: &mut [L; ORDER + 1],
-        v: &mut [f64; ORDER + 1],
-        torque: &TorqueJet,
-        [s, u]: [L; 2],
-    ) -> [L; 2] {
-        let (mut even, mut odd) = (L::splat(0.0), L::splat(0.0));
-        let mut j = 2;
-        while j < k - 2 {
-            even = f[j].mul_add(L::splat(v[k - j]), even);
-            j += 1;
-            if j < k - 2 {
-                odd = f[j].mul_add(L::splat(v[k - j]), odd);
-                j += 1;
+    fn full_order(&self, k: usize, jet: &mut Jet, rows: &mut Rows<L>, torque: &TorqueJet, [s, u]: [L; 2]) -> [L; 2] {
+        let Rows { f, v, .. } = rows;
+        let (mut first, mut second) = (L::splat(0.0), L::splat(0.0));
+        let half = k / 2;
+        let mut j = half;
+        while j + 2 < k {
+            if j > 3 {
+                first = f[j].mul_add(v[k - j], first);
             }
+            j += 1;
+        }
+        let mut j = half;
+        while j > 4 {
+            j -= 1;
+            second = f[j].mul_add(v[k - j], second);
         }
         let inverse = L::splat(INVERSE[k + 1].hi);
         let each = self.sides * inverse;
-        let (now, before) = (L::splat(v[k]), L::splat(v[k - 1]));
-        let middle = f[k - 2].mul_add(L::splat(v[2]), even + odd);
-        let middle = before.mul_add(f[1] * each, middle * each);
-        let middle = (f[k - 1] * each).mul_add(L::splat(v[1]), middle);
-        let rest = now.mul_add(f[0] * each, middle);
-        let x = f[k].mul_add(L::splat(v[0]) * each, rest);
-        let force = (self.linear * -inverse).mul_add(now, L::splat(torque.hi[k]) * inverse);
+        let x = latest(k, rows, first + second) * each;
+        let force = (-self.linear).mul_add(rows.v[k], L::splat(torque.hi[k])) * inverse;
         let force = (self.dry * inverse).mul_add(u, (self.omega2 * -inverse).mul_add(s, force));
         let next = places(x);
-        let value = (-self.quadratic).mul_add(L::splat(next[3]), force).first();
-        let slope = value * INVERSE[k + 2].hi;
-        f[k + 1] = factors(next, value);
-        v[k + 1] = value;
-        x.store(&mut jet.rows[k + 1]);
+        let force = (-self.quadratic).mul_add(L::splat(next[3]), force);
+        rows.f[k + 1] = factors(next, force.first());
         jet.slip[k + 1] = next[SLIP];
-        (jet.rows[k + 1][2], jet.rows[k + 1][3]) = (value, slope);
-        (jet.velocity[k + 1], jet.slopes[k + 1]) = (value, slope);
+        self.kept(k + 1, jet, rows, x, force);
         [L::splat(next[SINE]), L::splat(next[SLIP])]
     }
+
+    /// A row, into the jet.
+    #[inline(always)]
+    fn kept(&self, k: usize, jet: &mut Jet, rows: &mut Rows<L>, x: L, v: L) {
+        rows.v[k] = v;
+        let (value, slope) = (v.first(), v.first() * INVERSE[k + 1].hi);
+        x.store(&mut jet.rows[k]);
+        (jet.rows[k][2], jet.rows[k][3]) = (value, slope);
+        (jet.velocity[k], jet.slopes[k]) = (value, slope);
+    }
+}
+
+/// The sum of all terms, when those of the latest three rows are added to the others.
+#[inline(always)]
+fn latest<L: Lane>(k: usize, rows: &Rows<L>, others: L) -> L {
+    let Rows { f, v, .. } = rows;
+    let mut sum = v[k - 3].mul_add(f[3], others);
+    sum = v[k - 2].mul_add(f[2], sum);
+    if k > 5 {
+        sum = f[k - 2].mul_add(v[2], sum);
+    }
+    sum = v[k - 1].mul_add(f[1], sum);
+    if k > 4 {
+        sum = f[k - 1].mul_add(v[1], sum);
+    }
+    f[k].mul_add(v[0], v[k].mul_add(f[0], sum))
+}
+
+/// The halves exchanged.
+#[inline(always)]
+fn exchanged<L: Lane>(row: L) -> L {
+    let [a, b, c, d] = places(row);
+    L::load(&[c, d, a, b])
 }
 
 struct Sum<'a> {
