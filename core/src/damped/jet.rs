@@ -259,7 +259,14 @@ impl<L: Lane> Constants<L> {
     /// The row of order k + 1 from those up to k where neither drag nor presliding acts; s of the last row in every place. The latest
     /// coefficients come last in every sum: so the processor forms the rest while it waits for them.
     #[inline(always)]
-    fn order(&self, k: usize, jet: &mut Jet, rows: &mut Rows<L>, torque: &TorqueJet, [s, u]: [L; 2]) -> [L; 2] {
+    fn order(
+        &self,
+        k: usize,
+        jet: &mut Jet,
+        rows: &mut Rows<L>,
+        torque: &TorqueJet,
+        [s, u]: [L; 2],
+    ) -> [L; 2] {
         let Rows { f, v, w, two } = rows;
         // Two terms in a lane from order 4 to k - 4 or k - 5, from the middle to both ends.
         let last = if k < 9 { 1 } else { (k - 5) / 2 };
@@ -299,7 +306,14 @@ impl<L: Lane> Constants<L> {
 
     /// The same with drag or presliding; s and u of the last row.
     #[inline(always)]
-    fn full_order(&self, k: usize, jet: &mut Jet, rows: &mut Rows<L>, torque: &TorqueJet, [s, u]: [L; 2]) -> [L; 2] {
+    fn full_order(
+        &self,
+        k: usize,
+        jet: &mut Jet,
+        rows: &mut Rows<L>,
+        torque: &TorqueJet,
+        [s, u]: [L; 2],
+    ) -> [L; 2] {
         let Rows { f, v, .. } = rows;
         let (mut first, mut second) = (L::splat(0.0), L::splat(0.0));
         let half = k / 2;

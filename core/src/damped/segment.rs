@@ -5,6 +5,7 @@ use super::jet::{Jet, Piece};
 use super::roots::{bracketed, value_and_slope};
 use super::taylor::{INVERSE, ORDER, Series};
 use crate::float::{Dd, exponent};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
 /// How a segment begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +39,30 @@ pub(super) struct Segment {
     pub slip: f64,
 }
 
+/// The change of the angle and the velocity, from the coefficients of the powers 1, 2, ... in the angle.
+struct Polynomial<'a>(&'a Series);
+
+impl Formula<1, 2> for Polynomial<'_> {
+    type Place = Segment;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
+        // Even and odd powers by themselves, so that the sums need not wait for each other.
+        let square = t * t;
+        let zero = L::splat(0.0);
+        let (mut even, mut odd, mut even_slope, mut odd_slope) = (zero, zero, zero, zero);
+        let mut k = ORDER + 1;
+        while k > 0 {
+            k -= 2;
+            let [low, high] = [self.0[k], self.0[k + 1]];
+            even = even.mul_add(square, L::splat(low));
+            odd = odd.mul_add(square, L::splat(high));
+            even_slope = even_slope.mul_add(square, L::splat((k + 1) as f64 * low));
+            odd_slope = odd_slope.mul_add(square, L::splat((k + 2) as f64 * high));
+        }
+        [odd.mul_add(t, even) * t, odd_slope.mul_add(t, even_slope)]
+    }
+}
+
 /// A segment without its polynomial.
 pub(super) struct Start {
     pub start: Dd,
@@ -68,12 +93,16 @@ impl Segment {
 
     /// The change of the angle, and the velocity.
     pub fn change(&self, since: f64) -> (f64, f64) {
-        let (mut change, mut velocity) = (0.0, 0.0);
-        for (k, c) in self.slopes.iter().enumerate().rev() {
-            change = change * since + c;
-            velocity = velocity * since + (k + 1) as f64 * c;
+        let [change, velocity] = Once([since]).of(&Polynomial(&self.slopes));
+        (change, velocity)
+    }
+
+    /// Angle and velocity at every time since the start, bit for bit those of [`Segment::at`].
+    pub fn at_into(&self, since: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
+        Columns::new([since], [&mut *theta, velocity]).of(&Polynomial(&self.slopes));
+        for theta in theta {
+            *theta = self.theta.hi + (self.theta.lo + *theta);
         }
-        (change * since, velocity)
     }
 
     /// Whether it is not at rest.

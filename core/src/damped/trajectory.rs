@@ -180,8 +180,25 @@ impl Trajectory {
             return;
         }
         let mut near = [0; 2];
-        for ((t, theta), velocity) in t.iter().zip(theta).zip(velocity) {
-            (*theta, *velocity) = self.motion_near(*t, &mut near);
+        let mut row = 0;
+        while row < t.len() {
+            row += match &self.motion {
+                Motion::Integrated(branches) if self.holds(t[row]) && t[row] != 0.0 => {
+                    let side = usize::from(t[row] > 0.0);
+                    let here = |t: f64| self.holds(t) && t != 0.0 && usize::from(t > 0.0) == side;
+                    branches[side].run(
+                        &t[row..],
+                        here,
+                        &mut near[side],
+                        &mut theta[row..],
+                        &mut velocity[row..],
+                    )
+                }
+                _ => {
+                    (theta[row], velocity[row]) = self.motion_near(t[row], &mut near);
+                    1
+                }
+            };
         }
     }
 

@@ -87,7 +87,6 @@ impl Columns {
         }
         self
     }
-
 }
 
 /// What derivatives of angle and velocity are multiplied by to have them in SI units.
