@@ -23,7 +23,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-.PHONY: help run quick quick-python papers accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
+.PHONY: help run quick quick-python papers accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -101,6 +101,9 @@ bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes a
 bench-elliptic: $(VENV)/.packages $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's: docs/elliptic.md (5 minutes)
 	@$(PY) bench/run_elliptic.py
 
+bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)
+	@$(PY) bench/run_damped.py
+
 docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and picture (a minute)
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot docs/motion.png
@@ -177,7 +180,8 @@ test/pages: $(TOOLS) $(VENV)/.built
 	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)
 
 test/bench: $(TOOLS) $(VENV)/.built
-	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check)
+	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check \
+	  && $(PY) bench/run_damped.py --check)
 
 # The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh

@@ -17,6 +17,9 @@ use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Kernel, Lane, four};
 
+/// Sums that are written out order by order, and lanes of four coefficients.
+const _: () = assert!(LONG == 5 && ORDER == 31);
+
 /// Places of the four variables.
 pub(super) const SINE: usize = 0;
 pub(super) const COSINE: usize = 1;
@@ -132,7 +135,6 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
         let mut hi = [start[SINE].hi, start[COSINE].hi, start[SLIP].hi, 0.0];
         let mut lo = [start[SINE].lo, start[COSINE].lo, start[SLIP].lo, 0.0];
         t[0] = Unnormalised::new(factors(hi, start[VELOCITY].hi), factors(lo, start[VELOCITY].lo));
-        let (mut f, mut w) = ([zero; ORDER + 1], [0.0; ORDER + 1]);
         let (mut f, mut w) = ([zero; ORDER + 1], [0.0; ORDER + 1]);
         // Written out here and below, so that the compiler knows the length of every sum.
         macro_rules! rows {
