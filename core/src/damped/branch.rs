@@ -72,7 +72,7 @@ impl Branch {
         for t in t.iter().take(RUN) {
             let time = self.equation.time(*t);
             let since_start = since(segment, time);
-            let inside = since_start >= 0.0 && next.is_none_or(|next| !(since(next, time) >= 0.0));
+            let inside = since_start >= 0.0 && next.is_none_or(|next| since(next, time) < 0.0);
             if rows > 0 && !(inside && here(*t)) {
                 break;
             }

@@ -54,7 +54,9 @@ struct Last {
 }
 
 impl Last {
-    const NONE: Last = Last { of: None, jet: ColumnJet::ZERO };
+    fn none() -> Last {
+        Last { of: None, jet: ColumnJet::ZERO }
+    }
 }
 
 impl DampedSensitivity {
@@ -96,7 +98,7 @@ impl DampedSensitivity {
     /// parameter. Source: the variational equations, variational.rs.
     #[must_use]
     pub fn at(&self, t: f64) -> DampedJacobian {
-        self.through(t, &mut Last::NONE)
+        self.through(t, &mut Last::none())
     }
 
     /// [`DampedSensitivity::at`] of every time, bit for bit, row by row of the matrix; panics where the lengths differ. Rising times
@@ -104,7 +106,7 @@ impl DampedSensitivity {
     pub fn at_into(&self, t: &[f64], mut derivatives: [&mut [f64]; 2 * PARAMETERS.len()]) {
         let fits = derivatives.iter().all(|column| column.len() == t.len());
         assert!(fits, "columns of different lengths");
-        let mut last = Last::NONE;
+        let mut last = Last::none();
         // Rows by the block, so that a column is written in pieces and not number by number.
         let mut block = [[0.0; BLOCK]; 2 * PARAMETERS.len()];
         for (number, times) in t.chunks(BLOCK).enumerate() {

@@ -137,59 +137,62 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
         t[0] = Unnormalised::new(factors(hi, start[VELOCITY].hi), factors(lo, start[VELOCITY].lo));
         let (mut f, mut w) = ([zero; ORDER + 1], [0.0; ORDER + 1]);
         // Written out here and below, so that the compiler knows the length of every sum.
-        macro_rules! rows {
+        macro_rules! next {
             ($($k:literal)*) => {$({
                 const K: usize = $k;
-                let x = Unnormalised::new(L::load(&hi), L::load(&lo)).tight();
-                let now = v[K].tight();
-                let slope = (v[K] * Unnormalised::splat(INVERSE[K + 1])).tight();
-                // Not normalised: so the orders above need not wait for the low words.
-                (w[K], f[K]) = (v[K].hi.first(), t[K].hi);
-                (jet.rows[K], jet.low_rows[K]) = (places(x.hi), places(x.lo));
-                (jet.slip[K], jet.low_slip[K]) = (jet.rows[K][2], jet.low_rows[K][2]);
-                (jet.rows[K][2], jet.low_rows[K][2]) = (now.hi.first(), now.lo.first());
-                (jet.rows[K][3], jet.low_rows[K][3]) = (slope.hi.first(), slope.lo.first());
-                (jet.velocity[K], jet.slopes[K]) = (now.hi.first(), slope.hi.first());
-                if K + 1 < LONG {
-                    let mut sums = t[0] * v[K];
-                    if K > 0 {
-                        // The two products with the latest row last.
-                        sums = sums + t[K] * v[0];
-                    }
-                    if K > 1 {
-                        let (mut middle, mut j) = (t[K - 1] * v[1], 2);
-                        while j < K {
-                            middle = middle + t[K - j] * v[j];
-                            j += 1;
-                        }
-                        sums = sums + middle;
-                    }
-                    let sine = Unnormalised::new(L::splat(hi[SINE]), L::splat(lo[SINE]));
-                    let mut force = Unnormalised::new(L::splat(torque.hi[K]), L::splat(torque.lo[K]));
-                    force = force - linear * v[K] - omega2 * sine;
-                    if K == 0 {
-                        force = force - dry;
-                    }
-                    if FULL || K == 0 {
-                        force = force + dry * Unnormalised::new(L::splat(hi[SLIP]), L::splat(lo[SLIP]));
-                    }
-                    if FULL {
-                        let square = Unnormalised::new(L::splat(places(sums.hi)[3]), L::splat(places(sums.lo)[3]));
-                        force = force - quadratic * square;
-                    }
-                    if K == 0 && at_limit {
-                        force = double(0.0);
-                    }
-                    let inverse = Unnormalised::splat(INVERSE[K + 1]);
-                    v[K + 1] = force * inverse;
-                    let x = sums * (inverse * Unnormalised::from_double(sides));
-                    (hi, lo) = (places(x.hi), places(x.lo));
-                    let [next, rest] = [v[K + 1].hi.first(), v[K + 1].lo.first()];
-                    t[K + 1] = Unnormalised::new(factors(hi, next), factors(lo, rest));
+                let mut sums = t[0] * v[K];
+                if K > 0 {
+                    // The two products with the latest row last.
+                    sums = sums + t[K] * v[0];
                 }
+                if K > 1 {
+                    let (mut middle, mut j) = (t[K - 1] * v[1], 2);
+                    while j < K {
+                        middle = middle + t[K - j] * v[j];
+                        j += 1;
+                    }
+                    sums = sums + middle;
+                }
+                let sine = Unnormalised::new(L::splat(hi[SINE]), L::splat(lo[SINE]));
+                let mut force = Unnormalised::new(L::splat(torque.hi[K]), L::splat(torque.lo[K]));
+                force = force - linear * v[K] - omega2 * sine;
+                if K == 0 {
+                    force = force - dry;
+                }
+                if FULL || K == 0 {
+                    force = force + dry * Unnormalised::new(L::splat(hi[SLIP]), L::splat(lo[SLIP]));
+                }
+                if FULL {
+                    let (square_hi, square_lo) = (places(sums.hi)[3], places(sums.lo)[3]);
+                    force = force - quadratic * Unnormalised::new(L::splat(square_hi), L::splat(square_lo));
+                }
+                if K == 0 && at_limit {
+                    force = double(0.0);
+                }
+                let inverse = Unnormalised::splat(INVERSE[K + 1]);
+                v[K + 1] = force * inverse;
+                let x = sums * (inverse * Unnormalised::from_double(sides));
+                (hi, lo) = (places(x.hi), places(x.lo));
+                let [next, rest] = [v[K + 1].hi.first(), v[K + 1].lo.first()];
+                t[K + 1] = Unnormalised::new(factors(hi, next), factors(lo, rest));
             })*};
         }
-        rows!(0 1 2 3 4);
+        next!(0 1 2 3);
+        macro_rules! keep {
+            ($($k:literal)*) => {$({
+                const K: usize = $k;
+                // Not normalised: so the orders above need not wait for the low words.
+                (w[K], f[K]) = (v[K].hi.first(), t[K].hi);
+                let (row, now) = (t[K].tight(), v[K].tight());
+                let slope = (v[K] * Unnormalised::splat(INVERSE[K + 1])).tight();
+                let ([c, s, u, _], [c_low, s_low, u_low, _]) = (places(row.hi), places(row.lo));
+                jet.rows[K] = [-s, c, now.hi.first(), slope.hi.first()];
+                jet.low_rows[K] = [-s_low, c_low, now.lo.first(), slope.lo.first()];
+                (jet.slip[K], jet.low_slip[K]) = (u, u_low);
+                (jet.velocity[K], jet.slopes[K]) = (now.hi.first(), slope.hi.first());
+            })*};
+        }
+        keep!(0 1 2 3 4);
         let constants = Constants {
             omega2: L::splat(piece.omega2.hi),
             linear: L::splat(piece.linear),
@@ -201,7 +204,7 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
         // A lane in memory keeps the stack aligned to lanes: without it many of those that wait there would lie across two cache lines.
         let aligned = last;
         core::hint::black_box(&aligned);
-        let mut rows = Rows { f, v: [zero; ORDER + 1], w: [zero; ORDER + 1], two: [zero; (ORDER + 1) / 2] };
+        let mut rows = Rows { f, v: [zero; ORDER + 1], w: [zero; ORDER + 1], two: [zero; ORDER.div_ceil(2)] };
         let mut k = 0;
         while k < LONG {
             rows.v[k] = L::splat(w[k]);
@@ -230,7 +233,7 @@ struct Rows<L: Lane> {
     /// v twice, and v of the order before twice.
     w: [L; ORDER + 1],
     /// c, -s of an even order, and those of the next one.
-    two: [L; (ORDER + 1) / 2],
+    two: [L; ORDER.div_ceil(2)],
 }
 
 /// The first half of one and the second half of another.
@@ -298,7 +301,7 @@ impl<L: Lane> Constants<L> {
         let force = (self.omega2 * -inverse).mul_add(s, force);
         let next = places(x);
         rows.f[k + 1] = L::load(&[next[COSINE], -next[SINE], 0.0, 0.0]);
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             rows.two[k / 2] = pair(rows.f[k], rows.f[k + 1]);
         }
         rows.w[k + 1] = halves(force, rows.v[k]);

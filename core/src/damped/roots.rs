@@ -99,7 +99,7 @@ fn verdict(b: &[f64; COUNT], width: f64) -> Option<bool> {
     if b[0].abs() > all - b[0].abs() {
         return Some(false);
     }
-    if !(b[1].abs() > slopes - b[1].abs()) {
+    if b[1].abs() <= slopes - b[1].abs() {
         return None;
     }
     let end = value_and_slope(b, width).0;
