@@ -204,7 +204,7 @@ fn products<L: Lane>(series: &Series, columns: &[Row; ORDER + 1], k: usize) -> [
 }
 
 /// The series of the motion that the columns are multiplied by.
-struct Motion {
+struct MotionSeries {
     v: Series,
     s: Series,
     c: Series,
@@ -214,11 +214,11 @@ struct Motion {
     slipping: Series,
 }
 
-impl Motion {
+impl MotionSeries {
     #[inline(always)]
-    fn new<L: Lane>(segment: &Segment, slip: f64) -> Motion {
+    fn new<L: Lane>(segment: &Segment, slip: f64) -> MotionSeries {
         let none = [0.0; ORDER + 1];
-        let mut motion = Motion { v: none, s: none, c: none, u: none, square: none, slipping: none };
+        let mut motion = MotionSeries { v: none, s: none, c: none, u: none, square: none, slipping: none };
         for (k, (v, slope)) in motion.v.iter_mut().zip(&segment.slopes).enumerate() {
             *v = slope * (k + 1) as f64;
         }
@@ -248,7 +248,7 @@ impl Kernel for ColumnRecurrence<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
         let ColumnRecurrence { jet, piece, presliding, sinusoid, sense, signs, segment, start } = self;
-        let Motion { v, s, c, u, square, slipping } = Motion::new::<L>(segment, piece.slip);
+        let MotionSeries { v, s, c, u, square, slipping } = MotionSeries::new::<L>(segment, piece.slip);
         let ColumnJet { theta, velocity, slip: slips, slips: slides } = jet;
         (theta[0], velocity[0], slips[0]) = (start.theta, start.velocity, start.slip);
         *slides = piece.slip != 0.0;
