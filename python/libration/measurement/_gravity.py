@@ -79,14 +79,9 @@ def gravity_of_pivots(periods: Any, distances: Any, *, between: Any = None, swin
     ValueError
         In one line: the argument, its value and what is allowed.
 
-    Warns
-    -----
-    UserWarning
-        Where g is not of this Earth.
-
     Notes
     -----
-    Source: F. W. Bessel, Untersuchungen ueber die Laenge des einfachen Secundenpendels (1828).
+    A g that is not of this Earth is a UserWarning. Source: F. W. Bessel, Untersuchungen ueber die Laenge des einfachen Secundenpendels (1828).
 
     Examples
     --------

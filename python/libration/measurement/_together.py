@@ -45,7 +45,7 @@ class Together:
     >>> first = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
     >>> second = [0.3, 0.7, 1.1, 1.5], [2.0181, 2.0683, 2.1684, 2.3321]
     >>> print(libration.fit_together([first, second], quantity="swings", length=(1.0, 0.001)).g)
-    9.808 ± 0.010
+    9.809 ± 0.010
     """
 
     __slots__ = ("_apart", "_fits", "_found", "_grades")
