@@ -1,20 +1,7 @@
 //! Fits of records that the tests make from the core.
 
 use libration::{DampedPendulum, Frequency, Friction, Torque};
-use libration_fit::fit::{Data, FitOptions, Measure, Measured, Model, fit};
-
-/// Standard normal numbers from a linear congruence: the same on every machine.
-struct Normal(u64);
-
-impl Normal {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 11) as f64 + 0.5) / 9_007_199_254_740_992.0
-    }
-    fn next(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (core::f64::consts::TAU * self.uniform()).cos()
-    }
-}
+use libration_fit::fit::{Data, FitOptions, Measure, Measured, Model, Stream, fit};
 
 fn record(
     theta0: f64,
@@ -29,9 +16,9 @@ fn record(
     let pendulum = DampedPendulum::new(theta0, 0.0, frequency, friction, Torque::NONE).unwrap();
     let stop = step * rows as f64;
     let trajectory = pendulum.trajectory(0.0, stop).unwrap();
-    let mut normal = Normal(seed);
     let t: Vec<f64> = (0..rows).map(|i| step * i as f64).collect();
-    let values = t.iter().map(|t| trajectory.theta(*t) + 0.02 + sigma * normal.next()).collect();
+    let noise = Stream::new(seed).noise(0.0, rows);
+    let values = t.iter().zip(noise).map(|(t, e)| trajectory.theta(*t) + 0.02 + sigma * e).collect();
     Data::Record { measured: Measured::Angle, t, values }
 }
 
@@ -111,9 +98,9 @@ fn a_motion_over_the_top_converges() {
     let friction = Friction::new(0.12, 0.0, 0.0, 0.0).unwrap();
     let pendulum = DampedPendulum::new(-4.0, 9.8, frequency, friction, Torque::NONE).unwrap();
     let trajectory = pendulum.trajectory(0.0, 10.0).unwrap();
-    let mut normal = Normal(3);
     let t: Vec<f64> = (0..1000).map(|i| 0.01 * f64::from(i)).collect();
-    let values: Vec<f64> = t.iter().map(|t| trajectory.theta(*t) + 0.002 * normal.next()).collect();
+    let noise = Stream::new(3).noise(0.0, t.len());
+    let values: Vec<f64> = t.iter().zip(noise).map(|(t, e)| trajectory.theta(*t) + 0.002 * e).collect();
     assert!(values.iter().fold(0.0f64, |most, y| most.max(*y)) > core::f64::consts::PI, "it turns over");
     let found = fit(&Data::Record { measured: Measured::Angle, t, values }, &options(None)).unwrap();
     let off = (found.omega0.value - 21.7f64.sqrt()) / found.omega0.u;
@@ -128,18 +115,19 @@ fn velocities_and_accelerations_are_fitted() {
     let pendulum = DampedPendulum::new(1.3, 0.0, frequency, friction, Torque::NONE).unwrap();
     let trajectory = pendulum.trajectory(0.0, 21.0).unwrap();
     let t: Vec<f64> = (1..2000).map(|i| 0.01 * f64::from(i)).collect();
-    let mut normal = Normal(9);
+    let noise = Stream::new(9).noise(0.0, t.len());
     let velocity: Vec<f64> =
-        t.iter().map(|t| trajectory.velocity(*t) - 0.07 + 0.01 * normal.next()).collect();
+        t.iter().zip(&noise).map(|(t, e)| trajectory.velocity(*t) - 0.07 + 0.01 * e).collect();
     let data = Data::Record { measured: Measured::Velocity, t: t.clone(), values: velocity };
     let found = fit(&data, &options(None)).unwrap();
     let off = (found.omega0.value - 21.7f64.sqrt()) / found.omega0.u;
     assert!(off.abs() < 3.5 && found.model == Model::Linear, "{off} {:?}", found.ladder);
     assert!((found.offset.unwrap().value + 0.07).abs() < 0.003);
     let step = 1e-3;
-    let acceleration = t.iter().map(|t| {
+    let noise = Stream::new(10).noise(0.0, t.len());
+    let acceleration = t.iter().zip(noise).map(|(t, e)| {
         let slope = (trajectory.velocity(t + step) - trajectory.velocity(t - step)) / (2.0 * step);
-        0.45 * slope + 0.1 + 0.02 * normal.next()
+        0.45 * slope + 0.1 + 0.02 * e
     });
     let data =
         Data::Record { measured: Measured::Acceleration, t: t.clone(), values: acceleration.collect() };
@@ -156,8 +144,8 @@ fn hands_before_the_release_and_the_rest_after_the_stop_are_cut() {
         unreachable!()
     };
     // Three seconds of a hand that lifts and holds the pendulum.
-    let mut normal = Normal(8);
-    let held = (0..300).map(|i| (0.02 + (f64::from(i) / 250.0).min(1.0)) + 0.001 * normal.next());
+    let noise = Stream::new(8).noise(0.0, 300);
+    let held = (0..300).zip(noise).map(|(i, e)| (0.02 + (f64::from(i) / 250.0).min(1.0)) + 0.001 * e);
     let shifted: Vec<f64> = (0..300).map(|i| 0.01 * f64::from(i)).chain(t.iter().map(|t| t + 3.0)).collect();
     let values = held.chain(values).collect();
     let data = Data::Record { measured: Measured::Angle, t: shifted, values };
@@ -200,15 +188,8 @@ fn pulls(
     };
     let mut found = [Vec::new(), Vec::new()];
     for replica in 0..n {
-        let mut normal = Normal(1 + 7919 * replica);
-        let mut error = normal.next();
-        let values = exact
-            .iter()
-            .map(|y| {
-                error = memory * error + (1.0 - memory * memory).sqrt() * normal.next();
-                y + 0.01 * error
-            })
-            .collect();
+        let noise = Stream::new(replica).noise(memory, rows);
+        let values = exact.iter().zip(noise).map(|(y, e)| y + 0.01 * e).collect();
         let data = Data::Record { measured: Measured::Angle, t: t.clone(), values };
         let fit = fit(&data, &options(model)).unwrap();
         found[0].push((fit.omega0.value - omega0) / fit.omega0.u);

@@ -1,6 +1,6 @@
 //! What a fit refuses, and what it says in words.
 
-use libration_fit::fit::{Data, Fit, FitOptions, Grade, Measure, Measured, fit};
+use libration_fit::fit::{Data, Fit, FitOptions, Grade, Measure, Measured, Stream, fit};
 
 fn angle(t: Vec<f64>, values: Vec<f64>) -> Data {
     Data::Record { measured: Measured::Angle, t, values }
@@ -16,8 +16,7 @@ fn times(rows: usize) -> Vec<f64> {
 
 /// Noise that repeats on every machine.
 fn noise(i: usize) -> f64 {
-    let bits = (i as u64 + 17).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    ((bits ^ (bits >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 11) as f64 / 9_007_199_254_740_992.0 - 0.5
+    Stream::new(17).uniform(i as u64) - 0.5
 }
 
 #[test]

@@ -34,6 +34,7 @@ pub use entry::fit;
 pub use known::{CorrectionRow, Corrections, MeasuredPart, length_of_parts};
 pub use measure::Measure;
 pub use options::{FitOptions, Model, Stop, Told};
+pub use random::Stream;
 pub use refusal::FitRefusal;
 pub use result::{
     BudgetRow, Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals,
