@@ -85,7 +85,8 @@ fn tables_and_gates_are_fitted_without_an_integration() {
     assert!(!found.stands() && says(&found, "does not depend on the swing"), "{:?}", found.verdicts);
 
     let t: Vec<f64> = (0..400).map(|i| 1.6 * f64::from(i)).collect();
-    let swing = |t: f64| libration::damped::averaged_turning_angle(0.9, t, frequency, 0.002);
+    let friction = libration::Friction::new(0.002, 0.0, 0.0, 0.0).unwrap();
+    let swing = |t: f64| libration::damped::averaged_turning_angle(0.9, t, frequency, friction);
     let periods: Vec<f64> = t.iter().enumerate().map(|(i, t)| period(swing(*t)) + 1e-4 * noise(i)).collect();
     let transits = t.iter().map(|t| {
         let orbit = libration::Orbit::new(swing(*t), 0.0, frequency).unwrap();

@@ -254,7 +254,7 @@ mod tests {
         let (n, p, memory) = (400, 8, 0.7);
         let wave = |row: usize, column: usize| {
             let turns = (column / 2 + 1) as f64 * (row as f64 + 0.5) / n as f64;
-            let phase = if column % 2 == 0 { 0.0 } else { core::f64::consts::FRAC_PI_2 };
+            let phase = if column.is_multiple_of(2) { 0.0 } else { core::f64::consts::FRAC_PI_2 };
             (2.0 / n as f64).sqrt() * libm::sin(core::f64::consts::TAU * turns + phase)
         };
         let base = DMatrix::from_fn(n, p, wave);
