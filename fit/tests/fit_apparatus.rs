@@ -2,7 +2,7 @@
 
 use libration::{DampedPendulum, Frequency, Friction, Shape, Torque};
 use libration_fit::fit::{
-    Corrections, Data, FitOptions, Measure, Measured, MeasuredPart, fit, fit_lengths, fit_runs,
+    Corrections, Data, FitOptions, Measure, Measured, MeasuredPart, Stream, fit, fit_lengths, fit_runs,
     length_of_parts, reversible, reversible_between,
 };
 
@@ -17,16 +17,8 @@ fn record(length: f64, seed: u64) -> Data {
     let pendulum = DampedPendulum::new(0.6, 0.0, frequency, friction, Torque::NONE).unwrap();
     let trajectory = pendulum.trajectory(0.0, 20.0).unwrap();
     let t: Vec<f64> = (0..500).map(|i| 0.04 * f64::from(i)).collect();
-    let mut state = seed;
-    let mut noise = || {
-        let mut sum = 0.0;
-        for _ in 0..12 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            sum += (state >> 11) as f64 / 9_007_199_254_740_992.0;
-        }
-        sum - 6.0
-    };
-    let values = t.iter().map(|t| trajectory.theta(*t) + 0.004 * noise()).collect();
+    let noise = Stream::new(seed).noise(0.0, t.len());
+    let values = t.iter().zip(noise).map(|(t, e)| trajectory.theta(*t) + 0.004 * e).collect();
     Data::Record { measured: Measured::Angle, t, values }
 }
 

@@ -5,7 +5,7 @@ use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
 use super::options::{FitOptions, Model, Stop};
-use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
+use super::problem::{LINEAR, Loss, OFFSET, PRESLIDING, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
 use super::swings::{Passage, Swings, noise};
@@ -266,7 +266,15 @@ fn finish(
 ) {
     let again = |samples: &Samples, rung_chosen: &Rung| {
         let start = &rung_chosen.outcome.values;
-        let mut next = rung(samples, measured, rung_chosen.model, start, options.free_scale, FINE);
+        // Presliding that is held stays so: a new search for it would begin far from its bound.
+        let slides = rung_chosen.free.contains(&PRESLIDING);
+        let held = rung_chosen.model == Model::Presliding && !slides;
+        let acting = if held { Model::Dry } else { rung_chosen.model };
+        let mut next = rung(samples, measured, acting, start, options.free_scale, FINE);
+        if held {
+            next.model = Model::Presliding;
+            next.wanted_negative.push(PRESLIDING);
+        }
         (next.aicc, next.bic, next.mean_square) =
             (rung_chosen.aicc, rung_chosen.bic, rung_chosen.mean_square);
         next
