@@ -23,7 +23,9 @@ def camel(name: str) -> str:
 
 def findings(root: Path) -> list[str]:
     dictionary = set(re.findall(r"`(\w+)`", (root / "NOTATION.md").read_text(encoding="utf-8")))
-    known = dictionary | {camel(name) for name in dictionary} | {name[0].lower() + name[1:] for name in dictionary} | PLAIN
+    known = (
+        dictionary | {camel(name) for name in dictionary} | {name[0].lower() + name[1:] for name in dictionary} | PLAIN
+    )
     found = []
     for path in files(root, "wasm/npm/src", ".ts"):
         # What the package does not export: the module's own functions.

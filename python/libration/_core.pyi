@@ -10,6 +10,7 @@ __all__ = [
     "DampedPendulum",
     "Duffing",
     "DuffingForm",
+    "NumericalSolution",
     "Orbit",
     "PeriodFormula",
     "Record",
@@ -571,7 +572,7 @@ def schemes() -> list[tuple[str, str, str, bool]]: ...
 
 @final
 class NumericalSolution:
-    def __new__(cls, scheme: str, step: float | None, orbit: Orbit, until: float) -> Self: ...
+    def __new__(cls, scheme: str, step: float | None, orbit: Orbit, until: float) -> NumericalSolution: ...
     def theta(self, t: np.ndarray) -> np.ndarray: ...
     def steps(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]: ...
     @property

@@ -7,10 +7,11 @@
 
 use crate::objects::{Objects, ask, drop, keep};
 use crate::workspace::{self, ROWS, leave, say, with_columns, with_text};
-use libration::approx::{
-    ANGLES, AngleApproximation, AngleFormula, Entry, NUMERICALS, NumericalFormula, NumericalSolution, PERIODS, PeriodFormula,
-};
 use libration::STANDARD_GRAVITY;
+use libration::approx::{
+    ANGLES, AngleApproximation, AngleFormula, Entry, NUMERICALS, NumericalFormula, NumericalSolution,
+    PERIODS, PeriodFormula,
+};
 use libration::{
     Domain, Frequency, Jacobi, Orbit, Parameter, Regime, Turns, VERSION, complete_e, complete_k, nome,
 };
@@ -94,8 +95,8 @@ pub extern "C" fn orbit_new(
     gravity: f64,
     given: u32,
 ) -> u32 {
-    let [omega0, omega2, length, gravity] =
-        [(omega0, 1), (omega2, 2), (length, 4), (gravity, 8)].map(|(value, bit)| (given & bit != 0).then_some(value));
+    let [omega0, omega2, length, gravity] = [(omega0, 1), (omega2, 2), (length, 4), (gravity, 8)]
+        .map(|(value, bit)| (given & bit != 0).then_some(value));
     let orbit = Frequency::from_arguments(omega0, omega2, length, gravity)
         .and_then(|frequency| Orbit::new(theta0, velocity0, frequency));
     made(&ORBITS, orbit)
@@ -160,7 +161,8 @@ pub extern "C" fn orbit_energies(orbit: u32, rows: usize) {
     ask(&ORBITS, orbit, |orbit| {
         with_columns(|[theta, kinetic, potential, .., velocity]| {
             for (row, velocity) in velocity.iter().enumerate().take(rows) {
-                (kinetic[row], potential[row]) = (orbit.kinetic_energy(*velocity), orbit.potential_energy(theta[row]));
+                (kinetic[row], potential[row]) =
+                    (orbit.kinetic_energy(*velocity), orbit.potential_energy(theta[row]));
             }
         });
     });
@@ -194,7 +196,8 @@ pub extern "C" fn orbit_times(orbit: u32, theta: f64, start: f64, stop: f64) -> 
 /// The first time from one on at which an angle is passed, as a list of one or none.
 #[unsafe(no_mangle)]
 pub extern "C" fn orbit_next_time(orbit: u32, theta: f64, after: f64) -> i32 {
-    let next = |orbit: &mut Orbit| listed(orbit.next_time(theta, after).map(|time| time.into_iter().collect()));
+    let next =
+        |orbit: &mut Orbit| listed(orbit.next_time(theta, after).map(|time| time.into_iter().collect()));
     ask(&ORBITS, orbit, next).unwrap_or(0)
 }
 
@@ -235,7 +238,8 @@ pub extern "C" fn registry(kind: u32) -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn angle_new(orbit: u32) -> u32 {
     let formula = with_text(AngleFormula::named);
-    let made_for = |orbit: &mut Orbit| made(&ANGLE_APPROXIMATIONS, formula.and_then(|formula| formula.of(orbit)));
+    let made_for =
+        |orbit: &mut Orbit| made(&ANGLE_APPROXIMATIONS, formula.and_then(|formula| formula.of(orbit)));
     ask(&ORBITS, orbit, made_for).unwrap_or(0)
 }
 
@@ -272,7 +276,8 @@ pub extern "C" fn angle_period(approximation: u32) -> f64 {
 /// Column 0: the largest difference over some periods, when it is reached, since when there is no value.
 #[unsafe(no_mangle)]
 pub extern "C" fn angle_largest_error(approximation: u32, periods: f64) -> u32 {
-    let found = ask(&ANGLE_APPROXIMATIONS, approximation, |approximation| approximation.largest_error(periods));
+    let found =
+        ask(&ANGLE_APPROXIMATIONS, approximation, |approximation| approximation.largest_error(periods));
     match found {
         None => 0,
         Some(Err(domain)) => (refuse(&domain), 0).1,
@@ -326,7 +331,8 @@ pub extern "C" fn period_ranges(bound: f64) -> i32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn numerical_new(orbit: u32, step: f64, until: f64) -> u32 {
     let formula = with_text(|name| NumericalFormula::named(name, (!step.is_nan()).then_some(step)));
-    let solved = |orbit: &mut Orbit| made(&NUMERICAL_SOLUTIONS, formula.and_then(|formula| formula.of(orbit, until)));
+    let solved =
+        |orbit: &mut Orbit| made(&NUMERICAL_SOLUTIONS, formula.and_then(|formula| formula.of(orbit, until)));
     ask(&ORBITS, orbit, solved).unwrap_or(0)
 }
 

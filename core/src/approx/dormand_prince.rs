@@ -25,18 +25,10 @@ const STAGES: [&[f64]; 5] = [
     &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
 ];
 /// The state of order 5.
-const WEIGHTS: [f64; 6] =
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
+const WEIGHTS: [f64; 6] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
 /// Less the state of order 4.
-const ERROR: [f64; 7] = [
-    -71.0 / 57600.0,
-    0.0,
-    71.0 / 16695.0,
-    -71.0 / 1920.0,
-    17253.0 / 339_200.0,
-    -22.0 / 525.0,
-    1.0 / 40.0,
-];
+const ERROR: [f64; 7] =
+    [-71.0 / 57600.0, 0.0, 71.0 / 16695.0, -71.0 / 1920.0, 17253.0 / 339_200.0, -22.0 / 525.0, 1.0 / 40.0];
 /// The interpolant of order 4: the powers 1 to 4 of the part of a step, by slopes.
 const INTERPOLANT: [[f64; 4]; 7] = [
     [
@@ -64,12 +56,7 @@ const INTERPOLANT: [[f64; 4]; 7] = [
         -318_862_633_887.0 / 49_829_197_408.0,
         701_980_252_875.0 / 199_316_789_632.0,
     ],
-    [
-        0.0,
-        -282_668_133.0 / 205_662_961.0,
-        2_019_193_451.0 / 616_988_883.0,
-        -1_453_857_185.0 / 822_651_844.0,
-    ],
+    [0.0, -282_668_133.0 / 205_662_961.0, 2_019_193_451.0 / 616_988_883.0, -1_453_857_185.0 / 822_651_844.0],
     [0.0, 40_617_522.0 / 29_380_423.0, -110_615_467.0 / 29_380_423.0, 69_997_945.0 / 29_380_423.0],
 ];
 
@@ -143,9 +130,8 @@ impl DormandPrince {
                     t: self.t,
                     h,
                     start: self.state,
-                    slopes: [0, 1, 2, 3].map(|power| {
-                        weighted(&INTERPOLANT.map(|weights| weights[power]), &slopes.0)
-                    }),
+                    slopes: [0, 1, 2, 3]
+                        .map(|power| weighted(&INTERPOLANT.map(|weights| weights[power]), &slopes.0)),
                 };
                 self.h = h * if rejected { factor.min(1.0) } else { factor };
                 (self.t, self.state, self.slope) = (end, state, slopes.0[6]);
@@ -198,11 +184,8 @@ fn first_step(state: State, slope: State, omega2: f64, until: f64) -> f64 {
     let h = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 } else { 0.01 * d0 / d1 }.min(until);
     let next = state.along(slope, h).slope(omega2);
     let d2 = scaled(State(next.0 - slope.0, next.1 - slope.1), scale) / h;
-    let longer = if d1 <= 1e-15 && d2 <= 1e-15 {
-        f64::max(1e-6, h * 1e-3)
-    } else {
-        fifth_root(0.01 / d1.max(d2))
-    };
+    let longer =
+        if d1 <= 1e-15 && d2 <= 1e-15 { f64::max(1e-6, h * 1e-3) } else { fifth_root(0.01 / d1.max(d2)) };
     (100.0 * h).min(longer).min(until)
 }
 

@@ -137,7 +137,11 @@ impl Named {
             None => (wanted, None),
         };
         let Some(Row { entry, rule }) = table.iter().find(|row| row.entry.name == name) else {
-            return Err(Domain::new(kind, shown(wanted), format!("one of {}", by_nearness(table.iter().map(|row| &row.entry).collect(), name))));
+            return Err(Domain::new(
+                kind,
+                shown(wanted),
+                format!("one of {}", by_nearness(table.iter().map(|row| &row.entry).collect(), name)),
+            ));
         };
         let n = order.and_then(whole);
         match (entry.orders, order, n) {

@@ -82,13 +82,19 @@ impl NumericalFormula {
     pub fn named(name: &str, h: Option<f64>) -> Result<NumericalFormula, Domain> {
         let (named, &rule) = Named::find("numerical solution", TABLE, name)?;
         let h = match (rule, h) {
-            (Rule::Fixed(_), Some(h)) => Domain::check("step", h, h > 0.0 && h.is_finite(), "finite and positive, in s")?,
+            (Rule::Fixed(_), Some(h)) => {
+                Domain::check("step", h, h > 0.0 && h.is_finite(), "finite and positive, in s")?
+            }
             (Rule::Adaptive, None) => f64::NAN,
             (Rule::Fixed(_), None) => {
                 return Err(Domain::new("step", "none".into(), format!("given in s for {name}")));
             }
             (Rule::Adaptive, Some(h)) => {
-                return Err(Domain::new("step", format!("{h:?}"), format!("left out for {name}, which chooses its own")));
+                return Err(Domain::new(
+                    "step",
+                    format!("{h:?}"),
+                    format!("left out for {name}, which chooses its own"),
+                ));
             }
         };
         Ok(NumericalFormula { named, rule, h })
@@ -259,7 +265,8 @@ fn between(states: &[State], h: f64, t: f64) -> State {
     let last = states.len().saturating_sub(2);
     let before = ((t / h) as usize).min(last);
     let part = t / h - before as f64;
-    let (State(a, velocity_a), State(b, velocity_b)) = (states[before], states[(before + 1).min(states.len() - 1)]);
+    let (State(a, velocity_a), State(b, velocity_b)) =
+        (states[before], states[(before + 1).min(states.len() - 1)]);
     let (slope_a, slope_b) = (h * velocity_a, h * velocity_b);
     let (bend, twist) = (3.0 * (b - a) - 2.0 * slope_a - slope_b, 2.0 * (a - b) + slope_a + slope_b);
     let theta = a + part * (slope_a + part * (bend + part * twist));
@@ -284,7 +291,8 @@ mod tests {
     fn error(name: &str, h: f64) -> f64 {
         let orbit = orbit(2.0, 0.0);
         let solution = solution(name, Some(h), &orbit, 3.0);
-        let far = |i| solution.end_of_step(i).map_or(f64::NAN, |(t, theta, _)| (theta - orbit.theta(t)).abs());
+        let far =
+            |i| solution.end_of_step(i).map_or(f64::NAN, |(t, theta, _)| (theta - orbit.theta(t)).abs());
         (0..=solution.count()).map(far).fold(0.0, f64::max)
     }
 
@@ -309,7 +317,10 @@ mod tests {
                     continue;
                 }
                 let motion = solution.motion(t);
-                assert!((motion.0 - theta).abs() < 1e-14 && (motion.1 - velocity).abs() < 1e-13, "{name} {i}");
+                assert!(
+                    (motion.0 - theta).abs() < 1e-14 && (motion.1 - velocity).abs() < 1e-13,
+                    "{name} {i}"
+                );
             }
             let far = |t: f64| (solution.motion(t).0 - orbit.theta(t)).abs();
             let worst = (0..1000).map(|i| far(0.01 * f64::from(i))).fold(0.0, f64::max);
@@ -356,7 +367,10 @@ mod tests {
         );
         assert_eq!(refused("rk4", None), "step = none: must be given in s for rk4");
         assert_eq!(refused("rk4", Some(0.0)), "step = 0.0: must be finite and positive, in s");
-        assert_eq!(refused("rk45", Some(0.1)), "step = 0.1: must be left out for rk45, which chooses its own");
+        assert_eq!(
+            refused("rk45", Some(0.1)),
+            "step = 0.1: must be left out for rk45, which chooses its own"
+        );
         let euler = NumericalFormula::named("euler", Some(1e-9)).unwrap();
         let said = euler.of(&orbit(1.0, 0.0), 10.0).unwrap_err().to_string();
         assert_eq!(said, "steps = 10000000000: must be at most 5000000");

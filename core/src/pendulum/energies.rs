@@ -70,9 +70,13 @@ mod tests {
 
     #[test]
     fn both_energies_of_a_motion_add_up() {
-        for (theta0, velocity0, omega2) in
-            [(3.0, 0.0, 9.8), (0.1, 7.0, 2.0), (1e-8, 0.0, 1.0), (2.0, 0.3, -4.0), (179.999f64.to_radians(), 0.0, 1.0)]
-        {
+        for (theta0, velocity0, omega2) in [
+            (3.0, 0.0, 9.8),
+            (0.1, 7.0, 2.0),
+            (1e-8, 0.0, 1.0),
+            (2.0, 0.3, -4.0),
+            (179.999f64.to_radians(), 0.0, 1.0),
+        ] {
             let orbit = orbit(theta0, velocity0, omega2);
             for i in 0..1000 {
                 let (theta, velocity) = orbit.motion(10.0 * orbit.period() * f64::from(i));
@@ -89,7 +93,10 @@ mod tests {
         assert_eq!(orbit.potential_energy(0.0), 0.0);
         assert_eq!(orbit.potential_energy(core::f64::consts::PI), 2.0);
         // pi less its double.
-        assert!((orbit.separatrix_velocity(core::f64::consts::PI) / 1.224_646_799_147_353_2e-16 - 1.0).abs() < 1e-15);
+        assert!(
+            (orbit.separatrix_velocity(core::f64::consts::PI) / 1.224_646_799_147_353_2e-16 - 1.0).abs()
+                < 1e-15
+        );
         assert!(orbit.potential_energy(f64::INFINITY).is_nan());
         let free = Orbit::new(1.0, 1.0, Frequency::from_omega0(0.0).unwrap()).unwrap();
         assert_eq!((free.potential_energy(1.0), free.separatrix_velocity(1.0)), (0.0, 0.0));

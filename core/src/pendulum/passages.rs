@@ -245,7 +245,8 @@ impl Orbit {
     /// ```
     pub fn next_time(&self, theta: f64, after: f64) -> Result<Option<f64>, Domain> {
         // A libration passes every angle that it reaches within a period; the other motions pass it once.
-        let longest = if matches!(self.solution, Solution::Libration(_)) { 1.5 * self.period() } else { f64::MAX };
+        let longest =
+            if matches!(self.solution, Solution::Libration(_)) { 1.5 * self.period() } else { f64::MAX };
         Ok(self.times(theta, after, after + longest)?.first().copied())
     }
 
