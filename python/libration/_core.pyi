@@ -10,6 +10,7 @@ __all__ = [
     "DampedPendulum",
     "Duffing",
     "DuffingForm",
+    "NumericalSolution",
     "Orbit",
     "PeriodFormula",
     "Record",
@@ -129,7 +130,6 @@ __all__ = [
     "jacobi_zeta_k",
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
-    "march",
     "nc_k",
     "nc_m",
     "nc_mc",
@@ -568,10 +568,15 @@ def duffing_of_pendulum(
     gravity: float | None = None,
 ) -> tuple[float, float, float, float]: ...
 def pendulum_of_duffing(duffing: Duffing) -> tuple[float, float, float, float] | None: ...
-def march(
-    scheme: str, start: tuple[float, float], omega2: float, step: float, count: int
-) -> tuple[np.ndarray, np.ndarray]: ...
-def schemes() -> list[tuple[str, str, str]]: ...
+def schemes() -> list[tuple[str, str, str, bool]]: ...
+
+@final
+class NumericalSolution:
+    def __new__(cls, scheme: str, step: float | None, orbit: Orbit, until: float) -> NumericalSolution: ...
+    def theta(self, t: np.ndarray) -> np.ndarray: ...
+    def steps(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]: ...
+    @property
+    def over_the_top(self) -> float: ...
 
 @final
 class Record:
