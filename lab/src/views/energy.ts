@@ -1,0 +1,170 @@
+// The energy over time: of step-by-step solutions the total, which drifts; else its two parts and their sum.
+
+import { html, nothing, type TemplateResult } from 'lit-html'
+import { switches } from '../controls/parts'
+import { extent } from '../draw/curve'
+import { type Line, plot } from '../draw/plot'
+import { linearScale, roundTicks, tickDecimals } from '../draw/scale'
+import { type Study, showsTotal } from '../study'
+import { chart, type PlotSize } from './chart'
+import { curveName } from './compare'
+import type { Live } from './page'
+import type { Column } from './table'
+import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
+
+/** Per cent of the energy at the top. */
+const FACTOR = 100
+
+function lines(page: Live, study: Study, total: boolean): Line[] {
+  const x = study.times
+  const { pointed } = page.session
+  const exact: Line = { x, y: study.energy.total, clothes: 'c-exact', factor: FACTOR, faded: pointed !== null }
+  if (!total) {
+    return [
+      { x, y: study.energy.potential, clothes: 'c-potential', factor: FACTOR },
+      { x, y: study.energy.kinetic, clothes: 'c-kinetic', factor: FACTOR },
+      exact,
+    ]
+  }
+  const others = study.shown.map(
+    (drawn): Line => ({
+      x,
+      y: drawn.energy,
+      clothes: drawn.clothes,
+      factor: FACTOR,
+      faded: pointed !== null && pointed !== drawn.key,
+    }),
+  )
+  return [exact, ...numericalOnly(study, others)]
+}
+
+/** The energy of a formula that is not a motion says nothing: only of solutions that step. */
+function numericalOnly<T>(study: Study, all: readonly T[]): T[] {
+  return all.filter((_, i) => study.shown[i]?.numerical)
+}
+
+function domain(study: Study, total: boolean): [number, number] {
+  if (!total) {
+    const [, high] = extent(study.energy.total)
+    return [0, 1.12 * FACTOR * Math.max(high, 1e-9)]
+  }
+  let [low, high] = extent(study.energy.total)
+  for (const { energy, numerical } of study.shown) {
+    if (!numerical) continue
+    const [a, b] = extent(energy)
+    low = Math.min(low, a)
+    high = Math.max(high, b)
+  }
+  const middle = study.motion.energyRatio
+  const least = Math.max(1e-6 * Math.max(middle, 1e-9), high - low)
+  // Fitted to the drift; a drift of many times the energy leaves the plot with a mark.
+  const top = Math.min(high, middle + 4 * Math.max(middle, 0.05))
+  return [FACTOR * (low - 0.25 * least), FACTOR * (top + 0.25 * least)]
+}
+
+function draw(page: Live, study: Study, total: boolean, size: PlotSize): TemplateResult {
+  const { words, t, session } = page
+  const { height, rem } = size
+  const ends = domain(study, total)
+  const sy = linearScale(ends, [height, 0])
+  const values = roundTicks(ends[0], ends[1], Math.max(2, Math.floor(height / (1.25 * rem))))
+  const decimals = tickDecimals(values)
+  const { plots } = words.say
+  const near = ends[0] < 100 && ends[1] > 100
+  const labels = near
+    ? [{ x: size.width - 0.25 * rem, y: sy(100) - 0.3 * rem, text: plots.top, anchor: 'end' as const }]
+    : []
+  return plot(
+    {
+      ...size,
+      sx: timeScale(study.window, size),
+      sy,
+      xs: timeTicks(words, study.window, size),
+      ys: values.map((value) => ({ value, text: words.fixed(value, decimals) })),
+      xLabels: true,
+      lines: lines(page, study, total),
+      levels: near ? [100] : [],
+      labels,
+      verticals: periodVerticals(page, study, periodMarks(study)).map(({ x }) => ({ x, text: '' })),
+      now: t,
+    },
+    [study, total, sy.key, words, session.pointed],
+  )
+}
+
+function columns(page: Live, study: Study, total: boolean): Column[] {
+  const { words } = page
+  const { plots, compare } = words.say
+  const column = (title: string, values: Float64Array): Column => ({ title, values, factor: FACTOR, decimals: 4 })
+  if (!total) {
+    return [
+      column(plots.kinetic, study.energy.kinetic),
+      column(plots.potential, study.energy.potential),
+      column(plots.sum, study.energy.total),
+    ]
+  }
+  const stepping = study.shown.filter(({ numerical }) => numerical)
+  return [
+    column(compare.exact, study.energy.total),
+    ...stepping.map((drawn) => column(curveName(page, drawn.curve), drawn.energy)),
+  ]
+}
+
+function caption(page: Live, study: Study): string {
+  const { words } = page
+  const { plots } = words.say
+  const percent = (part: number) => words.percent(100 * part, 4)
+  const exact = words.fill(plots.captionEnergy, { energy: percent(study.motion.energyRatio) })
+  const drifts = study.shown
+    .filter(({ numerical }) => numerical)
+    .map(({ curve, energy }) => {
+      const [low, high] = extent(energy)
+      return words.fill(plots.captionDrift, { name: curveName(page, curve), least: percent(low), most: percent(high) })
+    })
+  return [exact, ...drifts].join(' ')
+}
+
+export function energyChart(page: Live, study: Study): TemplateResult {
+  const { words, state, store } = page
+  const { plots } = words.say
+  const total = showsTotal(state, study)
+  const values = total
+    ? (study.shown.find(({ numerical }) => numerical)?.energy ?? study.energy.total)
+    : study.energy.kinetic
+  const key = html`<span class="parts-key" aria-hidden="true"><i class="kinetic"></i>${plots.kinetic} <i class="potential"></i>${plots.potential}</span>`
+  return chart(page, {
+    key: 'energy',
+    className: 'third-chart',
+    title: total ? plots.totalTitle : plots.partsTitle,
+    unit: plots.energyUnit,
+    name: total ? plots.totalTitle : plots.partsTitle,
+    height: 4.25,
+    xLabels: true,
+    switches: html`${total ? nothing : key}${switches(
+      plots.shows,
+      [
+        { value: 'total' as const, text: plots.total },
+        { value: 'parts' as const, text: plots.parts },
+      ],
+      total ? 'total' : 'parts',
+      (energy) => store.set({ energy }),
+    )}`,
+    draw: (size) => draw(page, study, total, size),
+    caption: caption(page, study),
+    spoken: `${timeText(words, page.t)}. ${caption(page, study)}`,
+    window: study.window,
+    table: () => ({
+      caption: words.fill(words.say.table.caption, {
+        plot: total ? plots.totalTitle : plots.partsTitle,
+        unit: plots.energyUnit,
+      }),
+      file: 'energy',
+      first: { title: words.say.table.time, values: study.times, factor: 1, decimals: 3 },
+      columns: columns(page, study, total),
+    }),
+    sound: () => {
+      const [low, high] = extent(values)
+      return { values, low, high }
+    },
+  })
+}
