@@ -19,7 +19,11 @@ function files(folder) {
 
 const all = files(DIST).map((path) => {
   const bytes = readFileSync(path)
-  return { name: path.slice(DIST.length), bytes: bytes.length, gzipped: /\.woff2$/.test(path) ? bytes.length : gzipSync(bytes, { level: 9 }).length }
+  return {
+    name: path.slice(DIST.length),
+    bytes: bytes.length,
+    gzipped: /\.woff2$/.test(path) ? bytes.length : gzipSync(bytes, { level: 9 }).length,
+  }
 })
 /** @type {string[]} */
 const failures = []
@@ -29,7 +33,8 @@ const cores = all.filter(({ name }) => name.endsWith('.wasm'))
 const first = all.filter(({ name }) => name !== 'offline.html' && !name.endsWith('.wasm'))
 const core = Math.max(...cores.map(({ gzipped }) => gzipped))
 const load = first.reduce((sum, { gzipped }) => sum + gzipped, 0) + core
-for (const { name, bytes, gzipped } of all) console.log(`${name.padEnd(48)} ${String(bytes).padStart(8)} ${String(gzipped).padStart(8)}`)
+for (const { name, bytes, gzipped } of all)
+  console.log(`${name.padEnd(48)} ${String(bytes).padStart(8)} ${String(gzipped).padStart(8)}`)
 console.log(`first load ${load} bytes of ${FIRST_LOAD}`)
 if (cores.length !== 2) failures.push(`two modules of the core are expected, there are ${cores.length}`)
 if (!(load <= FIRST_LOAD)) failures.push(`the first load is ${load} bytes gzipped, allowed are ${FIRST_LOAD}`)
@@ -43,7 +48,9 @@ else {
 
 for (const { name } of all.filter((each) => /\.(html|css|js)$/.test(each.name))) {
   const text = readFileSync(join(DIST, name), 'utf8')
-  const asked = [...text.matchAll(/(?:src|href)="(?!data:|#)([^"]*)"|url\((?!["']?(?:data:|#))([^)]*)\)/g)].map((match) => match[1] ?? match[2] ?? '')
+  const asked = [...text.matchAll(/(?:src|href)="(?!data:|#)([^"]*)"|url\((?!["']?(?:data:|#))([^)]*)\)/g)].map(
+    (match) => match[1] ?? match[2] ?? '',
+  )
   for (const address of asked) {
     const outside = /^(?:https?:)?\/\//.test(address) || address.startsWith('/')
     const own = name === 'offline.html' && address !== 'offline.html'

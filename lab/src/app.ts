@@ -102,7 +102,7 @@ export class App {
       const page = this.page()
       if (this.store.clock.playing || !isLive(page)) return
       const view = this.views.find(({ name }) => name === page.state.view)
-      const next = view?.sentence(page) ?? ''
+      const next = view ? `${view.sentence(page)} ${view.alarm?.(page) ?? ''}`.trim() : ''
       if (next === this.#spoken) return
       this.#spoken = next
       this.schedule()

@@ -108,7 +108,8 @@ describe('numbers', () => {
       '0.000300',
       '0',
     ])
-    expect(words.significant(1.234e-9)).toBe('1.23 × 10⁻⁹')
+    expect(words.significant(1.234e-9)).toBe('1.23\u00a0×\u00a010^{−9}')
+    expect(plain(words.significant(1.234e-9))).toBe('1.23\u00a0×\u00a010⁻⁹')
   })
 
   it('functions by their names', () => {

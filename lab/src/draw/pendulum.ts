@@ -74,12 +74,15 @@ function column({ kinetic, potential, words }: PendulumSpec): TemplateResult {
   const right = COLUMN.x + COLUMN.width
   const room = bob - level > 18
   const over = total > 1.0005
+  // Not onto the 90° of the protractor, which stands to its left.
+  const at = Math.max(level, TOP) + 16
+  const named = at > CENTRE.y - 14 && at < CENTRE.y + 20 ? CENTRE.y + 22 : at
   return svg`
     <rect class="column" x=${COLUMN.x} y=${TOP} width=${COLUMN.width} height=${2 * LENGTH}/>
     <rect class="potential" x=${COLUMN.x} y=${n(bob)} width=${COLUMN.width} height=${n(LOW - bob)}/>
     <rect class="kinetic" x=${COLUMN.x} y=${n(level)} width=${COLUMN.width} height=${n(Math.max(bob - level, 0))}/>
     ${over ? svg`<path class="kinetic" d="M${COLUMN.x} ${TOP - 1}h${COLUMN.width}l${-COLUMN.width / 2} -7z"/>` : nothing}
-    ${room ? svg`<text x=${COLUMN.x - 5} y=${n(Math.max(level, TOP) + 16)} text-anchor="end">${words.kinetic}</text>` : nothing}
+    ${room ? svg`<text x=${COLUMN.x - 5} y=${n(named)} text-anchor="end">${words.kinetic}</text>` : nothing}
     ${LOW - bob > 18 ? svg`<text x=${COLUMN.x - 5} y=${LOW - 4} text-anchor="end">${words.potential}</text>` : nothing}
     <text x=${right} y=${TOP - (over ? 14 : 6)} text-anchor="end">${over ? words.more : words.energy}</text>`
 }
@@ -108,7 +111,7 @@ export function pendulum(spec: PendulumSpec): TemplateResult {
         : svg`<circle class="reach" cx=${CENTRE.x} cy=${CENTRE.y} r=${LENGTH}/>`
     }
     <path class="plumb" d="M${CENTRE.x} ${CENTRE.y}V${LOW}"/>
-    ${wide ? svg`<path class="angle-arc" d=${arc(0, turned, 30)}/><text class="symbol" x=${n(middle.x)} y=${n(middle.y + 5)} text-anchor="middle">θ</text>` : nothing}
+    ${wide ? svg`<path class="angle-arc" d=${arc(0, turned, 30)}/><text visibility=${Math.abs(turned) > 0.4 ? 'visible' : 'hidden'} class="symbol" x=${n(middle.x)} y=${n(middle.y + 5)} text-anchor="middle">θ</text>` : nothing}
     ${within && reach > 0.02 ? svg`<path class="level" d="M${n(from.x)} ${n(level)}H${COLUMN.x + COLUMN.width}"/>` : nothing}
     ${column(spec)}
     ${ghosts.map(({ clothes, angle: other, faded }) => {

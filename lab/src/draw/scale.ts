@@ -88,6 +88,6 @@ export function symmetricLogTicks(unit: number, high: number, most: number): num
 
 /** Decimals with which the numbers of an axis differ. */
 export function tickDecimals(values: readonly number[]): number {
-  const text = (value: number) => String(Number(value.toPrecision(6)))
+  const text = (value: number) => String(Number(value.toPrecision(12)))
   return Math.max(0, ...values.map((value) => text(value).split('e')[0]?.split('.')[1]?.length ?? 0))
 }

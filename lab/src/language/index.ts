@@ -67,9 +67,7 @@ export class Words {
     if (!Number.isFinite(value)) return this.fixed(value, 0)
     const size = Math.abs(Number(value.toPrecision(digits)))
     const exponent = Math.floor(Math.log10(size))
-    if (exponent < -4 || exponent > 5) {
-      return `${this.fixed(value / 10 ** exponent, digits - 1)} × 10${superscript(exponent)}`
-    }
+    if (exponent < -4 || exponent > 4) return this.#power(this.fixed(value / 10 ** exponent, digits - 1), exponent)
     return this.fixed(value, Math.max(digits - 1 - exponent, 0))
   }
 
@@ -77,7 +75,12 @@ export class Words {
   given(value: number): string {
     const [mantissa = '', exponent] = shortest(value).split('e')
     const text = mantissa.replace('-', '−').replace('.', this.decimal)
-    return exponent ? `${text} × 10${superscript(Number(exponent))}` : text
+    return exponent ? this.#power(text, Number(exponent)) : text
+  }
+
+  /** In the markup of rich.ts. */
+  #power(mantissa: string, exponent: number): string {
+    return `${mantissa}\u00a0×\u00a010^{${String(exponent).replace('-', '−')}}`
   }
 
   /** For a field, where what is shown can be typed again. */
@@ -92,6 +95,14 @@ export class Words {
   angle(radians: number, decimals?: number): string {
     const value = degrees(radians)
     return `${decimals === undefined ? this.given(value) : this.fixed(value, decimals)}°`
+  }
+
+  /** For a sentence: as given where that is short in degrees or in radians, else to a thousandth of a degree. */
+  shortAngle(radians: number): string {
+    const inDegrees = degrees(radians)
+    const few = (value: number) => Math.abs(value * 1000 - Math.round(value * 1000)) < 1e-9
+    if (!few(inDegrees) && few(radians)) return this.with(this.given(radians), 'rad')
+    return `${this.given(Number(inDegrees.toFixed(3)))}°`
   }
 
   /** With a space that does not break. */
@@ -109,8 +120,4 @@ export class Words {
       return (arc ?? '') + this.say.functionNames[name]
     })
   }
-}
-
-function superscript(value: number): string {
-  return String(value).replace(/[-0-9]/g, (sign) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(sign)] ?? sign)
 }

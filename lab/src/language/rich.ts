@@ -74,8 +74,16 @@ export function richSvg(text: string): TemplateResult {
 /** Without marks: for labels, titles, tables and speech. */
 export function plain(text: string): string {
   return pieces(text)
-    .map(({ kind, text: part }) => (kind === 'dotted' ? `${part}\u0307` : kind === 'bold' ? plain(part) : part))
+    .map(({ kind, text: part }) => {
+      if (kind === 'dotted') return `${part}\u0307`
+      if (kind === 'power') return superscript(part)
+      return kind === 'bold' ? plain(part) : part
+    })
     .join('')
+}
+
+function superscript(text: string): string {
+  return text.replace(/[−0-9]/g, (sign) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['−0123456789'.indexOf(sign)] ?? sign)
 }
 
 /** With {name} replaced. What is missing stays visible, so that a test finds it. */

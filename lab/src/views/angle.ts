@@ -45,7 +45,9 @@ function domainOf(study: Study, quantity: 'angle' | 'velocity'): [number, number
   const { of, factor } = quantities[quantity]
   const exact = quantity === 'angle' ? study.exact.theta : study.exact.velocity
   const others = study.shown.filter(({ curve }) => !['taylor', 'small-m', 'cubic'].includes(curve.name)).map(of)
-  const [low, high] = rangeOf(exact, others, factor, 0.02)
+  const { regime } = study.motion
+  if (regime === 'rest' && quantity === 'angle') return study.motion.balanced ? [-190, 190] : [-16, 16]
+  const [low, high] = rangeOf(exact, others, factor, regime === 'rest' ? 2 : 1e-6)
   // A whole circle to the eye: 150 and 170 degrees have the same axis.
   if (quantity === 'angle' && low > -191 && high < 191 && high - low > 200) return [-190, 190]
   if (quantity === 'angle' && low > -191 && high < 191 && low < 0 && high > 0) {
@@ -108,6 +110,16 @@ export function alarms({ motion, shown, window }: Study): { drawn: Drawn; t: num
     const t = drawn.solution.overTop
     return t >= window.from && t <= window.to ? [{ drawn, t }] : []
   })
+}
+
+export function alarmText(page: Live, study: Study): string {
+  const { words } = page
+  return alarms(study)
+    .map(({ drawn, t }) => {
+      const name = curveName(page, drawn.curve)
+      return `${words.fill(words.say.alarms.overTop, { name, t: timeText(words, t) })}.`
+    })
+    .join(' ')
 }
 
 function lines(page: Live, study: Study): Line[] {
@@ -223,12 +235,7 @@ export function angleChart(page: Live, study: Study): TemplateResult {
   const [low, high] = extent(values)
   const say = (value: number) =>
     angle ? words.angle(value, 1) : words.with(words.fixed(value, 2), words.say.units['rad/s'])
-  const found = alarms(study)
-  const alarm = found
-    .map(({ drawn, t }) =>
-      words.fill(words.say.alarms.overTop, { name: curveName(page, drawn.curve), t: timeText(words, t) }),
-    )
-    .join('. ')
+  const alarm = alarmText(page, study)
   const caption = words.fill(angle ? plots.captionAngle : plots.captionVelocity, {
     from: timeText(words, study.window.from),
     to: timeText(words, study.window.to),
@@ -253,7 +260,7 @@ export function angleChart(page: Live, study: Study): TemplateResult {
       (quantity) => store.set({ quantity }),
     ),
     draw: (size) => draw(page, study, size),
-    caption: alarm === '' ? caption : `${caption} ${alarm}.`,
+    caption: `${caption} ${alarm}`.trim(),
     spoken: spoken(page, study),
     window: study.window,
     table: () => tableOf(page, study),

@@ -119,10 +119,10 @@ export function bench(page: Live, ghosts: readonly Ghost[]): TemplateResult {
 export function motionSentence({ motion, state, words }: Live): string {
   const say = words.say.sentence
   const { regime, period, smallPeriod, thetaMax } = motion
-  const angle = words.angle(state.theta0)
-  const velocity = words.with(words.given(state.velocity0), words.say.units['rad/s'])
+  const angle = words.shortAngle(state.theta0)
+  const velocity = words.with(words.given(Number(state.velocity0.toPrecision(5))), words.say.units['rad/s'])
   const time = words.with(words.fixed(period, 3), words.say.units.s)
-  if (regime === 'rest') return Math.abs(state.theta0) > 3 ? say.balance : words.fill(say.rest, { angle })
+  if (regime === 'rest') return motion.balanced ? say.balance : words.fill(say.rest, { angle })
   if (regime === 'separatrix') return words.fill(say.separatrix, { angle, velocity })
   if (regime === 'rotation') return words.fill(say.rotates, { angle, velocity, period: time })
   const excess = 100 * (period / smallPeriod - 1)

@@ -48,7 +48,7 @@ function stepper(page: Live, curve: Curve): TemplateResult | typeof nothing {
     store.set({ curves: state.curves.map((each) => (each === curve ? next : each)) })
   }
   const [less, more] = argument.of === 'order' ? [compare.fewer, compare.moreTerms] : [compare.shorter, compare.longer]
-  return html`<span class="stepper"><button type="button" aria-label=${words.fill(less, { name })} @click=${() => change(false)}>−</button><span class="count">${words.given(curve.argument)}${argument.of === 'step' ? html`<span class="soft">\u00a0${words.say.units.s}</span>` : nothing}</span><button type="button" aria-label=${words.fill(more, { name })} @click=${() => change(true)}>+</button></span>`
+  return html`<span class="stepper"><button type="button" aria-label=${words.fill(less, { name })} @click=${() => change(false)}>−</button><span class="count">${words.given(curve.argument)}</span><button type="button" aria-label=${words.fill(more, { name })} @click=${() => change(true)}>+</button></span>`
 }
 
 /** The largest error, or the word for why there is none. */
@@ -95,11 +95,11 @@ function row(page: Live, study: Study, each: Row): TemplateResult {
   }
   return html`<li class="row ${curve.on && refused === null ? '' : 'off'} ${session.pointed === key ? 'pointed' : ''}"
     @pointerenter=${() => curve.on && store.setSession({ pointed: key })} @pointerleave=${() => store.setSession({ pointed: null })}>
-    <input type="checkbox" id="curve-${key}" .checked=${curve.on} ?disabled=${refused !== null || full} aria-label="${name}: ${value}. ${plain(text)}" title=${full ? words.say.compare.full : nothing}
+    <input type="checkbox" id="curve-${key}" .checked=${curve.on} ?disabled=${refused !== null || full} aria-label="${name}: ${plain(value)}. ${plain(text)}" title=${full ? words.say.compare.full : nothing}
       @change=${toggle} @keydown=${remove} @focus=${() => curve.on && store.setSession({ pointed: key })} @blur=${() => store.setSession({ pointed: null })}>
     ${sample(clothes, true)}
     <span class="name"><span>${rich(words.say.curves[curve.name].name)}</span>${stepper(page, curve)}<small>${rich(text)}</small></span>
-    <span class="result">${value}</span>
+    <span class="result">${rich(value)}</span>
     <button type="button" class="icon remove" aria-label=${words.fill(words.say.compare.remove, { name })} title=${words.fill(words.say.compare.remove, { name })}
       @click=${() => store.set({ curves: state.curves.filter((one) => one !== curve) })}>${icon('close')}</button>
   </li>`
@@ -122,7 +122,7 @@ function addMenu(page: Live): TemplateResult {
     name: words.say.compare.add,
     open: session.menu === 'add',
     toggle: (open) => store.setSession({ menu: open ? 'add' : null }),
-    up: true,
+    up: state.curves.length > 4,
     items: missingCurves(state.curves).map((name) => ({
       text: words.say.curves[name].name,
       note: words.formula(words.say.curves[name].what),

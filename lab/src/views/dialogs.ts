@@ -25,7 +25,10 @@ function dialog(page: Page, key: string, title: string, body: TemplateResult): T
   return html`${keyed(
     key,
     html`<dialog class="dialog" aria-labelledby="dialog-title" ${ref((element) => {
-      if (element instanceof HTMLDialogElement && !element.open) element.showModal()
+      // The element is in the page only after this render.
+      queueMicrotask(() => {
+        if (element instanceof HTMLDialogElement && element.isConnected && !element.open) element.showModal()
+      })
     })}
       @close=${() => closed(page)} @click=${(event: MouseEvent) => event.target === event.currentTarget && (event.currentTarget as HTMLDialogElement).close()}>
       <div class="dialog-body"><div class="head"><h2 id="dialog-title">${title}</h2>${iconButton(

@@ -14,6 +14,8 @@ import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './
 
 /** Per cent of the energy at the top. */
 const FACTOR = 100
+/** As a part of the energy at the top. */
+const LEAST_DRIFT = 2e-4
 
 function lines(page: Live, study: Study, total: boolean): Line[] {
   const x = study.times
@@ -56,7 +58,8 @@ function domain(study: Study, total: boolean): [number, number] {
     high = Math.max(high, b)
   }
   const middle = study.motion.energyRatio
-  const least = Math.max(1e-6 * Math.max(middle, 1e-9), high - low)
+  // A drift below a fiftieth of a per cent is flat: no axis is spent on it.
+  const least = Math.max(LEAST_DRIFT, high - low)
   // Fitted to the drift; a drift of many times the energy leaves the plot with a mark.
   const top = Math.min(high, middle + 4 * Math.max(middle, 0.05))
   return [FACTOR * (low - 0.25 * least), FACTOR * (top + 0.25 * least)]
@@ -72,7 +75,14 @@ function draw(page: Live, study: Study, total: boolean, size: PlotSize): Templat
   const { plots } = words.say
   const near = ends[0] < 100 && ends[1] > 100
   const labels = near
-    ? [{ x: size.width - 0.25 * rem, y: sy(100) - 0.3 * rem, text: plots.top, anchor: 'end' as const }]
+    ? [
+        {
+          x: size.width - 0.25 * rem,
+          y: sy(100) > 1.1 * rem ? sy(100) - 0.3 * rem : sy(100) + 0.9 * rem,
+          text: plots.top,
+          anchor: 'end' as const,
+        },
+      ]
     : []
   return plot(
     {
@@ -124,6 +134,10 @@ function caption(page: Live, study: Study): string {
   return [exact, ...drifts].join(' ')
 }
 
+function sample(clothes: string): TemplateResult {
+  return html`<svg viewBox="0 0 24 8"><path class="c ${clothes}" d="M0 4H24"/></svg>`
+}
+
 export function energyChart(page: Live, study: Study): TemplateResult {
   const { words, state, store } = page
   const { plots } = words.say
@@ -131,7 +145,7 @@ export function energyChart(page: Live, study: Study): TemplateResult {
   const values = total
     ? (study.shown.find(({ numerical }) => numerical)?.energy ?? study.energy.total)
     : study.energy.kinetic
-  const key = html`<span class="parts-key" aria-hidden="true"><i class="kinetic"></i>${plots.kinetic} <i class="potential"></i>${plots.potential}</span>`
+  const key = html`<span class="parts-key" aria-hidden="true">${sample('c-kinetic')}${plots.kinetic} ${sample('c-potential')}${plots.potential}</span>`
   return chart(page, {
     key: 'energy',
     className: 'third-chart',

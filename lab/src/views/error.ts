@@ -13,6 +13,7 @@ import {
   type Tick,
   tickDecimals,
 } from '../draw/scale'
+import type { Words } from '../language'
 import { remember } from '../memory'
 import { degrees } from '../number'
 import { errorFactor, inPercent, isLog, type Study } from '../study'
@@ -57,12 +58,19 @@ function scaleAndTicks(page: Live, axis: ErrorAxis, { height, rem }: PlotSize): 
     const end = 1.6 * axis.most
     const sy = symmetricLogScale(axis.unit, [-end, end], [height, 0])
     const values = symmetricLogTicks(axis.unit, end, room)
-    return { sy, ys: values.map((value) => ({ value, text: words.significant(value, 1) })) }
+    return { sy, ys: values.map((value) => ({ value, text: powerText(words, value) })) }
   }
   const values = roundTicks(-high, high, room)
   const decimals = tickDecimals(values)
   const sy = linearScale([-high, high], [height, 0])
   return { sy, ys: values.map((value) => ({ value, text: words.fixed(value, decimals) })) }
+}
+
+/** 100, 0.01, 10^{−6}: the label of a power of ten. */
+export function powerText(words: Words, value: number): string {
+  const exponent = Math.round(Math.log10(Math.abs(value)))
+  if (value === 0 || Math.abs(exponent) < 4) return words.significant(value, 1)
+  return `${value < 0 ? '−' : ''}10^{${String(exponent).replace('-', '−')}}`
 }
 
 const zeros = remember((count: number) => new Float64Array(count))
@@ -136,6 +144,22 @@ function emptyNote({ words, store }: Live): TemplateResult {
   return html`<p class="plot-note">${before}<button type="button" class="text-button" @click=${open}>${plots.emptyAdd}</button>${after}</p>`
 }
 
+/** Per cent of the amplitude or degrees; without an amplitude there is no choice. */
+function percentOrDegrees({ words, state, store }: Live, { motion }: Study): TemplateResult | typeof nothing {
+  if (motion.regime !== 'libration') return nothing
+  const { plots } = words.say
+  return switches(
+    plots.unit,
+    [
+      { value: 'percent' as const, text: '%', name: plots.percentName },
+      { value: 'degrees' as const, text: '°', name: plots.degreesName },
+    ],
+    state.errorUnit,
+    (errorUnit) => store.set({ errorUnit }),
+    'units',
+  )
+}
+
 export function errorChart(page: Live, study: Study): TemplateResult {
   const { words, state, store } = page
   const { plots } = words.say
@@ -153,7 +177,7 @@ export function errorChart(page: Live, study: Study): TemplateResult {
     name: plots.error,
     height: 8.25,
     xLabels: false,
-    switches: switches(
+    switches: html`${percentOrDegrees(page, study)}${switches(
       plots.axis,
       [
         { value: 'log' as const, text: plots.log },
@@ -161,7 +185,7 @@ export function errorChart(page: Live, study: Study): TemplateResult {
       ],
       axis.log ? 'log' : 'linear',
       (errorAxis) => store.set({ errorAxis }),
-    ),
+    )}`,
     draw: (size) => draw(page, study, size),
     caption: caption(page, study, axis, percent),
     spoken: caption(page, study, axis, percent),

@@ -1,11 +1,22 @@
 // What is wrong with a link, in the words of the language: key, value, range, what is used instead.
 
 import type { Words } from '../language'
-import { DEFAULTS, type Fault, RANGES } from '../state'
+import { DEFAULTS, type Fault, RANGES, type RangeName } from '../state'
 import { quantityText } from './page'
 
 /** Keys of the link by the names of the state. */
 const KEYS: Readonly<Record<string, string>> = { theta0: 'th0', velocity0: 'w0', length: 'L', gravity: 'g' }
+
+/** Names of the state by the keys of the link. */
+const NAMES: Readonly<Record<string, RangeName>> = {
+  th0: 'theta0',
+  w0: 'velocity0',
+  L: 'length',
+  g: 'gravity',
+  t: 't',
+  span: 'span',
+  speed: 'speed',
+}
 
 export function faultText(words: Words, fault: Fault): string {
   const say = words.say.linkFaults
@@ -44,6 +55,11 @@ export function faultText(words: Words, fault: Fault): string {
         name: fault.name,
         value: fault.value,
       })
+    case 'not-a-number': {
+      const name = NAMES[fault.name]
+      const kept = name ? quantityText(words, name, Number(DEFAULTS[name])) : usual
+      return words.fill(say['not-a-number'], { name: fault.name, value: fault.value, kept })
+    }
     default:
       return words.fill(say[fault.kind], { name: fault.name, value: fault.value, kept: usual })
   }

@@ -2,7 +2,7 @@
 
 import { html, type TemplateResult } from 'lit-html'
 import { rememberedStudy, type Study, spanOf, windowOf } from '../study'
-import { angleChart } from './angle'
+import { alarmText, angleChart } from './angle'
 import { bench } from './bench'
 import { compareList } from './compare'
 import { energyChart } from './energy'
@@ -18,6 +18,14 @@ export function studyOf({ motion, state, t }: Live): Study {
   return rememberedStudy(motion, state.curves, from, to)
 }
 
+/** What is wrong with a curve shown, for the screen reader. */
+export const labAlarm = (page: Live): string => alarmText(page, studyOf(page))
+
+/** A long list leaves the portrait less room, or none. */
+function crowding(rows: number): string {
+  return rows > 5 ? 'very-crowded' : rows > 4 ? 'crowded' : ''
+}
+
 export function lab(page: Live): TemplateResult {
   const study = studyOf(page)
   const { t, session } = page
@@ -28,6 +36,6 @@ export function lab(page: Live): TemplateResult {
   }))
   return html`<div class="columns">${bench(page, ghosts)}
     <div class="column middle">${angleChart(page, study)}${errorChart(page, study)}${energyChart(page, study)}${player(page, study.window, periodMarks(study), spanSwitch(page))}</div>
-    <div class="column right">${compareList(page, study)}${portraitChart(page)}</div>
+    <div class="column right ${crowding(study.rows.length)}">${compareList(page, study)}${portraitChart(page)}</div>
   </div>`
 }

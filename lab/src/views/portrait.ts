@@ -75,7 +75,8 @@ const orbitOf = remember((motion: Motion): Loop[] => {
 
 /** Greatest velocity of the axis: room for the faint curves and for the orbit. */
 export function velocityReach(motion: Motion): number {
-  return 1.02 * Math.sqrt(Math.max(2, motion.energyRatio * 1.1)) * motion.separatrixVelocity(0)
+  const [greatest = 1] = motion.levelVelocity(Float64Array.of(0), Math.max(2, 1.1 * motion.energyRatio))
+  return 1.02 * greatest
 }
 
 function draw(page: Live, width: number, height: number): TemplateResult {

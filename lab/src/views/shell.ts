@@ -15,6 +15,8 @@ import { isLive, type Live, type Page } from './page'
 export interface View {
   readonly name: ViewName
   readonly sentence: (page: Live) => string
+  /** What is spoken besides the sentence: alarms. */
+  readonly alarm?: (page: Live) => string
   readonly body: (page: Live) => TemplateResult
 }
 
@@ -141,7 +143,7 @@ export function shell(page: Page, views: readonly View[], waiting: Waiting, spok
   const view = views.find(({ name }) => name === state.view) ?? views[0]
   const live = isLive(page) && view ? page : null
   const sentence = live && view ? view.sentence(live) : words.say.sentence.waiting
-  return html`<svg class="definitions" aria-hidden="true"><defs><pattern id="hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V8" stroke="var(--edge)" stroke-width="1.5"/></pattern></defs></svg>
+  return html`<svg class="definitions" aria-hidden="true"><defs><pattern id="hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V8" stroke="var(--edge)" stroke-width="1" opacity="0.8"/></pattern></defs></svg>
     <a class="skip" href="#main" @click=${(event: Event) => {
       event.preventDefault()
       document.querySelector<HTMLElement>('.bob-handle, #main')?.focus()
