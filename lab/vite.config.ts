@@ -13,6 +13,7 @@ export default defineConfig(({ mode, command }) => {
   const offline = mode === 'offline'
   return {
     base: './',
+    publicDir: offline ? false : 'public',
     resolve: { alias: [{ find: /^libration\/(.*\.wasm)/, replacement: `${core}/$1` }] },
     server: { fs: { allow: ['..'] } },
     plugins: [stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],

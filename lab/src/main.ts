@@ -9,6 +9,7 @@ import './style/controls.css'
 import { App } from './app'
 import { readLink } from './link'
 import { openModel } from './model'
+import { keepForLater } from './second-visit'
 import { SOURCES } from './sources'
 import { VIEWS } from './views'
 
@@ -28,6 +29,7 @@ async function begin(): Promise<void> {
   try {
     if (typeof WebAssembly !== 'object') throw new Error('no-wasm')
     app.begin(await openModel(SOURCES))
+    void keepForLater()
   } catch (error) {
     document.getElementById('still')?.removeAttribute('hidden')
     app.wait({ slow: false, failed: error instanceof Error ? error.message : String(error) })

@@ -301,7 +301,7 @@ export class Model {
 }
 
 /** Loads the core: the module with vectors where the browser has them, else the scalar one. */
-export async function openModel(sources: Parameters<typeof load>[0]): Promise<Model> {
+export async function openModel(sources?: Parameters<typeof load>[0]): Promise<Model> {
   await load(sources)
   return new Model()
 }

@@ -55,6 +55,7 @@ export function playBar(spec: PlaySpec): TemplateResult {
     </div>
     <div class="short">${spec.field('short')}</div>
     <div class="options"><span class="steps">${spec.field('bar')}${iconButton(names.back, 'back', () => spec.onStep(-1))}${iconButton(names.on, 'step', () => spec.onStep(1))}</span>
-      ${spec.note ? html`<span class="soft note-line">${spec.note}</span>` : nothing}${spec.options}</div>
+      ${spec.options}</div>
+    ${spec.note ? html`<p class="soft note-line">${spec.note}</p>` : nothing}
   </div>`
 }

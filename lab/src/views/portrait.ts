@@ -1,14 +1,16 @@
 // The small phase portrait of the Lab: level curves, separatrix, the orbit and where it is.
 
-import { html, svg, type TemplateResult } from 'lit-html'
+import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { iconButton } from '../controls/parts'
 import { measured, sizeOf } from '../controls/size'
+import { dragging } from '../controls/slide'
 import { pathOf } from '../draw/curve'
 import { plot } from '../draw/plot'
 import { linearScale, roundTicks } from '../draw/scale'
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Motion } from '../model'
+import { radians } from '../number'
 import type { Live } from './page'
 
 const DEGREES = 180 / Math.PI
@@ -79,9 +81,37 @@ export function velocityReach(motion: Motion): number {
   return 1.02 * greatest
 }
 
+/** While a hand is on the portrait its axis stands still. */
+let heldReach: number | null = null
+
+/** Starts where the pointer is: whole degrees, twentieths of a radian per second. */
+function starting(page: Live, width: number, height: number) {
+  const { store } = page
+  return dragging({
+    begin: () => {
+      heldReach = velocityReach(page.motion)
+      store.setSession({ held: 'portrait' })
+    },
+    at: (x, y, element) => {
+      const box = element.getBoundingClientRect()
+      const reach = heldReach ?? velocityReach(page.motion)
+      const degree = Math.round(linearScale([-180, 180], [0, width]).invert(x - box.left))
+      const velocity = linearScale([-reach, reach], [height, 0]).invert(y - box.top)
+      const theta0 = radians(Math.min(180, Math.max(-180, degree)))
+      const velocity0 = Number((Math.round(Math.min(reach, Math.max(-reach, velocity)) * 20) / 20).toFixed(2))
+      store.clock.pause()
+      store.set({ theta0, velocity0, t: 0 })
+    },
+    end: () => {
+      heldReach = null
+      store.setSession({ held: null })
+    },
+  })
+}
+
 function draw(page: Live, width: number, height: number): TemplateResult {
   const { motion, words, t, rem } = page
-  const reach = velocityReach(motion)
+  const reach = heldReach ?? velocityReach(motion)
   const sx = linearScale([-180, 180], [0, width])
   const sy = linearScale([-reach, reach], [height, 0])
   const { faint, separatrix } = background(motion)
@@ -114,7 +144,7 @@ function draw(page: Live, width: number, height: number): TemplateResult {
       labels,
       under,
     },
-    [motion, words],
+    [motion, words, reach],
   )
   const x = sx(withinTurn(motion.theta(t)) * DEGREES)
   const y = sy(motion.velocity(t))
@@ -127,7 +157,7 @@ export function portraitChart(page: Live): TemplateResult {
   const size = sizeOf('portrait')
   return html`<figure class="chart portrait" aria-label=${portrait.title}>
     <div class="head"><h2>${portrait.title} <span class="unit">${rich(portrait.unit)}</span></h2>${iconButton(portrait.open, 'open', () => store.set({ view: 'phase' }))}</div>
-    <div class="plot with-x" style="--plot-height:12.5rem" ${measured('portrait')}>${size && size.width > 0 ? draw(page, size.width, size.height) : ''}</div>
+    <div class="plot with-x" style="--plot-height:12.5rem" ${measured('portrait')} @pointerdown=${size ? starting(page, size.width, size.height) : nothing}>${size && size.width > 0 ? draw(page, size.width, size.height) : ''}</div>
     <figcaption class="unseen">${plain(portrait.caption)}</figcaption>
   </figure>`
 }
