@@ -3,8 +3,8 @@
 import { createRequire } from 'node:module'
 import { dirname } from 'node:path'
 import { defineConfig } from 'vitest/config'
-import { oneFile } from './bundle/one-file'
-import { stillPage } from './bundle/still'
+import { oneFile } from './bundle/one-file.ts'
+import { stillPage } from './bundle/still.ts'
 
 /** Vite does not find files of a package's `exports` by a pattern once they have a query. */
 const core = dirname(createRequire(import.meta.url).resolve('libration/libration-simd.wasm'))
@@ -24,6 +24,11 @@ export default defineConfig(({ mode, command }) => {
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
+      rolldownOptions: {
+        // Asked for by the package in Node only.
+        external: ['node:fs/promises'],
+        output: offline ? { format: 'iife' } : {},
+      },
     },
     test: { include: ['tests/**/*.test.ts'] },
   }
