@@ -47,10 +47,7 @@ else {
 }
 
 for (const { name } of all.filter((each) => /\.(html|css)$/.test(each.name))) {
-  const text = readFileSync(join(DIST, name), 'utf8').replace(
-    name.endsWith('.html') ? /<script[^>]*>[^]*?<\/script>/g : /$^/,
-    '',
-  )
+  const text = readFileSync(join(DIST, name), 'utf8').replace(/(<script[^>]*>)[\s\S]*?(<\/script>)/g, '$1$2')
   const asked = [...text.matchAll(/(?:src|href)="(?!data:|#)([^"]*)"|url\((?!["']?(?:data:|#))([^)]*)\)/g)].map(
     (match) => match[1] ?? match[2] ?? '',
   )

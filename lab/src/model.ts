@@ -20,6 +20,11 @@ export interface Track {
   readonly velocity: Float64Array
 }
 
+/** A curve beside the exact motion, and how far it is from it, in rad. */
+export interface Compared extends Track {
+  readonly error: Float64Array
+}
+
 /** Parts of the energy at the top. */
 export interface Energy {
   readonly kinetic: Float64Array
@@ -43,9 +48,8 @@ export interface Solution {
   readonly curve: Curve
   theta(t: number): number
   velocity(t: number): number
-  sample(times: Float64Array): Track
-  /** Solution − exact, in rad. */
-  difference(times: Float64Array): Float64Array
+  /** At the times of the exact motion. The error is without cancellation, or a plain difference where it must be quick. */
+  compared(times: Float64Array, exact: Track, quick: boolean): Compared
   /** Over so many periods from the start, where the core searches for it; else null. */
   largest(periods: number): Largest | null
   /** Time in s at which it goes over the top though the exact motion does not; NaN if it does not. */
@@ -175,12 +179,12 @@ class Formula implements Solution {
     return (this.#of.theta(t + h) - this.#of.theta(t - h)) / (2 * h)
   }
 
-  sample(times: Float64Array): Track {
+  compared(times: Float64Array, exact: Track, quick: boolean): Compared {
     const approximation = this.#of
     const h = this.#slope
     let velocity: Float64Array | null = null
     return {
-      theta: approximation.theta(times),
+      ...this.#both(times, exact.theta, quick || this.exact.balanced),
       // Asked for only where velocities are drawn.
       get velocity() {
         if (velocity) return velocity
@@ -192,9 +196,14 @@ class Formula implements Solution {
     }
   }
 
-  difference(times: Float64Array): Float64Array {
-    if (!this.exact.balanced) return this.#of.difference(times)
-    return this.#of.theta(times).map((theta) => theta - this.exact.setup.theta0)
+  /** Angle and error by one evaluation of the formula. */
+  #both(times: Float64Array, exact: Float64Array, plain: boolean): { theta: Float64Array; error: Float64Array } {
+    if (plain) {
+      const theta = this.#of.theta(times)
+      return { theta, error: theta.map((value, i) => value - (exact[i] as number)) }
+    }
+    const error = this.#of.difference(times)
+    return { theta: error.map((value, i) => value + (exact[i] as number)), error }
   }
 
   largest(periods: number): Largest | null {
@@ -228,13 +237,9 @@ class Stepped implements Solution {
     return this.#of.motion(t).velocity
   }
 
-  sample(times: Float64Array): Track {
-    return this.#of.motion(times)
-  }
-
-  difference(times: Float64Array): Float64Array {
-    const exact = this.exact.sample(times).theta
-    return this.#of.theta(times).map((theta, i) => theta - (exact[i] as number))
+  compared(times: Float64Array, exact: Track): Compared {
+    const { theta, velocity } = this.#of.motion(times)
+    return { theta, velocity, error: theta.map((value, i) => value - (exact.theta[i] as number)) }
   }
 
   largest(): null {

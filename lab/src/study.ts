@@ -4,8 +4,9 @@
 
 import { type Curve, curveKey, kindOf } from './curves'
 import { clothesOf } from './draw/clothes'
+import type { Points } from './draw/curve'
 import { remember } from './memory'
-import type { Energy, Motion, Refusal, Setup, Solution, Track } from './model'
+import type { Compared, Energy, Motion, Refusal, Setup, Solution, Track } from './model'
 import type { State } from './state'
 
 /** Points of a curve in a window. */
@@ -23,11 +24,11 @@ export interface Drawn {
   /** Whether it goes step by step. */
   readonly numerical: boolean
   readonly solution: Solution
-  readonly track: Track
+  readonly track: Compared
   /** Solution − exact, in rad. */
   readonly error: Float64Array
   /** Parts of the energy at the top; empty for a formula, which is not a motion. */
-  readonly energy: Float64Array
+  readonly energy: Points
   readonly largest: { readonly value: number; readonly t: number } | null
   /** First time in the window without a value. */
   readonly gone: number
@@ -46,7 +47,10 @@ export interface Study {
   readonly window: Window
   readonly times: Float64Array
   readonly exact: Track
-  readonly energy: Energy
+  /** Total of the exact motion, which does not change. */
+  readonly total: Float64Array
+  /** Its parts, computed when they are asked for. */
+  readonly parts: () => Energy
   readonly rows: readonly Row[]
   /** Those of the rows that are on and have values. */
   readonly shown: readonly Drawn[]
@@ -98,19 +102,43 @@ function largestIn(solution: Solution, motion: Motion, { from, to }: Window, err
   return (onePeriod && solution.largest(1)) || largestOf(error, times)
 }
 
-const NOTHING = new Float64Array(0)
+/** Every so many of the numbers. */
+function thinned(values: Float64Array, stride: number): Float64Array {
+  return Float64Array.from(
+    { length: Math.floor((values.length - 1) / stride) + 1 },
+    (_, i) => values[i * stride] as number,
+  )
+}
+
+/** While a hand is on a control, energies have fewer points: 2 px of a laptop's plot. */
+const QUICK_STRIDE = 4
+
+function energyOf(motion: Motion, times: Float64Array, track: Track, quick: boolean): Points {
+  if (!quick) return { x: times, y: motion.energy(track).total }
+  const theta = thinned(track.theta, QUICK_STRIDE)
+  const velocity = thinned(track.velocity, QUICK_STRIDE)
+  return { x: thinned(times, QUICK_STRIDE), y: motion.energy({ theta, velocity }).total }
+}
+
+const NOTHING: Points = { x: new Float64Array(0), y: new Float64Array(0) }
+
+interface Frame {
+  readonly motion: Motion
+  readonly window: Window
+  readonly times: Float64Array
+  readonly exact: Track
+  readonly quick: boolean
+}
 
 function drawn(
-  motion: Motion,
-  window: Window,
+  { motion, window, times, exact, quick }: Frame,
   curve: Curve,
   clothes: string,
   solution: Solution,
-  times: Float64Array,
 ): Drawn {
   const { numerical } = kindOf(curve.name)
-  const track = solution.sample(times)
-  const error = solution.difference(times)
+  const track = solution.compared(times, exact, quick)
+  const { error } = track
   const gone = track.theta.findIndex(Number.isNaN)
   return {
     key: curveKey(curve),
@@ -120,27 +148,44 @@ function drawn(
     solution,
     track,
     error,
-    energy: numerical ? motion.energy(track).total : NOTHING,
-    largest: largestIn(solution, motion, window, error, times),
+    energy: numerical ? energyOf(motion, times, track, quick) : NOTHING,
+    largest: quick ? largestOf(error, times) : largestIn(solution, motion, window, error, times),
     gone: gone < 0 ? Number.NaN : (times[gone] as number),
   }
 }
 
-/** All that the Lab draws, but for the time shown. */
-export function study(motion: Motion, curves: readonly Curve[], from: number, to: number): Study {
+/**
+ * All that the Lab draws, but for the time shown. While a control is held it is `quick`: curves have all their points,
+ * errors are plain differences, energies have fewer points, and what is switched off is not computed.
+ */
+export function study(motion: Motion, curves: readonly Curve[], from: number, to: number, quick = false): Study {
   const window = { from, to }
   const times = evenTimes(window, POINTS)
   const exact = motion.sample(times)
+  const frame = { motion, window, times, exact, quick }
   const clothes = clothesOf(curves)
   const rows = curves.map((curve, i): Row => {
-    const dress = clothes[i] as string
-    const key = curveKey(curve)
+    const row = { key: curveKey(curve), curve, clothes: clothes[i] as string }
+    if (quick && !curve.on) return { ...row, drawn: null, refused: null }
     const solution = motion.solution(curve, window.to)
-    if ('refused' in solution) return { key, curve, clothes: dress, drawn: null, refused: solution.refused }
-    return { key, curve, clothes: dress, drawn: drawn(motion, window, curve, dress, solution, times), refused: null }
+    if ('refused' in solution) return { ...row, drawn: null, refused: solution.refused }
+    return { ...row, drawn: drawn(frame, curve, row.clothes, solution), refused: null }
   })
   const shown = rows.flatMap((row) => (row.drawn && row.curve.on ? [row.drawn] : []))
-  return { motion, window, times, exact, energy: motion.energy(exact), rows, shown }
+  let parts: Energy | null = null
+  return {
+    motion,
+    window,
+    times,
+    exact,
+    total: times.map(() => motion.energyRatio),
+    parts: () => {
+      parts ??= motion.energy(exact)
+      return parts
+    },
+    rows,
+    shown,
+  }
 }
 
 export const rememberedStudy = remember(study)

@@ -20,18 +20,17 @@ const LEAST_DRIFT = 2e-4
 function lines(page: Live, study: Study, total: boolean): Line[] {
   const x = study.times
   const { pointed } = page.session
-  const exact: Line = { x, y: study.energy.total, clothes: 'c-exact', factor: FACTOR, faded: pointed !== null }
+  const exact: Line = { x, y: study.total, clothes: 'c-exact', factor: FACTOR, faded: pointed !== null }
   if (!total) {
     return [
-      { x, y: study.energy.potential, clothes: 'c-potential', factor: FACTOR },
-      { x, y: study.energy.kinetic, clothes: 'c-kinetic', factor: FACTOR },
+      { x, y: study.parts().potential, clothes: 'c-potential', factor: FACTOR },
+      { x, y: study.parts().kinetic, clothes: 'c-kinetic', factor: FACTOR },
       exact,
     ]
   }
   const others = study.shown.map(
     (drawn): Line => ({
-      x,
-      y: drawn.energy,
+      ...drawn.energy,
       clothes: drawn.clothes,
       factor: FACTOR,
       faded: pointed !== null && pointed !== drawn.key,
@@ -47,13 +46,13 @@ function numericalOnly<T>(study: Study, all: readonly T[]): T[] {
 
 function domain(study: Study, total: boolean): [number, number] {
   if (!total) {
-    const [, high] = extent(study.energy.total)
+    const [, high] = extent(study.total)
     return [0, 1.12 * FACTOR * Math.max(high, 1e-9)]
   }
-  let [low, high] = extent(study.energy.total)
+  let [low, high] = extent(study.total)
   for (const { energy, numerical } of study.shown) {
     if (!numerical) continue
-    const [a, b] = extent(energy)
+    const [a, b] = extent(energy.y)
     low = Math.min(low, a)
     high = Math.max(high, b)
   }
@@ -108,15 +107,15 @@ function columns(page: Live, study: Study, total: boolean): Column[] {
   const column = (title: string, values: Float64Array): Column => ({ title, values, factor: FACTOR, decimals: 4 })
   if (!total) {
     return [
-      column(plots.kinetic, study.energy.kinetic),
-      column(plots.potential, study.energy.potential),
-      column(plots.sum, study.energy.total),
+      column(plots.kinetic, study.parts().kinetic),
+      column(plots.potential, study.parts().potential),
+      column(plots.sum, study.total),
     ]
   }
   const stepping = study.shown.filter(({ numerical }) => numerical)
   return [
-    column(compare.exact, study.energy.total),
-    ...stepping.map((drawn) => column(curveName(page, drawn.curve), drawn.energy)),
+    column(compare.exact, study.total),
+    ...stepping.map((drawn) => column(curveName(page, drawn.curve), drawn.energy.y)),
   ]
 }
 
@@ -128,7 +127,7 @@ function caption(page: Live, study: Study): string {
   const drifts = study.shown
     .filter(({ numerical }) => numerical)
     .map(({ curve, energy }) => {
-      const [low, high] = extent(energy)
+      const [low, high] = extent(energy.y)
       return words.fill(plots.captionDrift, { name: curveName(page, curve), least: percent(low), most: percent(high) })
     })
   return [exact, ...drifts].join(' ')
@@ -143,8 +142,8 @@ export function energyChart(page: Live, study: Study): TemplateResult {
   const { plots } = words.say
   const total = showsTotal(state, study)
   const values = total
-    ? (study.shown.find(({ numerical }) => numerical)?.energy ?? study.energy.total)
-    : study.energy.kinetic
+    ? (study.shown.find(({ numerical }) => numerical)?.energy.y ?? study.total)
+    : study.parts().kinetic
   const key = html`<span class="parts-key" aria-hidden="true">${sample('c-kinetic')}${plots.kinetic} ${sample('c-potential')}${plots.potential}</span>`
   return chart(page, {
     key: 'energy',
