@@ -23,7 +23,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-.PHONY: help run quick quick-python papers accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
+.PHONY: help run quick quick-python papers lab accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -107,6 +107,16 @@ docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and 
 	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
 
+# npm's packages are those of the lock file; the core is built by `wasm`.
+lab/node_modules/.needed: lab/package-lock.json
+	@cd lab && npm ci --silent --no-audit --no-fund
+	@touch $@
+
+lab: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/dist/offline.html, and serve it at 127.0.0.1
+	@mkdir -p $(LOGS)
+	@cd lab && npm run build >../$(LOGS)/lab.log 2>&1 || { tail -n 40 ../$(LOGS)/lab.log; exit 1; }
+	@cd lab && npm run --silent serve
+
 wheel: $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
 	@maturin build --release --locked --out dist
 
@@ -124,7 +134,7 @@ clean: ## remove what the targets above have made
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-STEPS := python rust truth rust-checked lint-rust format lint-python types laws checks-tested pages bench clean-install
+STEPS := python rust truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab clean-install
 
 test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
 	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
@@ -165,6 +175,10 @@ test/truth: $(TOOLS)
 # The code that is shipped, on every instruction set of this processor.
 test/rust: kernels
 	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
+
+# The page: its types, its lint, its tests without a browser, and its build with the budgets.
+test/lab: wasm lab/node_modules/.needed
+	$(call step,cd lab && npm run --silent lint && npm test --silent && npm run --silent build)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:

@@ -21,9 +21,9 @@ async function periods(): Promise<string> {
 }
 
 async function still(): Promise<string> {
-  return `<h1 class="sentence">The exact pendulum</h1>
+  return `<div class="no-script"><h1 class="sentence">The exact pendulum</h1>
 <p>If nothing else appears here, the browser has not started the script of this page. Scripts may be switched off, or modules of JavaScript may be blocked.
-<a href="offline.html">The offline file</a> is one page without modules: it may work where this one does not. This table needs neither.</p>
+<a href="offline.html">The offline file</a> is one page without modules: it may work where this one does not. The table needs neither.</p></div>
 ${await periods()}`
 }
 

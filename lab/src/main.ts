@@ -31,7 +31,9 @@ async function begin(): Promise<void> {
     app.begin(await openModel(SOURCES))
     void keepForLater()
   } catch (error) {
+    // The part that needs no core stands below what is said of it.
     document.getElementById('still')?.removeAttribute('hidden')
+    document.documentElement.classList.add('failed')
     app.wait({ slow: false, failed: error instanceof Error ? error.message : String(error) })
     return
   } finally {

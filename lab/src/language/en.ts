@@ -267,11 +267,10 @@ export const en = {
   },
 
   messages: {
-    noWasm:
-      'This browser does not start WebAssembly, so nothing can be computed here. {offline} and {table} work without it.',
-    failed: 'The exact core did not start: {why}. {offline} and {table} may still work.',
+    noWasm: 'This browser does not start WebAssembly, so nothing can be computed here. {table} needs none.',
+    failed: 'The exact core did not start: {why}. {offline} may work. {table} needs no core.',
     offline: 'The offline file',
-    periodTable: 'the table of periods',
+    periodTable: 'The table of periods',
     close: 'Close this message',
   },
 }

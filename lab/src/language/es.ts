@@ -267,11 +267,10 @@ export const es: Catalogue = {
   },
 
   messages: {
-    noWasm:
-      'Este navegador no arranca WebAssembly, así que aquí no se puede calcular nada. {offline} y {table} funcionan sin eso.',
-    failed: 'El núcleo exacto no arrancó: {why}. {offline} y {table} quizá funcionen.',
+    noWasm: 'Este navegador no arranca WebAssembly, así que aquí no se puede calcular nada. {table} no lo necesita.',
+    failed: 'El núcleo exacto no arrancó: {why}. {offline} quizá funcione. {table} no lo necesita.',
     offline: 'El archivo sin conexión',
-    periodTable: 'la tabla de periodos',
+    periodTable: 'La tabla de periodos',
     close: 'Cerrar este mensaje',
   },
 }

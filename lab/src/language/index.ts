@@ -110,6 +110,13 @@ export class Words {
     return unit === '°' ? `${text}°` : `${text}\u00a0${unit}`
   }
 
+  /** An error in degrees. */
+  degrees(value: number): string {
+    const text = this.significant(value)
+    // Not onto a power of ten, where it would be read as one.
+    return text.includes('^') ? `${text}\u00a0°` : `${text}°`
+  }
+
   percent(value: number, digits = 3): string {
     return this.with(this.significant(value, digits), '%')
   }

@@ -267,11 +267,10 @@ export const ptBR: Catalogue = {
   },
 
   messages: {
-    noWasm:
-      'Este navegador não inicia WebAssembly, e nada pode ser calculado aqui. {offline} e {table} funcionam sem isso.',
-    failed: 'O núcleo exato não iniciou: {why}. {offline} e {table} ainda podem funcionar.',
+    noWasm: 'Este navegador não inicia WebAssembly, e nada pode ser calculado aqui. {table} não precisa dele.',
+    failed: 'O núcleo exato não iniciou: {why}. {offline} talvez funcione. {table} não precisa dele.',
     offline: 'O arquivo offline',
-    periodTable: 'a tabela de períodos',
+    periodTable: 'A tabela de períodos',
     close: 'Fechar esta mensagem',
   },
 }

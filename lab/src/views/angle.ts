@@ -161,13 +161,16 @@ function draw(page: Live, study: Study, size: PlotSize): TemplateResult {
   const found = quantity === 'angle' ? alarms(study) : []
   const rings = found.map(({ drawn, t: when }) => ({ x: when, y: drawn.solution.theta(when) * factor }))
   const labels = found.map(({ drawn, t: when }, i) => {
-    const text = `*${words.fill(words.say.alarms.overTop, { name: curveName(page, drawn.curve), t: words.with(words.fixed(when, 2), words.say.units.s) })}*`
+    const name = curveName(page, drawn.curve)
+    const seconds = words.with(words.fixed(when, 2), words.say.units.s)
     const left = sx(when) > width / 2
-    const y = sy((rings[i] as { y: number }).y)
+    // Below the ring and to its freer side; above it where there is no room below.
+    const ring = sy(rings[i]?.y ?? 0)
+    const below = ring + 1.5 * size.rem < height
     return {
-      x: sx(when) + (left ? -1 : 1) * 0.9 * size.rem,
-      y: Math.min(Math.max(y + 0.3 * size.rem, size.rem), height - 0.4 * size.rem),
-      text,
+      x: sx(when) + (left ? -0.5 : 0.5) * size.rem,
+      y: below ? ring + 1.4 * size.rem : ring - 0.8 * size.rem,
+      text: `*${words.fill(words.say.alarms.overTop, { name, t: seconds })}*`,
       alarm: true,
       anchor: left ? ('end' as const) : ('start' as const),
     }

@@ -59,7 +59,7 @@ function result(page: Live, study: Study, { drawn }: Row): string {
   const percent = inPercent(state, study)
   const size = drawn.largest.value * errorFactor(percent, study.motion)
   if (!Number.isFinite(size)) return '∞'
-  return percent ? words.percent(size) : `${words.significant(size)}°`
+  return percent ? words.percent(size) : words.degrees(size)
 }
 
 /** Second line: what it is, or what must be known of it here. */

@@ -15,7 +15,7 @@ import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './
 /** Per cent of the energy at the top. */
 const FACTOR = 100
 /** As a part of the energy at the top. */
-const LEAST_DRIFT = 2e-4
+const LEAST_DRIFT = 2e-3
 
 function lines(page: Live, study: Study, total: boolean): Line[] {
   const x = study.times
@@ -57,7 +57,7 @@ function domain(study: Study, total: boolean): [number, number] {
     high = Math.max(high, b)
   }
   const middle = study.motion.energyRatio
-  // A drift below a fiftieth of a per cent is flat: no axis is spent on it.
+  // A drift below a fifth of a per cent is flat: no axis is spent on it.
   const least = Math.max(LEAST_DRIFT, high - low)
   // Fitted to the drift; a drift of many times the energy leaves the plot with a mark.
   const top = Math.min(high, middle + 4 * Math.max(middle, 0.05))
@@ -73,16 +73,8 @@ function draw(page: Live, study: Study, total: boolean, size: PlotSize): Templat
   const decimals = tickDecimals(values)
   const { plots } = words.say
   const near = ends[0] < 100 && ends[1] > 100
-  const labels = near
-    ? [
-        {
-          x: size.width - 0.25 * rem,
-          y: sy(100) > 1.1 * rem ? sy(100) - 0.3 * rem : sy(100) + 0.9 * rem,
-          text: plots.top,
-          anchor: 'end' as const,
-        },
-      ]
-    : []
+  const y = sy(100) > 1.1 * rem ? sy(100) - 0.3 * rem : sy(100) + 0.9 * rem
+  const labels = near ? [{ x: 0.25 * rem, y, text: plots.top, anchor: 'start' as const }] : []
   return plot(
     {
       ...size,

@@ -122,7 +122,7 @@ function caption(page: Live, study: Study, axis: ErrorAxis, percent: boolean): s
     const size = largest.value * axis.factor
     return words.fill(plots.captionErrorOne, {
       name,
-      error: percent ? words.percent(size) : `${words.significant(size)}°`,
+      error: percent ? words.percent(size) : words.degrees(size),
       t: timeText(words, largest.t),
     })
   })
