@@ -3,6 +3,7 @@
 import { createRequire } from 'node:module'
 import { dirname } from 'node:path'
 import { defineConfig } from 'vitest/config'
+import { browserCore } from './bundle/browser-core.ts'
 import { oneFile } from './bundle/one-file.ts'
 import { stillPage } from './bundle/still.ts'
 
@@ -16,7 +17,7 @@ export default defineConfig(({ mode, command }) => {
     publicDir: offline ? false : 'public',
     resolve: { alias: [{ find: /^libration\/(.*\.wasm)/, replacement: `${core}/$1` }] },
     server: { fs: { allow: ['..'] } },
-    plugins: [stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
+    plugins: [browserCore(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
     build: {
       target: 'es2022',
       modulePreload: false,
@@ -24,11 +25,7 @@ export default defineConfig(({ mode, command }) => {
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
-      rolldownOptions: {
-        // Asked for by the package in Node only.
-        external: ['node:fs/promises'],
-        output: offline ? { format: 'iife' } : {},
-      },
+      rolldownOptions: { output: offline ? { format: 'iife' } : {} },
     },
     test: { include: ['tests/**/*.test.ts'] },
   }

@@ -18,11 +18,6 @@ export function oneFile(name: string): Plugin {
       const packed = gzipSync(readFileSync(id.slice(0, -'?url'.length)), { level: 9 })
       return `export default 'data:application/gzip;base64,${packed.toString('base64')}'`
     },
-    transform(code, id) {
-      // The package's own addresses of its modules are not used here; inside the page they would stand a second time.
-      if (!/\/libration\/|\/npm\/dist\/core\.js$/.test(id) || !code.includes('import.meta.url')) return null
-      return code.replace(/new URL\("\.\/libration-(?:simd|scalar)\.wasm", import\.meta\.url\)/g, '""')
-    },
     transformIndexHtml: {
       order: 'pre',
       // A font that is inside needs no early request.

@@ -1,7 +1,5 @@
 // From data to pixels and back: linear, logarithmic, and logarithmic on both sides of zero; and the numbers at their ticks.
 
-import { ticks as tickValues } from 'd3-array'
-
 export interface Scale {
   (value: number): number
   readonly invert: (pixel: number) => number
@@ -55,23 +53,33 @@ export function symmetricLogScale(unit: number, domain: Ends, pixels: Ends): Sca
   return scaleBy(`asinh ${unit}`, through, (value) => unit * Math.sinh(value), domain, pixels)
 }
 
-/** At most so many round numbers from low to high. */
+/** Multiples of a step from low to high, each the double nearest to its decimal. */
+function multiples(step: number, low: number, high: number): number[] {
+  const slack = 1e-9
+  const first = Math.ceil(low / step - slack)
+  const last = Math.floor(high / step + slack)
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)))
+}
+
+/** At most so many round numbers from low to high: multiples of 1, 2 or 5 times a power of ten. */
 export function roundTicks(low: number, high: number, most: number): number[] {
-  for (let count = most; count > 0; count--) {
-    const found = tickValues(low, high, count)
-    if (found.length <= most) return found
+  if (!(high > low)) return [low]
+  let power = 10 ** Math.floor(Math.log10((high - low) / most))
+  for (;;) {
+    for (const digit of [1, 2, 5]) {
+      const found = multiples(digit * power, low, high)
+      if (found.length <= most) return found
+    }
+    power *= 10
   }
-  return [low]
 }
 
 /** Multiples of 15, 30, 45, 90, 180, 360 … degrees, at most so many. */
 export function degreeTicks(low: number, high: number, most: number): number[] {
   const steps = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360]
   for (let step = 720; steps.length < 40; step *= 2) steps.push(step)
-  const step = steps.find((each) => Math.floor(high / each) - Math.ceil(low / each) + 1 <= most) ?? high - low
-  const out: number[] = []
-  for (let n = Math.ceil(low / step); n <= Math.floor(high / step); n++) out.push(Number((n * step).toPrecision(12)))
-  return out
+  const step = steps.find((each) => multiples(each, low, high).length <= most) ?? high - low
+  return multiples(step, low, high)
 }
 
 /** −100, −10, −1, 0, 1, 10, 100: powers of ten on both sides of zero, fewer if there are too many. */
