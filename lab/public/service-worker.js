@@ -12,7 +12,7 @@ async function keep(addresses) {
   const wanted = new Set(addresses)
   for (const request of await cache.keys()) if (!wanted.has(request.url)) await cache.delete(request)
   for (const address of wanted) {
-    if (await cache.match(address)) continue
+    if (await cache.match(address, { ignoreVary: true })) continue
     const response = await fetch(address, { cache: 'force-cache' })
     if (response.ok) await cache.put(address, response)
   }
@@ -27,7 +27,7 @@ self.addEventListener('message', (event) => {
 
 /** The page itself from the network if there is one; what it consists of has its digest in its name and never changes. */
 async function answer(request) {
-  const kept = await caches.match(request, { ignoreSearch: request.mode === 'navigate' })
+  const kept = await caches.match(request, { ignoreSearch: request.mode === 'navigate', ignoreVary: true })
   if (request.mode !== 'navigate') return kept ?? fetch(request)
   try {
     const fresh = await fetch(request)
