@@ -72,11 +72,12 @@ function column({ kinetic, potential, words }: PendulumSpec): TemplateResult {
   const level = LOW - 2 * LENGTH * Math.min(total, 1)
   const bob = LOW - 2 * LENGTH * Math.min(potential, 1)
   const right = COLUMN.x + COLUMN.width
-  const room = bob - level > 18
   const over = total > 1.0005
-  // Not onto the 90° of the protractor, which stands to its left.
+  // Beside the circle there is no room for it: below the middle, or not at all.
   const at = Math.max(level, TOP) + 16
-  const named = at > CENTRE.y - 14 && at < CENTRE.y + 20 ? CENTRE.y + 22 : at
+  const beside = at > CENTRE.y - 52 && at < CENTRE.y + 52
+  const named = beside ? CENTRE.y + 56 : at
+  const room = bob - 4 > named && bob - level > 18
   return svg`
     <rect class="column" x=${COLUMN.x} y=${TOP} width=${COLUMN.width} height=${2 * LENGTH}/>
     <rect class="potential" x=${COLUMN.x} y=${n(bob)} width=${COLUMN.width} height=${n(LOW - bob)}/>

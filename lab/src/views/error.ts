@@ -167,7 +167,7 @@ export function errorChart(page: Live, study: Study): TemplateResult {
   const axis = axisOf(page, study)
   const first = study.shown[0]
   const unit = percent
-    ? words.fill(plots.errorPercent, { angle: `${words.given(Number(degrees(study.motion.thetaMax).toFixed(3)))}°` })
+    ? words.fill(plots.errorPercent, { angle: `${words.given(Number(degrees(study.motion.thetaMax).toFixed(2)))}°` })
     : plots.errorDegrees
   return chart(page, {
     key: 'error',
