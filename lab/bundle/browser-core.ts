@@ -11,7 +11,7 @@ export function browserCore(): Plugin {
     transform(code, id) {
       if (!id.endsWith('/dist/core.js')) return null
       const replaced = code
-        .replace(/new URL\("\.\/libration-(?:simd|scalar)\.wasm", import\.meta\.url\)/g, '""')
+        .replace(/new URL\("\.\/libration-(?:simd|scalar|second)\.wasm", import\.meta\.url\)/g, '""')
         .replace('await import("node:fs/promises")', '{}')
       if (replaced.includes('import.meta') || replaced.includes('node:'))
         throw new Error('core.js has other addresses than the build knows')

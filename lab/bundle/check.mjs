@@ -28,8 +28,8 @@ const all = files(DIST).map((path) => {
 /** @type {string[]} */
 const failures = []
 
-// One of the two modules of the core is loaded: the larger counts.
-const cores = all.filter(({ name }) => name.endsWith('.wasm'))
+// One of two modules of the core is needed to begin: the larger counts. The second comes when the page works.
+const cores = all.filter(({ name }) => /libration-(simd|scalar)[^/]*\.wasm$/.test(name))
 const first = all.filter(({ name }) => name !== 'offline.html' && !name.endsWith('.wasm'))
 const core = Math.max(...cores.map(({ gzipped }) => gzipped))
 const load = first.reduce((sum, { gzipped }) => sum + gzipped, 0) + core

@@ -8,10 +8,19 @@ import './style/charts.css'
 import './style/controls.css'
 import { App } from './app'
 import { readLink } from './link'
-import { openModel } from './model'
+import { completedModel, openModel } from './model'
 import { keepForLater } from './second-visit'
-import { SOURCES } from './sources'
+import { SECOND, SOURCES } from './sources'
 import { VIEWS } from './views'
+
+/** The formulas that the page can begin without; if they do not come, their rows say so. */
+async function completed(app: App): Promise<void> {
+  try {
+    app.begin(await completedModel(SECOND))
+  } finally {
+    await keepForLater()
+  }
+}
 
 async function begin(): Promise<void> {
   const root = document.getElementById('page')
@@ -29,7 +38,7 @@ async function begin(): Promise<void> {
   try {
     if (typeof WebAssembly !== 'object') throw new Error('no-wasm')
     app.begin(await openModel(SOURCES))
-    void keepForLater()
+    void completed(app)
   } catch (error) {
     // The part that needs no core stands below what is said of it.
     document.getElementById('still')?.removeAttribute('hidden')

@@ -3,7 +3,7 @@
 // Two things the core does not have: the upright balance, which the double nearest to π is not, and the velocity of a
 // formula for the angle, which is the slope of what it draws.
 
-import { approx, DomainError, elliptic, load, Pendulum, type Regime } from 'libration'
+import { approx, DomainError, elliptic, load, loadSecond, Pendulum, type Regime } from 'libration'
 import { type Curve, curveKey, kindOf } from './curves'
 
 export type { Regime } from 'libration'
@@ -41,7 +41,11 @@ export interface Largest {
 }
 
 /** Why a curve is not drawn for a motion. */
-export type Refusal = 'rotation' | 'separatrix' | 'start' | 'steps'
+export type Refusal = 'rotation' | 'separatrix' | 'start' | 'steps' | 'loading'
+
+/** Formulas of the second module of the core. */
+const SECOND: readonly string[] = ['cubic', 'cubic-quintic']
+let secondLoaded = false
 
 /** A curve beside the exact motion. */
 export interface Solution {
@@ -145,6 +149,7 @@ export class Motion {
       if (step > 0 && until / step > MOST_STEPS) return { refused: 'steps' }
       return new Stepped(this, this.#pendulum, curve, until)
     }
+    if (SECOND.includes(curve.name) && !secondLoaded) return { refused: 'loading' }
     try {
       return new Formula(this, this.#pendulum, curve)
     } catch (error) {
@@ -308,5 +313,12 @@ export class Model {
 /** Loads the core: the module with vectors where the browser has them, else the scalar one. */
 export async function openModel(sources?: Parameters<typeof load>[0]): Promise<Model> {
   await load(sources)
+  return new Model()
+}
+
+/** The model with the formulas of the second module. */
+export async function completedModel(source?: Parameters<typeof loadSecond>[0]): Promise<Model> {
+  await loadSecond(source)
+  secondLoaded = true
   return new Model()
 }

@@ -1,6 +1,8 @@
-// Where the two modules of the core come from: files beside the page, or text inside it in the offline file, compressed.
+// Where the modules of the core come from: files beside the page, or text inside it in the offline file, compressed.
+// One of the first two is needed to begin; the second holds the cubic formulas and follows.
 
 import scalar from 'libration/libration-scalar.wasm?url'
+import second from 'libration/libration-second.wasm?url'
 import simd from 'libration/libration-simd.wasm?url'
 
 /** What the build of one file makes of a module (bundle/one-file.ts): gzip in base64. */
@@ -21,3 +23,4 @@ function source(address: string): string | PromiseLike<Response> {
 }
 
 export const SOURCES = { simd: source(simd), scalar: source(scalar) }
+export const SECOND = source(second)

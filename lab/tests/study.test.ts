@@ -4,7 +4,7 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import type { Curve } from '../src/curves'
 import { readLink } from '../src/link'
-import { type Model, type Motion, openModel } from '../src/model'
+import { completedModel, type Model, type Motion, openModel } from '../src/model'
 import { radians } from '../src/number'
 import { DEFAULTS, type State } from '../src/state'
 import { errorFactor, inPercent, isLog, largestOf, showsTotal, spanOf, study, windowOf } from '../src/study'
@@ -12,7 +12,8 @@ import { EXAMPLES, type ExampleName, exampleState } from '../src/views/examples'
 
 let model: Model
 beforeAll(async () => {
-  model = await openModel()
+  await openModel()
+  model = await completedModel()
 })
 
 const motionOf = (state: Pick<State, 'theta0' | 'velocity0' | 'length' | 'gravity'>): Motion => model.motion(state)

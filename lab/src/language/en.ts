@@ -194,6 +194,7 @@ export const en = {
     rotation: 'It is written for swings; this turns over.',
     separatrix: 'It needs a period; this motion has none.',
     start: 'It is not written for this start.',
+    loading: 'The module of this formula is not loaded.',
     none: '{name}: no value here.',
     steps: '{name}: more than {most} steps, not computed.',
   },

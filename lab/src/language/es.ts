@@ -196,6 +196,7 @@ export const es: Catalogue = {
     rotation: 'Está escrita para oscilaciones; este da vueltas.',
     separatrix: 'Necesita un periodo; este movimiento no lo tiene.',
     start: 'No está escrita para este inicio.',
+    loading: 'El módulo de esta fórmula no está cargado.',
     none: '{name}: sin valor aquí.',
     steps: '{name}: más de {most} pasos, no calculado.',
   },

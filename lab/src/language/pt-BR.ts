@@ -196,6 +196,7 @@ export const ptBR: Catalogue = {
     rotation: 'É escrita para oscilações; este dá voltas.',
     separatrix: 'Precisa de um período; este movimento não tem.',
     start: 'Não é escrita para este início.',
+    loading: 'O módulo desta fórmula não está carregado.',
     none: '{name}: sem valor aqui.',
     steps: '{name}: mais de {most} passos, não calculado.',
   },
