@@ -53,6 +53,9 @@ pub trait Kernel {
     type Output;
     /// The type in whose module it is compiled: [`Entry`].
     type Place;
+    /// Whether WebAssembly runs it on vectors. A kernel without fused multiplication is long, and a page loads what is
+    /// compiled: only what is asked for by the million has a second one.
+    const VECTORS: bool = false;
     /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
     fn run<L: Lane>(self) -> Self::Output;
 }

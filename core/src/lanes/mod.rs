@@ -35,6 +35,6 @@ mod host;
 mod host;
 
 pub use dispatch::{single, wide};
-pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
+pub use formula::{COMPACT, Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
 pub use lane::{Kernel, Lane, WIDEST};

@@ -38,7 +38,7 @@ impl Lane for f64 {
             return product_of_huge(self, factor);
         }
         let product = self * factor;
-        (product, product_error(self, factor, product))
+        (product, host_product_error(self, factor, product))
     }
     #[inline(always)]
     fn round(self) -> f64 {
@@ -72,6 +72,13 @@ impl Lane for f64 {
     fn select(mask: bool, yes: f64, no: f64) -> f64 {
         if mask { yes } else { no }
     }
+}
+
+/// Of plain doubles. On a page the bytes count: there it is compiled once.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn host_product_error(a: f64, b: f64, product: f64) -> f64 {
+    product_error(a, b, product)
 }
 
 /// Product and error of factors of which one or both are too large to be split.
