@@ -20,6 +20,10 @@ mod remez;
 mod salas;
 mod search;
 pub mod sine;
+#[cfg(feature = "sine-models")]
+mod sine_model;
+#[cfg(not(feature = "sine-models"))]
+mod sine_model_absent;
 mod steps;
 mod turning;
 

@@ -5,10 +5,7 @@
 
 use super::dispatch::{single, wide};
 use super::instruction_set::InstructionSet;
-use super::lane::{Kernel, Lane, WIDEST};
-
-/// Whether code is to be short rather than fast but where it is asked for by the million: on a page.
-pub const COMPACT: bool = cfg!(target_arch = "wasm32");
+use super::lane::{COMPACT, Kernel, Lane, WIDEST};
 
 /// A function of A numbers with N results that serves every lane.
 pub trait Formula<const A: usize, const N: usize> {

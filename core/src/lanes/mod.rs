@@ -35,6 +35,7 @@ mod host;
 mod host;
 
 pub use dispatch::{single, wide};
-pub use formula::{COMPACT, Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
+pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
-pub use lane::{Kernel, Lane, WIDEST};
+pub(crate) use lane::compiled_once;
+pub use lane::{COMPACT, Kernel, Lane, WIDEST};

@@ -1,6 +1,6 @@
 //! The lane of width one without fused multiplication: a plain double, on every processor.
 
-use super::lane::Lane;
+use super::lane::{COMPACT, Lane};
 
 /// Factors above 2^990 are scaled by 2^-56 so that splitting does not overflow, and their product back by 2^56.
 pub(super) const HUGE: f64 = 1.046_336_793_293_362_4e298;
@@ -13,6 +13,7 @@ pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 impl Lane for f64 {
     type Mask = bool;
     const WIDTH: usize = 1;
+    const APART: bool = COMPACT;
 
     #[inline(always)]
     fn load(from: &[f64]) -> f64 {

@@ -23,6 +23,9 @@ export interface Sources {
   scalar?: Source;
 }
 
+/** What the second module adds, by the names of the formulas of the angle. */
+const SECOND: readonly string[] = ["cubic", "cubic-quintic"];
+
 /** Numbers to be worked on: any array of numbers. Float64Array is copied fastest. */
 export type Numbers = ArrayLike<number>;
 
@@ -129,8 +132,8 @@ function fill(column: Float64Array, from: Numbers, at: number, count: number): v
   else for (let i = 0; i < count; i++) column[i] = from[at + i]!;
 }
 
-/** The loaded core. */
-class Core {
+/** A loaded module. */
+export class Core {
   readonly exports: Exports;
   /** Doubles in a column. */
   readonly rows: number;
@@ -203,11 +206,20 @@ class Core {
 
 let loaded: Core | undefined;
 let loading: Promise<void> | undefined;
+let second: Core | undefined;
+let loadingSecond: Promise<void> | undefined;
 
 /** The core; an error where `load` has not ended. */
 export function core(): Core {
   if (!loaded) throw new Error("the core is not loaded: await load() first");
   return loaded;
+}
+
+/** The core that has a formula of the angle; an error where it is not loaded. */
+export function coreOf(formula: string): Core {
+  if (!SECOND.includes(formula)) return core();
+  if (!second) throw new Error(`${formula} is in the second module: await loadSecond() first`);
+  return second;
 }
 
 /**
@@ -230,6 +242,28 @@ export function load(sources: Sources = {}): Promise<void> {
     throw error;
   });
   return loading;
+}
+
+/**
+ * Loads the second module, for the approximations `cubic` and `cubic-quintic`, which are as large as all the rest.
+ *
+ * @param source Where it comes from, if not from the package.
+ * @throws Error where it cannot be read or compiled; a later call may try again.
+ *
+ * @example
+ * await loadSecond();
+ * approx.angle("cubic").of(new Pendulum({ theta0: 1 })).theta(2); // -0.307...
+ */
+export function loadSecond(source?: Source): Promise<void> {
+  loadingSecond ??= started(source ?? new URL("./libration-second.wasm", import.meta.url), false)
+    .then((made) => {
+      second = made;
+    })
+    .catch((error: unknown) => {
+      loadingSecond = undefined;
+      throw error;
+    });
+  return loadingSecond;
 }
 
 /**
@@ -257,8 +291,11 @@ async function instance(sources: Sources): Promise<void> {
   const source = vectors
     ? (sources.simd ?? new URL("./libration-simd.wasm", import.meta.url))
     : (sources.scalar ?? new URL("./libration-scalar.wasm", import.meta.url));
-  const made = await WebAssembly.instantiate(await moduleOf(source), {});
-  loaded = new Core(made, vectors);
+  loaded = await started(source, vectors);
+}
+
+async function started(source: Source, vectors: boolean): Promise<Core> {
+  return new Core(await WebAssembly.instantiate(await moduleOf(source), {}), vectors);
 }
 
 async function moduleOf(source: Source): Promise<WebAssembly.Module> {
@@ -293,9 +330,40 @@ interface Kept {
   drop: (number: number) => void;
 }
 
-/** The number of a new object of the core, dropped with its owner; throws what the core refuses. */
-export function keep(owner: object, number: number, drop: (number: number) => void): number {
-  if (number === 0) throw core().refusal();
+/** The number of a new object of a core, dropped with its owner; throws what the core refuses. */
+export function keep(owner: object, number: number, drop: (number: number) => void, of = core()): number {
+  if (number === 0) throw of.refusal();
   forgotten.register(owner, { number, drop });
   return number;
+}
+
+/** The first result for a number or an array. */
+export function first(
+  argument: number | Numbers,
+  out: Float64Array | undefined,
+  work: (rows: number) => void,
+  of = core(),
+): number | Float64Array {
+  if (typeof argument === "number") {
+    of.once(argument, work);
+    return of.column(1)[0]!;
+  }
+  const result = out ?? new Float64Array(argument.length);
+  of.through(argument, [result], work);
+  return result;
+}
+
+/** The first two results for a number or an array. */
+export function pair(
+  argument: number | Numbers,
+  out: [Float64Array, Float64Array] | undefined,
+  work: (rows: number) => void,
+): [number, number] | [Float64Array, Float64Array] {
+  if (typeof argument === "number") {
+    core().once(argument, work);
+    return [core().column(1)[0]!, core().column(2)[0]!];
+  }
+  const results = out ?? [new Float64Array(argument.length), new Float64Array(argument.length)];
+  core().through(argument, results, work);
+  return results;
 }

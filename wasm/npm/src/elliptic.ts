@@ -5,8 +5,7 @@
  * function takes a bare number for it, so k cannot be passed for m.
  */
 
-import { core, DomainError, type Numbers } from "./core.js";
-import { first } from "./pendulum.js";
+import { core, DomainError, first, type Numbers } from "./core.js";
 
 /** Exactly one of the parameter m, its complement mc = 1 − m, and the modulus k. */
 export type Parameter<T = number> =

@@ -13,6 +13,6 @@
  */
 
 export * as approx from "./approx/index.js";
-export { DomainError, hasVectors, load, type Numbers, type Source, type Sources, usesVectors, version } from "./core.js";
+export { DomainError, hasVectors, load, loadSecond, type Numbers, type Source, type Sources, usesVectors, version } from "./core.js";
 export * as elliptic from "./elliptic.js";
 export { type Energies, type Extremes, type Motion, Pendulum, type PendulumOptions, type Regime, type Turns } from "./pendulum.js";

@@ -1,6 +1,6 @@
 /** The class `Pendulum`: one orbit of θ'' + ω₀² sin θ = 0, set up once, exact in every regime. Landau & Lifshitz §11. */
 
-import { core, DomainError, keep, type Numbers } from "./core.js";
+import { type Core, core, DomainError, first, keep, type Numbers, pair } from "./core.js";
 
 /** The four kinds of motion. */
 export type Regime = "rest" | "libration" | "separatrix" | "rotation";
@@ -102,8 +102,9 @@ export class Pendulum {
   readonly energy: number;
   /** Lowest and highest angle, in the turn of the orbit. Error: 4 ulp. */
   readonly extremes: Extremes;
-  /** @internal The number of the orbit in the core. */
+  /** @internal The number of the orbit in the first module. */
   readonly orbit: number;
+  private readonly force: readonly [number, number, number, number, number];
 
   /**
    * Sets up an orbit.
@@ -117,7 +118,8 @@ export class Pendulum {
     const force = [omega0, omega2, length, gravity] as const;
     const given = force.reduce<number>((bits, value, at) => bits | (value === undefined ? 0 : 1 << at), 0);
     const [w, w2, l, g] = force.map((value) => value ?? 0) as [number, number, number, number];
-    this.orbit = keep(this, exports.orbit_new(theta0, velocity0, w, w2, l, g, given), exports.orbit_drop);
+    this.force = [w, w2, l, g, given];
+    this.orbit = keep(this, exports.orbit_new(theta0, velocity0, ...this.force), exports.orbit_drop);
     this.theta0 = theta0;
     this.velocity0 = velocity0;
     this.regime = REGIMES[exports.orbit_facts(this.orbit)]!;
@@ -298,6 +300,17 @@ export class Pendulum {
     return { kinetic, potential };
   }
 
+  /** @internal Asks the orbit in one of the modules. */
+  within<T>(of: Core, question: (orbit: number) => T): T {
+    if (of === core()) return question(this.orbit);
+    const orbit = of.exports.orbit_new(this.theta0, this.velocity0, ...this.force);
+    try {
+      return question(orbit);
+    } finally {
+      of.exports.orbit_drop(orbit);
+    }
+  }
+
   private energiesOf(theta: Numbers, velocity: Numbers, work: (rows: number) => void): [Float64Array, Float64Array] {
     const results: [Float64Array, Float64Array] = [new Float64Array(theta.length), new Float64Array(theta.length)];
     core().through(theta, results, work, velocity);
@@ -310,34 +323,4 @@ export class Pendulum {
     const force = length === undefined ? `omega2: ${omega2}` : `length: ${length}, gravity: ${gravity}`;
     return `Pendulum { theta0: ${theta0}, velocity0: ${velocity0}, ${force} }`;
   }
-}
-
-/** The first result for a number or an array. */
-export function first(
-  argument: number | Numbers,
-  out: Float64Array | undefined,
-  work: (rows: number) => void,
-): number | Float64Array {
-  if (typeof argument === "number") {
-    core().once(argument, work);
-    return core().column(1)[0]!;
-  }
-  const result = out ?? new Float64Array(argument.length);
-  core().through(argument, [result], work);
-  return result;
-}
-
-/** The first two results for a number or an array. */
-export function pair(
-  argument: number | Numbers,
-  out: [Float64Array, Float64Array] | undefined,
-  work: (rows: number) => void,
-): [number, number] | [Float64Array, Float64Array] {
-  if (typeof argument === "number") {
-    core().once(argument, work);
-    return [core().column(1)[0]!, core().column(2)[0]!];
-  }
-  const results = out ?? [new Float64Array(argument.length), new Float64Array(argument.length)];
-  core().through(argument, results, work);
-  return results;
 }

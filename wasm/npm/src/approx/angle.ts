@@ -1,7 +1,7 @@
 /** Approximations of the angle over time by name, each set up once for a pendulum: `linear`, `fourier:4`, `taylor:8` ... */
 
-import { core, keep, type Numbers } from "../core.js";
-import { first, type Pendulum } from "../pendulum.js";
+import { type Core, core, coreOf, first, keep, type Numbers } from "../core.js";
+import type { Pendulum } from "../pendulum.js";
 import { type Entry, entryOf, type Interval, intervals, type Registry, registry } from "./registry.js";
 
 /** The largest error of an approximation over some periods. */
@@ -59,8 +59,9 @@ export class AngleFormula {
    * approx.angle("harmonic").ranges(0.01); // [[0, 1.0770...]], up to 61.71 degrees
    */
   ranges(bound: number, periods = 1): Interval[] {
-    core().say(this.name);
-    return intervals(core().list(core().exports.angle_ranges(bound, periods)));
+    const of = coreOf(this.entry.name);
+    of.say(this.name);
+    return intervals(of.list(of.exports.angle_ranges(bound, periods)));
   }
 }
 
@@ -73,12 +74,15 @@ export class AngleApproximation {
   /** Period in s of the approximation itself; NaN where it does not repeat. */
   readonly period: number;
   private readonly approximation: number;
+  private readonly core: Core;
 
-  /** @throws DomainError where the formula is not written for this motion. */
+  /** @throws DomainError where the formula is not written for this motion; Error for one of the second module before it. */
   constructor(formula: AngleFormula, pendulum: Pendulum) {
-    const { exports } = core();
-    core().say(formula.name);
-    this.approximation = keep(this, exports.angle_new(pendulum.orbit), exports.angle_drop);
+    this.core = coreOf(formula.entry.name);
+    const { exports } = this.core;
+    this.core.say(formula.name);
+    const made = pendulum.within(this.core, (orbit) => exports.angle_new(orbit));
+    this.approximation = keep(this, made, exports.angle_drop, this.core);
     this.formula = formula;
     this.pendulum = pendulum;
     this.period = exports.angle_period(this.approximation);
@@ -98,8 +102,8 @@ export class AngleApproximation {
   theta(t: number): number;
   theta(t: Numbers, out?: Float64Array): Float64Array;
   theta(t: number | Numbers, out?: Float64Array): number | Float64Array {
-    const { exports } = core();
-    return first(t, out, (rows) => exports.angle_theta(this.approximation, rows));
+    const { exports } = this.core;
+    return first(t, out, (rows) => exports.angle_theta(this.approximation, rows), this.core);
   }
 
   /**
@@ -117,8 +121,8 @@ export class AngleApproximation {
   difference(t: number): number;
   difference(t: Numbers, out?: Float64Array): Float64Array;
   difference(t: number | Numbers, out?: Float64Array): number | Float64Array {
-    const { exports } = core();
-    return first(t, out, (rows) => exports.angle_difference(this.approximation, rows));
+    const { exports } = this.core;
+    return first(t, out, (rows) => exports.angle_difference(this.approximation, rows), this.core);
   }
 
   /**
@@ -131,8 +135,8 @@ export class AngleApproximation {
    * approx.angle("fourier:2").of(new Pendulum({ theta0: 1 })).error().relative; // 2.86...e-4
    */
   error(periods = 1): AngleError {
-    if (core().exports.angle_largest_error(this.approximation, periods) === 0) throw core().refusal();
-    const facts = core().column(0);
+    if (this.core.exports.angle_largest_error(this.approximation, periods) === 0) throw this.core.refusal();
+    const facts = this.core.column(0);
     const [difference, t, undefinedFrom] = [facts[0]!, facts[1]!, facts[2]!];
     const { thetaMax } = this.pendulum;
     return { difference, relative: thetaMax === 0 ? 0 : difference / thetaMax, t, undefinedFrom };

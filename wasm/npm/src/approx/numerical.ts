@@ -5,8 +5,8 @@
  * defaults, rtol = 1e-3 and atol = 1e-6, step by step.
  */
 
-import { core, DomainError, keep, type Numbers } from "../core.js";
-import { first, type Motion, type Pendulum, pair } from "../pendulum.js";
+import { core, DomainError, first, keep, type Numbers, pair } from "../core.js";
+import type { Motion, Pendulum } from "../pendulum.js";
 import { type Entry, entryOf, type Registry, registry } from "./registry.js";
 
 /** The ends of all steps, the start first. */

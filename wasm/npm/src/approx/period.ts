@@ -1,7 +1,7 @@
 /** Formulas for the period of a swing by name: from Bernoulli's two terms to the arithmetic-geometric mean. */
 
-import { core, DomainError, type Numbers } from "../core.js";
-import { first, type Pendulum } from "../pendulum.js";
+import { core, DomainError, first, type Numbers } from "../core.js";
+import type { Pendulum } from "../pendulum.js";
 import { type Entry, entryOf, type Interval, intervals, type Registry, registry } from "./registry.js";
 
 /** A swing by its turning angle in rad, its parameter m = sin²(thetaMax/2), or the complement mc = 1 − m. */
