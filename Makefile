@@ -23,7 +23,8 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-.PHONY: help run quick quick-python papers lab accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
+MODULES := simd scalar second
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers lab accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -56,6 +57,24 @@ kernels:
 $(VENV)/.built: $(SOURCES) $(VENV)/.needed | kernels
 	@echo "release build of the extension"
 	@maturin develop --release --locked >$(LOGS)/build.log 2>&1 || { tail -n 60 $(LOGS)/build.log; exit 1; }
+	@touch $@
+
+# Modules of WebAssembly, with vectors and without. Loops are written out for vectors where it pays, and nowhere else.
+NPM := wasm/npm
+DIST := $(NPM)/dist
+WASM_FLAGS := -C no-vectorize-loops -C no-vectorize-slp
+module-simd: WASM_FLAGS += -C target-feature=+simd128
+# What a page does not need at first.
+module-second: WHOLE := --features whole
+$(MODULES:%=module-%): module-%:
+	@mkdir -p $(LOGS) $(DIST)
+	@rustup target list --installed | grep -q wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
+	@RUSTFLAGS='$(WASM_FLAGS)' CARGO_TARGET_DIR=target/wasm-$* cargo build --locked --package libration-wasm --profile wasm \
+	  --target wasm32-unknown-unknown $(WHOLE) >$(LOGS)/$@.log 2>&1 || { tail -n 60 $(LOGS)/$@.log; exit 1; }
+	@cp target/wasm-$*/wasm32-unknown-unknown/wasm/libration_wasm.wasm $(DIST)/libration-$*.wasm
+
+$(NPM)/node_modules/.package-lock.json: $(NPM)/package-lock.json
+	@npm --prefix $(NPM) ci --no-audit --no-fund --loglevel=error
 	@touch $@
 
 # A rival that cannot be had is a row `not available`, not an error. GSL and Boost are Debian's libgsl-dev, libboost-math-dev.
@@ -107,6 +126,9 @@ docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and 
 	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
 
+wasm: $(MODULES:%=module-%) $(NPM)/node_modules/.package-lock.json ## the npm package, for browsers and Node: wasm/npm/dist (a minute)
+	@cd $(NPM) && npx tsc -p tsconfig.json
+
 # npm's packages are those of the lock file; the core is built by `wasm`.
 lab/node_modules/.needed: lab/package-lock.json
 	@cd lab && npm ci --silent --no-audit --no-fund
@@ -128,13 +150,13 @@ format: $(VENV)/.packages $(VENV)/.components ## write every file the way the fo
 lint: test/format test/lint-rust test/lint-python test/types ## what formatters, linters and type checks say (a minute)
 
 clean: ## remove what the targets above have made
-	rm -rf $(VENV) target out dist
+	rm -rf $(VENV) target out dist $(DIST) $(NPM)/build $(NPM)/node_modules
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 	rm -f python/libration/*.so
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-STEPS := python rust truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab clean-install
+STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab clean-install
 
 test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
 	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
@@ -164,7 +186,7 @@ test/types: $(TOOLS)
 
 test/laws: $(TOOLS) $(VENV)/.built
 	$(call step,for law in $(LAWS); do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed")
-LAWS := rooms circles names type_names functions pages links
+LAWS := rooms circles names typescript_names type_names functions pages links
 
 test/checks-tested: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) checks)
@@ -186,6 +208,11 @@ test/rust-checked:
 
 test/python: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules python/tests python/libration)
+
+# The package as it is published, against the truth that the native core is held to: with vectors and without.
+test/wasm: wasm
+	$(call step,cd $(NPM) && npx tsc -p tsconfig.test.json && for module in simd scalar; do \
+	  LIBRATION_MODULE=$$module node --test build/test/*.test.js || failed=1; done; test -z "$$failed")
 
 test/pages: $(TOOLS) $(VENV)/.built
 	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tree import code_lines, files, finish
 
-ROOMS = ["core", "fit", "python", "reference", "bench", "docs"]
+ROOMS = ["core", "fit", "python", "wasm", "reference", "bench", "docs"]
 FORBIDDEN = [
     (r"\b(k2|ksq|m1)\b", "the parameter is `m`, its complement `mc`, the modulus `k`"),
     (r"\b(angle0|phase0|freq|w0|omega_0|oscillation|circulation|(fn|def) amplitude)\b", "not a name of NOTATION.md"),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tree import code_lines, files, finish
 
-ROOMS = ["core/src", "fit/src", "python/src", "python/libration", "bench", "reference"]
+ROOMS = ["core/src", "fit/src", "python/src", "wasm/src", "python/libration", "bench", "reference"]
 RUST = re.compile(r"^(?:\s*(?:pub(?:\([^)]*\))?\s+)?(?:struct|enum|trait|union)|(?:pub(?:\([^)]*\))?\s+)?type)\s+(\w+)")
 
 

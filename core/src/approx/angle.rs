@@ -5,14 +5,17 @@
 //! Where a formula has no value it gives NaN; nothing is clipped. Sources: the table in angle_entries.rs.
 
 use super::angle_entries::{AngleRule, TABLE};
-use super::angle_oscillator::{Linear, Trigonometric, sine_model};
+use super::angle_oscillator::{Linear, Trigonometric};
 use super::angle_series::{Arcsine, Harmonic, Series};
 use super::angle_small::{Bounded, Secular};
 use super::angle_taylor::Polynomial;
 use super::entry::{Entry, Named};
 use super::salas::{CUBIC, QUINTIC};
+#[cfg(feature = "sine-models")]
+use super::sine_model::SineModel;
+#[cfg(not(feature = "sine-models"))]
+use super::sine_model_absent::NoSineModel as SineModel;
 use crate::domain::Domain;
-use crate::oscillator::CubicQuintic;
 use crate::pendulum::orbit::Solution;
 use crate::pendulum::{Orbit, Regime};
 
@@ -51,7 +54,7 @@ pub(super) enum Shape {
     Trigonometric(Trigonometric),
     Secular(Secular),
     Bounded(Bounded),
-    Model(Box<CubicQuintic>),
+    Model(SineModel),
     Polynomial(Polynomial),
 }
 
@@ -120,8 +123,8 @@ impl AngleFormula {
             {
                 Shape::Exact
             }
-            (_, AngleRule::Cubic) => Shape::Model(Box::new(sine_model(orbit, [CUBIC, [0.0, 1.0]])?)),
-            (_, AngleRule::CubicQuintic) => Shape::Model(Box::new(sine_model(orbit, [CUBIC, QUINTIC])?)),
+            (_, AngleRule::Cubic) => Shape::Model(SineModel::new(orbit, [CUBIC, [0.0, 1.0]])?),
+            (_, AngleRule::CubicQuintic) => Shape::Model(SineModel::new(orbit, [CUBIC, QUINTIC])?),
             (_, AngleRule::Taylor) => Polynomial::new(orbit, order).map_or(Shape::Exact, Shape::Polynomial),
             (_, AngleRule::SmallM) => Secular::new(orbit).map_or(Shape::Exact, Shape::Secular),
             (Solution::Libration(e), AngleRule::SmallMBounded) => {
@@ -169,7 +172,7 @@ impl AngleApproximation {
             Shape::Trigonometric(shape) => shape.theta(&self.orbit, t),
             Shape::Secular(shape) => shape.theta(t),
             Shape::Bounded(shape) => shape.theta(t),
-            Shape::Model(shape) => shape.u(t),
+            Shape::Model(shape) => shape.theta(t),
             Shape::Polynomial(shape) => shape.theta(t),
         }
     }

@@ -1,14 +1,11 @@
-//! Approximations that are oscillators of their own: linear, trigonometric (Salas 35), and the motions of two polynomials
-//! in place of the sine (Salas 2, 3), solved exactly.
+//! Approximations that are oscillators of their own: linear, trigonometric (Salas 35).
 //!
-//! Source: Salas 2019 (2), (3), (29), (30), (34), (35).
+//! Source: Salas 2019 (30), (34), (35).
 
 use super::angle_phase::{counted, framed, turning_angle};
-use crate::domain::Domain;
 use crate::elliptic::phase::Phase;
 use crate::float::exponent::{carried, exp2, ldexp};
 use crate::float::{Dd, PI, Scaled, Td};
-use crate::oscillator::CubicQuintic;
 use crate::pendulum::Orbit;
 use crate::pendulum::theta_quotients::Elliptic;
 
@@ -105,16 +102,4 @@ impl Trigonometric {
     pub fn period(&self) -> f64 {
         self.period
     }
-}
-
-/// omega0^2 times a number, rounded once.
-fn coefficient(orbit: &Orbit, [above, below]: [f64; 2]) -> f64 {
-    let (a, b, c) = orbit.force.factors();
-    (Scaled::from(a) * b * above / (Scaled::from(c) * below)).value()
-}
-
-/// The motion of a polynomial in place of the sine, with these coefficients of theta^3 and theta^5.
-pub(super) fn sine_model(orbit: &Orbit, [cubic, quintic]: [[f64; 2]; 2]) -> Result<CubicQuintic, Domain> {
-    let [alpha, beta, gamma] = [[1.0; 2], cubic, quintic].map(|quotient| coefficient(orbit, quotient));
-    CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)
 }

@@ -137,7 +137,7 @@ impl Named {
             None => (wanted, None),
         };
         let Some(Row { entry, rule }) = table.iter().find(|row| row.entry.name == name) else {
-            return Err(Domain::new(kind, shown(wanted), format!("one of {}", by_nearness(table, name))));
+            return Err(Domain::new(kind, shown(wanted), format!("one of {}", by_nearness(table.iter().map(|row| &row.entry).collect(), name))));
         };
         let n = order.and_then(whole);
         match (entry.orders, order, n) {
@@ -166,10 +166,9 @@ fn shown(wanted: &str) -> String {
     if short.len() < wanted.len() { format!("{short:?}...") } else { format!("{short:?}") }
 }
 
-/// Every name of a table, those that differ least from a wanted one first.
-fn by_nearness<R>(table: &[Row<R>], wanted: &str) -> String {
-    let wanted: Vec<char> = wanted.chars().take(60).flat_map(char::to_lowercase).collect();
-    let mut entries: Vec<&Entry> = table.iter().map(|row| &row.entry).collect();
+/// Every name of some entries, those that differ least from a wanted one first.
+fn by_nearness(mut entries: Vec<&Entry>, wanted: &str) -> String {
+    let wanted: Vec<char> = wanted.chars().take(60).map(|letter| letter.to_ascii_lowercase()).collect();
     entries.sort_by_key(|entry| edits(&entry.name.chars().collect::<Vec<_>>(), &wanted));
     entries.iter().map(|entry| entry.pattern()).collect::<Vec<_>>().join(", ")
 }

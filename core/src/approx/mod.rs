@@ -10,21 +10,27 @@ mod angle_ranges;
 mod angle_series;
 mod angle_small;
 mod angle_taylor;
+mod dormand_prince;
 pub mod entry;
 pub mod measure;
+pub mod numerical;
 pub mod period;
 mod period_formulas;
 mod remez;
 mod salas;
 mod search;
 pub mod sine;
-pub mod steps;
+#[cfg(feature = "sine-models")]
+mod sine_model;
+#[cfg(not(feature = "sine-models"))]
+mod sine_model_absent;
+mod steps;
 mod turning;
 
 pub use angle::{AngleApproximation, AngleFormula};
 pub use angle_entries::ANGLES;
 pub use entry::{Entry, Named, Orders};
 pub use measure::LargestError;
+pub use numerical::{NUMERICALS, NumericalFormula, NumericalSolution};
 pub use period::{PERIODS, PeriodFormula};
 pub use sine::{SINES, SineError, SineFormula};
-pub use steps::Scheme;

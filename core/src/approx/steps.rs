@@ -4,14 +4,14 @@
 //! solution is compared with. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.1; Cromer,
 //! Am. J. Phys. 49 (1981) 455; Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich, Wanner, Acta Numerica 12 (2003) 399.
 
-use super::entry::{Entry, Named, Row, entries, row};
-use crate::domain::Domain;
+use super::entry::{Entry, Row, row};
 use crate::elliptic::amplitude::sine_cosine;
 
 /// From a state to the next: the step h and omega0^2.
-type Step = fn(State, f64, f64) -> State;
+pub(super) type Step = fn(State, f64, f64) -> State;
 
-const TABLE: &[Row<Step>] = &[
+/// The schemes of a fixed step.
+pub(super) const SCHEME_TABLE: &[Row<Step>] = &[
     row(
         Entry::new(
             "euler",
@@ -39,18 +39,9 @@ const TABLE: &[Row<Step>] = &[
     row(Entry::new("rk4", "the classical Runge-Kutta scheme of four stages", "Kutta 1901; order 4"), rk4),
 ];
 
-/// The schemes, each of a fixed step.
-pub static SCHEMES: [Entry; TABLE.len()] = entries(TABLE);
-
-/// One of [`SCHEMES`].
-#[derive(Clone, Copy, Debug)]
-pub struct Scheme {
-    step: Step,
-}
-
 /// Angle and velocity.
 #[derive(Clone, Copy, Debug)]
-struct State(f64, f64);
+pub(super) struct State(pub f64, pub f64);
 
 /// -omega^2 sin theta, correctly rounded but for the product.
 fn pull(theta: f64, omega2: f64) -> f64 {
@@ -59,11 +50,11 @@ fn pull(theta: f64, omega2: f64) -> f64 {
 
 impl State {
     /// The state a time h along a slope.
-    fn along(self, slope: State, h: f64) -> State {
+    pub fn along(self, slope: State, h: f64) -> State {
         State(self.0 + h * slope.0, self.1 + h * slope.1)
     }
 
-    fn slope(self, omega2: f64) -> State {
+    pub fn slope(self, omega2: f64) -> State {
         State(self.1, pull(self.0, omega2))
     }
 }
@@ -93,56 +84,9 @@ fn rk4(state: State, h: f64, omega2: f64) -> State {
     state.along(slope, h)
 }
 
-impl Scheme {
-    /// By its name; the error lists the nearest first.
-    pub fn named(name: &str) -> Result<Scheme, Domain> {
-        let (_, &step) = Named::find("scheme", TABLE, name)?;
-        Ok(Scheme { step })
-    }
-
-    /// Angle and velocity at 0, h, 2 h, ... as many as the slices hold, both of one length; the state after the last, from
-    /// which the march goes on.
-    pub fn march(
-        &self,
-        start: (f64, f64),
-        omega2: f64,
-        h: f64,
-        theta: &mut [f64],
-        velocity: &mut [f64],
-    ) -> (f64, f64) {
-        let mut state = State(start.0, start.1);
-        for (theta, velocity) in theta.iter_mut().zip(velocity) {
-            (*theta, *velocity) = (state.0, state.1);
-            state = (self.step)(state, h, omega2);
-        }
-        (state.0, state.1)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Frequency, Orbit};
-
-    /// Largest error of the angle over 3 s of a release from 2 rad.
-    fn error(name: &str, h: f64) -> f64 {
-        let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
-        let steps = (3.0 / h) as usize + 1;
-        let (mut theta, mut velocity) = (vec![0.0; steps], vec![0.0; steps]);
-        Scheme::named(name).unwrap().march((2.0, 0.0), 1.0, h, &mut theta, &mut velocity);
-        let far = |(i, theta): (usize, &f64)| (theta - orbit.theta(h * i as f64)).abs();
-        theta.iter().enumerate().map(far).fold(0.0, f64::max)
-    }
-
-    #[test]
-    fn errors_fall_with_the_order_of_the_scheme() {
-        for (name, order) in [("euler", 1.0), ("euler-cromer", 1.0), ("verlet", 2.0), ("rk4", 4.0)] {
-            let ratio: f64 = error(name, 1.0 / 64.0) / error(name, 1.0 / 128.0);
-            let seen = ratio.log2();
-            assert!((seen - order).abs() < 0.1, "{name}: order {seen}");
-        }
-        assert!(error("rk4", 1.0 / 64.0) < 1e-8);
-    }
 
     #[test]
     fn the_pull_is_the_sine_of_any_angle() {
@@ -151,11 +95,5 @@ mod tests {
             assert!((pull(theta, 1.0) - expected).abs() <= 2.0 * f64::EPSILON * expected.abs(), "{theta}");
         }
         assert!(pull(f64::INFINITY, 1.0).is_nan());
-    }
-
-    #[test]
-    fn unknown_schemes_are_answered() {
-        let said = Scheme::named("rk45").unwrap_err().to_string();
-        assert_eq!(said, "scheme = \"rk45\": must be one of rk4, euler, verlet, euler-cromer");
     }
 }

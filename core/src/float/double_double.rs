@@ -4,7 +4,7 @@
 //! Source: Joldes, Muller & Popescu, ACM TOMS 44 (2017) 15.
 
 use super::exponent::{exp2, ldexp};
-use crate::lanes::Lane;
+use crate::lanes::{Lane, compiled_once};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// hi + lo.
@@ -116,11 +116,7 @@ impl<L: Lane> Add for Dd<L> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let (hi, hi_error) = two_sum(self.hi, other.hi);
-        let (lo, lo_error) = two_sum(self.lo, other.lo);
-        let (hi, rest) = fast_two_sum(hi, hi_error + lo);
-        let (hi, lo) = fast_two_sum(hi, rest + lo_error);
-        Dd::new(hi, lo)
+        sum_of(self, other)
     }
 }
 
@@ -136,9 +132,7 @@ impl<L: Lane> Mul for Dd<L> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let (hi, error) = self.hi.two_product(other.hi);
-        let cross = self.hi.mul_add(other.lo, self.lo * other.hi);
-        Dd::ordered_sum(hi, error + cross)
+        product_of(self, other)
     }
 }
 
@@ -146,8 +140,7 @@ impl<L: Lane> Mul<L> for Dd<L> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: L) -> Self {
-        let (hi, error) = self.hi.two_product(factor);
-        Dd::ordered_sum(hi, self.lo.mul_add(factor, error))
+        multiple_of(self, factor)
     }
 }
 
@@ -155,11 +148,46 @@ impl<L: Lane> Div for Dd<L> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let first = self.hi / other.hi;
-        let rest = self - other * first;
-        let second = rest.hi / other.hi;
-        let rest = rest - other * second;
-        let third = rest.hi / other.hi;
+        quotient_of(self, other)
+    }
+}
+
+compiled_once! {
+    /// The sum of two.
+    fn sum_of<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
+        let (hi, hi_error) = two_sum(a.hi, b.hi);
+        let (lo, lo_error) = two_sum(a.lo, b.lo);
+        let (hi, rest) = fast_two_sum(hi, hi_error + lo);
+        let (hi, lo) = fast_two_sum(hi, rest + lo_error);
+        Dd::new(hi, lo)
+    }
+}
+
+compiled_once! {
+    /// The product of two.
+    fn product_of<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
+        let (hi, error) = a.hi.two_product(b.hi);
+        let cross = a.hi.mul_add(b.lo, a.lo * b.hi);
+        Dd::ordered_sum(hi, error + cross)
+    }
+}
+
+compiled_once! {
+    /// The product with a double.
+    fn multiple_of<L: Lane>(a: Dd<L>, factor: L) -> Dd<L> {
+        let (hi, error) = a.hi.two_product(factor);
+        Dd::ordered_sum(hi, a.lo.mul_add(factor, error))
+    }
+}
+
+compiled_once! {
+    /// The quotient of two.
+    fn quotient_of<L: Lane>(a: Dd<L>, b: Dd<L>) -> Dd<L> {
+        let first = a.hi / b.hi;
+        let rest = a - b * first;
+        let second = rest.hi / b.hi;
+        let rest = rest - b * second;
+        let third = rest.hi / b.hi;
         let (hi, lo) = fast_two_sum(first, second);
         Dd::ordered_sum(hi, lo + third)
     }

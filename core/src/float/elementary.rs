@@ -6,7 +6,7 @@
 
 use super::constants::{HALF_PI, INVERSE_LN_2};
 use super::double_double::{Dd, fast_two_sum, two_sum};
-use crate::lanes::Lane;
+use crate::lanes::{Lane, compiled_once};
 
 /// c[0] + x (c[1] + x (c[2] + ...)).
 #[inline(always)]
@@ -44,56 +44,59 @@ const ARCTANGENT: [f64; 9] = [
     -0.09090905412391087, 0.0769211644851936, -0.06660798672457148, 0.0577644799252066, -0.04208920724718158,
 ];
 
-/// Sine and cosine of z in [0, pi/4] (a little beyond does no harm).
-#[inline(always)]
-pub fn sin_cos<L: Lane>(z: Dd<L>) -> (Dd<L>, Dd<L>) {
-    let (square, square_error) = z.hi.two_product(z.hi);
-    let half = L::splat(0.5);
-    let cube = square * z.hi;
-    // cos: 1 - z^2/2 without rounding, then the small rest.
-    let (lead, lead_error) = fast_two_sum(L::splat(1.0), -(square * half));
-    let rest = (square * square).mul_add(horner(&COSINE, square), lead_error);
-    let rest = rest - z.hi.mul_add(z.lo, square_error * half);
-    let cosine = Dd::ordered_sum(lead, rest);
-    let sine = Dd::ordered_sum(z.hi, cube.mul_add(horner(&SINE, square), z.lo * cosine.hi));
-    (sine, cosine)
+compiled_once! {
+    /// Sine and cosine of z in [0, pi/4] (a little beyond does no harm).
+    pub fn sin_cos<L: Lane>(z: Dd<L>) -> (Dd<L>, Dd<L>) {
+        let (square, square_error) = z.hi.two_product(z.hi);
+        let half = L::splat(0.5);
+        let cube = square * z.hi;
+        // cos: 1 - z^2/2 without rounding, then the small rest.
+        let (lead, lead_error) = fast_two_sum(L::splat(1.0), -(square * half));
+        let rest = (square * square).mul_add(horner(&COSINE, square), lead_error);
+        let rest = rest - z.hi.mul_add(z.lo, square_error * half);
+        let cosine = Dd::ordered_sum(lead, rest);
+        let sine = Dd::ordered_sum(z.hi, cube.mul_add(horner(&SINE, square), z.lo * cosine.hi));
+        (sine, cosine)
+    }
 }
 
 /// ln 2 as 42 bits (so that small multiples are exact) and the rest.
 const LN_2_HEAD: f64 = 0.6931471805598903;
 const LN_2_TAIL: f64 = 5.497923018708371e-14;
 
-/// y = k ln 2 + r: k, and cosh r, sinh r for |r| <= 0.347.
-#[inline(always)]
-fn hyperbolic_reduced<L: Lane>(y: Dd<L>) -> (L, Dd<L>, Dd<L>) {
-    let k = (y.hi * L::splat(INVERSE_LN_2)).round();
-    // Exact: k has few bits, and the difference is small.
-    let head = y.hi - k * L::splat(LN_2_HEAD);
-    let (tail, tail_error) = k.two_product(L::splat(LN_2_TAIL));
-    let (r, r_error) = two_sum(head, -tail);
-    let r = Dd::ordered_sum(r, r_error + (y.lo - tail_error));
-    let (square, square_error) = r.hi.two_product(r.hi);
-    let half = L::splat(0.5);
-    let (lead, lead_error) = fast_two_sum(L::splat(1.0), square * half);
-    let rest = (square * square).mul_add(horner(&HYPERBOLIC_COSINE, square), lead_error);
-    let rest = rest + r.hi.mul_add(r.lo, square_error * half);
-    let cosine = Dd::ordered_sum(lead, rest);
-    let cube = square * r.hi;
-    let sine = Dd::ordered_sum(r.hi, cube.mul_add(horner(&HYPERBOLIC_SINE, square), r.lo * cosine.hi));
-    (k, cosine, sine)
+compiled_once! {
+    /// y = k ln 2 + r: k, and cosh r, sinh r for |r| <= 0.347.
+    fn hyperbolic_reduced<L: Lane>(y: Dd<L>) -> (L, Dd<L>, Dd<L>) {
+        let k = (y.hi * L::splat(INVERSE_LN_2)).round();
+        // Exact: k has few bits, and the difference is small.
+        let head = y.hi - k * L::splat(LN_2_HEAD);
+        let (tail, tail_error) = k.two_product(L::splat(LN_2_TAIL));
+        let (r, r_error) = two_sum(head, -tail);
+        let r = Dd::ordered_sum(r, r_error + (y.lo - tail_error));
+        let (square, square_error) = r.hi.two_product(r.hi);
+        let half = L::splat(0.5);
+        let (lead, lead_error) = fast_two_sum(L::splat(1.0), square * half);
+        let rest = (square * square).mul_add(horner(&HYPERBOLIC_COSINE, square), lead_error);
+        let rest = rest + r.hi.mul_add(r.lo, square_error * half);
+        let cosine = Dd::ordered_sum(lead, rest);
+        let cube = square * r.hi;
+        let sine = Dd::ordered_sum(r.hi, cube.mul_add(horner(&HYPERBOLIC_SINE, square), r.lo * cosine.hi));
+        (k, cosine, sine)
+    }
 }
 
-/// Hyperbolic sine and cosine of y in [0, 700].
-#[inline(always)]
-pub fn sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
-    let (k, cosine, sine) = hyperbolic_reduced(y);
-    let one = L::splat(1.0);
-    let grown = cosine.plus_smaller(sine).scale((k - one).exp2_integer());
-    // e^-y no longer counts beyond 2^-1000 of e^y; the bound keeps the exponent in range.
-    let shrunk = cosine.plus_smaller(-sine).scale((-k - one).exp2_integer());
-    let far = grown.plus_smaller(-shrunk);
-    let near = L::equal(k, L::splat(0.0));
-    (Dd::select(near, sine, far), grown.plus_smaller(shrunk))
+compiled_once! {
+    /// Hyperbolic sine and cosine of y in [0, 700].
+    pub fn sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
+        let (k, cosine, sine) = hyperbolic_reduced(y);
+        let one = L::splat(1.0);
+        let grown = cosine.plus_smaller(sine).scale((k - one).exp2_integer());
+        // e^-y no longer counts beyond 2^-1000 of e^y; the bound keeps the exponent in range.
+        let shrunk = cosine.plus_smaller(-sine).scale((-k - one).exp2_integer());
+        let far = grown.plus_smaller(-shrunk);
+        let near = L::equal(k, L::splat(0.0));
+        (Dd::select(near, sine, far), grown.plus_smaller(shrunk))
+    }
 }
 
 /// Beyond the first sech is 0 in double whatever multiplies it; up to the second sinh is in range, and beyond it no
@@ -108,78 +111,83 @@ fn at_most<L: Lane>(y: Dd<L>, bound: f64) -> Dd<L> {
     Dd::select(beyond, Dd::from_double(L::splat(bound)), y)
 }
 
-/// 1/cosh y for any y >= 0, into the subnormal numbers, as factor and power of two: their product.
-#[inline(always)]
-pub fn sech<L: Lane>(y: Dd<L>) -> (Dd<L>, L) {
-    let (k, cosine, sine) = hyperbolic_reduced(at_most(y, SECH_END));
-    let shrunk = cosine.plain_sum(-sine);
-    // The power of two of e^-y in two steps: the second may be subnormal.
-    let head = L::select(k.less(L::splat(1000.0)), -k, L::splat(-1000.0));
-    let falling = shrunk.scale(head.exp2_integer());
-    let denominator = Dd::from_double(L::splat(1.0)).plain_sum(falling.square());
-    (quotient(falling.scale(L::splat(2.0)), denominator), (-k - head).exp2_integer())
+compiled_once! {
+    /// 1/cosh y for any y >= 0, into the subnormal numbers, as factor and power of two: their product.
+    pub fn sech<L: Lane>(y: Dd<L>) -> (Dd<L>, L) {
+        let (k, cosine, sine) = hyperbolic_reduced(at_most(y, SECH_END));
+        let shrunk = cosine.plain_sum(-sine);
+        // The power of two of e^-y in two steps: the second may be subnormal.
+        let head = L::select(k.less(L::splat(1000.0)), -k, L::splat(-1000.0));
+        let falling = shrunk.scale(head.exp2_integer());
+        let denominator = Dd::from_double(L::splat(1.0)).plain_sum(falling.square());
+        (quotient(falling.scale(L::splat(2.0)), denominator), (-k - head).exp2_integer())
+    }
 }
 
-/// sinh y and cosh y for any y >= 0, held at the end of their range.
-#[inline(always)]
-pub fn saturated_sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
-    sinh_cosh(at_most(y, SINH_END))
+compiled_once! {
+    /// sinh y and cosh y for any y >= 0, held at the end of their range.
+    pub fn saturated_sinh_cosh<L: Lane>(y: Dd<L>) -> (Dd<L>, Dd<L>) {
+        sinh_cosh(at_most(y, SINH_END))
+    }
 }
 
-/// e^y for |y| <= 700.
-#[inline(always)]
-pub fn exp<L: Lane>(y: Dd<L>) -> Dd<L> {
-    let (k, cosine, sine) = hyperbolic_reduced(y);
-    cosine.plain_sum(sine).scale(k.exp2_integer())
+compiled_once! {
+    /// e^y for |y| <= 700.
+    pub fn exp<L: Lane>(y: Dd<L>) -> Dd<L> {
+        let (k, cosine, sine) = hyperbolic_reduced(y);
+        cosine.plain_sum(sine).scale(k.exp2_integer())
+    }
 }
 
 /// Arctangent of 1/2, and of 1.
 const ATAN_HALF: Dd = Dd::new(0.4636476090008061, 2.2698777452961687e-17);
 const ATAN_ONE: Dd = Dd::new(0.7853981633974483, 3.061616997868383e-17);
 
-/// Angle in [0, pi/2] of the point (x, y) = (`adjacent`, `opposite`), both >= 0 and not both 0.
-///
-/// With t = smaller/larger <= 1 and c the nearest of 0, 1/2, 1 to it on the circle,
-/// atan t = atan c + atan((t - c)/(1 + c t)): one division, of double-doubles, and |r| <= 0.2362.
-#[inline(always)]
-pub fn arctangent<L: Lane>(opposite: Dd<L>, adjacent: Dd<L>) -> Dd<L> {
-    let steep = adjacent.hi.less(opposite.hi);
-    let small = Dd::select(steep, adjacent, opposite);
-    let large = Dd::select(steep, opposite, adjacent);
-    let above_low = (large.hi * L::splat(0.2361)).less(small.hi);
-    let above_high = (large.hi * L::splat(0.7208)).less(small.hi);
-    let pick = |zero: f64, half: f64, one: f64| {
-        L::select(above_high, L::splat(one), L::select(above_low, L::splat(half), L::splat(zero)))
-    };
-    let c = pick(0.0, 0.5, 1.0);
-    // c is a power of two or zero: the products are exact.
-    let (top, top_error) = two_sum(small.hi, -(c * large.hi));
-    let top_rest = top_error + (small.lo - c * large.lo);
-    let (bottom, bottom_error) = fast_two_sum(large.hi, c * small.hi);
-    let bottom_rest = bottom_error + (large.lo + c * small.lo);
-    let inverse = L::splat(1.0) / bottom;
-    let r = top * inverse;
-    let (back, back_error) = r.two_product(bottom);
-    let rest = ((top - back) - back_error) + (top_rest - r * bottom_rest);
-    let r_rest = rest * inverse;
-    let square = r * r;
-    let correction = (square * r).mul_add(horner(&ARCTANGENT, square), r_rest);
-    let base = Dd::new(pick(0.0, ATAN_HALF.hi, ATAN_ONE.hi), pick(0.0, ATAN_HALF.lo, ATAN_ONE.lo));
-    let (hi, error) = fast_two_sum(base.hi, r);
-    let shallow = Dd::ordered_sum(hi, error + (base.lo + correction));
-    let (hi, error) = fast_two_sum(L::splat(HALF_PI.hi), -shallow.hi);
-    let complement = Dd::ordered_sum(hi, error + (L::splat(HALF_PI.lo) - shallow.lo));
-    Dd::select(steep, complement, shallow)
+compiled_once! {
+    /// Angle in [0, pi/2] of the point (x, y) = (`adjacent`, `opposite`), both >= 0 and not both 0.
+    ///
+    /// With t = smaller/larger <= 1 and c the nearest of 0, 1/2, 1 to it on the circle,
+    /// atan t = atan c + atan((t - c)/(1 + c t)): one division, of double-doubles, and |r| <= 0.2362.
+    pub fn arctangent<L: Lane>(opposite: Dd<L>, adjacent: Dd<L>) -> Dd<L> {
+        let steep = adjacent.hi.less(opposite.hi);
+        let small = Dd::select(steep, adjacent, opposite);
+        let large = Dd::select(steep, opposite, adjacent);
+        let above_low = (large.hi * L::splat(0.2361)).less(small.hi);
+        let above_high = (large.hi * L::splat(0.7208)).less(small.hi);
+        let pick = |zero: f64, half: f64, one: f64| {
+            L::select(above_high, L::splat(one), L::select(above_low, L::splat(half), L::splat(zero)))
+        };
+        let c = pick(0.0, 0.5, 1.0);
+        // c is a power of two or zero: the products are exact.
+        let (top, top_error) = two_sum(small.hi, -(c * large.hi));
+        let top_rest = top_error + (small.lo - c * large.lo);
+        let (bottom, bottom_error) = fast_two_sum(large.hi, c * small.hi);
+        let bottom_rest = bottom_error + (large.lo + c * small.lo);
+        let inverse = L::splat(1.0) / bottom;
+        let r = top * inverse;
+        let (back, back_error) = r.two_product(bottom);
+        let rest = ((top - back) - back_error) + (top_rest - r * bottom_rest);
+        let r_rest = rest * inverse;
+        let square = r * r;
+        let correction = (square * r).mul_add(horner(&ARCTANGENT, square), r_rest);
+        let base = Dd::new(pick(0.0, ATAN_HALF.hi, ATAN_ONE.hi), pick(0.0, ATAN_HALF.lo, ATAN_ONE.lo));
+        let (hi, error) = fast_two_sum(base.hi, r);
+        let shallow = Dd::ordered_sum(hi, error + (base.lo + correction));
+        let (hi, error) = fast_two_sum(L::splat(HALF_PI.hi), -shallow.hi);
+        let complement = Dd::ordered_sum(hi, error + (L::splat(HALF_PI.lo) - shallow.lo));
+        Dd::select(steep, complement, shallow)
+    }
 }
 
-/// numerator / denominator as hi + lo, one division.
-#[inline(always)]
-pub fn quotient<L: Lane>(numerator: Dd<L>, denominator: Dd<L>) -> Dd<L> {
-    let inverse = L::splat(1.0) / denominator.hi;
-    let first = numerator.hi * inverse;
-    let (back, back_error) = first.two_product(denominator.hi);
-    let rest = ((numerator.hi - back) - back_error) + (numerator.lo - first * denominator.lo);
-    Dd::ordered_sum(first, rest * inverse)
+compiled_once! {
+    /// numerator / denominator as hi + lo, one division.
+    pub fn quotient<L: Lane>(numerator: Dd<L>, denominator: Dd<L>) -> Dd<L> {
+        let inverse = L::splat(1.0) / denominator.hi;
+        let first = numerator.hi * inverse;
+        let (back, back_error) = first.two_product(denominator.hi);
+        let rest = ((numerator.hi - back) - back_error) + (numerator.lo - first * denominator.lo);
+        Dd::ordered_sum(first, rest * inverse)
+    }
 }
 
 #[cfg(test)]

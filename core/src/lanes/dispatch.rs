@@ -15,6 +15,9 @@ type WidePlain = f64;
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
 pub fn single<K: Kernel>(kernel: K) -> K::Output {
+    if host::ONLY_PLAIN {
+        return K::Place::enter::<f64, K>(kernel);
+    }
     match InstructionSet::in_use() {
         InstructionSet::Plain => K::Place::enter::<f64, K>(kernel),
         InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
@@ -24,8 +27,15 @@ pub fn single<K: Kernel>(kernel: K) -> K::Output {
 /// Runs the kernel on the widest lanes of the instruction set in use.
 #[inline]
 pub fn wide<K: Kernel>(kernel: K) -> K::Output {
+    if host::ONLY_PLAIN {
+        return if K::VECTORS {
+            K::Place::enter::<WidePlain, K>(kernel)
+        } else {
+            K::Place::enter::<f64, K>(kernel)
+        };
+    }
     match InstructionSet::in_use() {
-        InstructionSet::Plain => K::Place::enter::<WidePlain, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<f64, K>(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
     }

@@ -5,18 +5,21 @@
 
 use super::dispatch::{single, wide};
 use super::instruction_set::InstructionSet;
-use super::lane::{Kernel, Lane, WIDEST};
+use super::lane::{COMPACT, Kernel, Lane, WIDEST};
 
 /// A function of A numbers with N results that serves every lane.
 pub trait Formula<const A: usize, const N: usize> {
     /// The type in whose module its kernels are compiled: itself, unless it wraps another formula.
     type Place;
+    /// Whether WebAssembly evaluates columns of it on vectors: [`Kernel::VECTORS`].
+    const VECTORS: bool = false;
     /// The results at one lane of each argument; `#[inline(always)]`.
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N];
 }
 
 impl<F: Formula<A, N>, const A: usize, const N: usize> Formula<A, N> for &F {
     type Place = F::Place;
+    const VECTORS: bool = F::VECTORS;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
         (**self).at(arguments)
@@ -57,7 +60,7 @@ impl<'a, 'b, const A: usize, const R: usize> Columns<'a, 'b, A, R> {
 impl<const A: usize, const N: usize> Evaluation<A, N> for Once<A> {
     type Output = [f64; N];
     fn of<F: Formula<A, N>>(self, formula: &F) -> [f64; N] {
-        if InstructionSet::in_use() == InstructionSet::Plain {
+        if InstructionSet::in_use() == InstructionSet::Plain && !COMPACT {
             // The lanes of width one that columns take: nothing more is compiled.
             let mut results = [[0.0]; N];
             let columns = results.each_mut().map(<[f64; 1]>::as_mut_slice);
@@ -71,6 +74,16 @@ impl<const A: usize, const N: usize> Evaluation<A, N> for Once<A> {
 impl<const A: usize, const N: usize, const R: usize> Evaluation<A, N> for Columns<'_, '_, A, R> {
     type Output = ();
     fn of<F: Formula<A, N>>(mut self, formula: &F) {
+        if COMPACT && !F::VECTORS {
+            // By the kernel of one point: nothing more is compiled.
+            for row in 0..self.arguments[0].len() {
+                let values = Once(self.arguments.map(|argument| argument[row])).of(formula);
+                for (result, value) in self.results.iter_mut().zip(values) {
+                    result[row] = value;
+                }
+            }
+            return;
+        }
         wide(Rows::<F, A, N, R> { formula, arguments: self.arguments, results: &mut self.results })
     }
 }
@@ -87,6 +100,7 @@ struct Swapped<'a, F>(&'a F);
 
 impl<const A: usize, const N: usize, F: Formula<A, N>> Formula<A, N> for Swapped<'_, F> {
     type Place = F::Place;
+    const VECTORS: bool = F::VECTORS;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
         let results = self.0.at(arguments);
@@ -136,6 +150,7 @@ impl<F: Formula<A, N>, const A: usize, const N: usize, const R: usize> Kernel
 {
     type Output = ();
     type Place = F::Place;
+    const VECTORS: bool = F::VECTORS;
     #[inline(always)]
     fn run<L: Lane>(self) {
         sweep::<L, A, N, R>(&self.formula, self.arguments, self.results)

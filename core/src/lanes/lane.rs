@@ -2,6 +2,9 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+/// Whether code is to be short rather than fast but where it is asked for by the million: on a page.
+pub const COMPACT: bool = cfg!(target_arch = "wasm32");
+
 /// Doubles side by side, with the operations the kernels use.
 pub trait Lane:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
@@ -10,6 +13,8 @@ pub trait Lane:
     type Mask: Copy;
     /// How many doubles.
     const WIDTH: usize;
+    /// Whether long formulas are functions of their own (`compiled_once!`): for the plain double on a page.
+    const APART: bool = false;
 
     /// The first WIDTH doubles of a slice that has them.
     fn load(from: &[f64]) -> Self;
@@ -53,12 +58,33 @@ pub trait Kernel {
     type Output;
     /// The type in whose module it is compiled: [`Entry`].
     type Place;
+    /// Whether WebAssembly runs it on vectors. A kernel without fused multiplication is long, and a page loads what is
+    /// compiled: only what is asked for by the million has a second one.
+    const VECTORS: bool = false;
     /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
     fn run<L: Lane>(self) -> Self::Output;
 }
 
 /// Widest lane.
 pub const WIDEST: usize = 16;
+
+/// A formula over lanes that is inlined into every kernel, but on lanes that are [`Lane::APART`], where it is a function.
+macro_rules! compiled_once {
+    ($(#[$about:meta])* $visible:vis fn $name:ident<L: Lane>($($argument:ident: $type:ty),*) -> $result:ty $body:block) => {
+        $(#[$about])*
+        #[inline(always)]
+        $visible fn $name<L: Lane>($($argument: $type),*) -> $result {
+            #[inline(always)]
+            fn inlined<L: Lane>($($argument: $type),*) -> $result $body
+            #[inline(never)]
+            fn apart<L: Lane>($($argument: $type),*) -> $result {
+                inlined($($argument),*)
+            }
+            if L::APART { apart($($argument),*) } else { inlined($($argument),*) }
+        }
+    };
+}
+pub(crate) use compiled_once;
 
 /// The function that holds a compiled kernel.
 ///

@@ -37,4 +37,5 @@ mod host;
 pub use dispatch::{single, wide};
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
-pub use lane::{Kernel, Lane, WIDEST};
+pub(crate) use lane::compiled_once;
+pub use lane::{COMPACT, Kernel, Lane, WIDEST};

@@ -8,6 +8,9 @@ use super::pair::Pair;
 use super::vector::vector;
 use core::arch::aarch64::*;
 
+/// Whether `Plain` is the only set, known when compiled.
+pub const ONLY_PLAIN: bool = false;
+
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {
     2

@@ -1,7 +1,9 @@
-//! Processors without lanes of their own here: width one, without fused multiplication; the other sets are never in
-//! use there.
+//! Processors without lanes of their own here: width one, without fused multiplication, and nothing else is compiled.
 
 use super::lane::Kernel;
+
+/// Whether `Plain` is the only set, known when compiled.
+pub const ONLY_PLAIN: bool = true;
 
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {

@@ -1,6 +1,6 @@
 //! The lane of width one without fused multiplication: a plain double, on every processor.
 
-use super::lane::Lane;
+use super::lane::{COMPACT, Lane};
 
 /// Factors above 2^990 are scaled by 2^-56 so that splitting does not overflow, and their product back by 2^56.
 pub(super) const HUGE: f64 = 1.046_336_793_293_362_4e298;
@@ -13,6 +13,7 @@ pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 impl Lane for f64 {
     type Mask = bool;
     const WIDTH: usize = 1;
+    const APART: bool = COMPACT;
 
     #[inline(always)]
     fn load(from: &[f64]) -> f64 {
@@ -38,7 +39,7 @@ impl Lane for f64 {
             return product_of_huge(self, factor);
         }
         let product = self * factor;
-        (product, product_error(self, factor, product))
+        (product, host_product_error(self, factor, product))
     }
     #[inline(always)]
     fn round(self) -> f64 {
@@ -72,6 +73,13 @@ impl Lane for f64 {
     fn select(mask: bool, yes: f64, no: f64) -> f64 {
         if mask { yes } else { no }
     }
+}
+
+/// Of plain doubles. On a page the bytes count: there it is compiled once.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+fn host_product_error(a: f64, b: f64, product: f64) -> f64 {
+    product_error(a, b, product)
 }
 
 /// Product and error of factors of which one or both are too large to be split.

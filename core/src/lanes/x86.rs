@@ -9,6 +9,9 @@ use super::pair::Pair;
 use super::vector::vector;
 use core::arch::x86_64::*;
 
+/// Whether `Plain` is the only set, known when compiled.
+pub const ONLY_PLAIN: bool = false;
+
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {
     let fused = std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");

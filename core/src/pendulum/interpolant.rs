@@ -53,6 +53,7 @@ pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub 
 impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
     const DIRECT: bool = true;
+    const VECTORS: bool = true;
     #[inline(always)]
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
         let ByInterpolant(elliptic, interpolant) = self;

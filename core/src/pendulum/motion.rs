@@ -9,7 +9,7 @@ use super::orbit::{Orbit, Solution};
 use super::theta_quotients::{ByThetaFunctions, Elliptic};
 use crate::float::elementary::arctangent;
 use crate::float::{Dd, TWO_PI};
-use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, Second};
+use crate::lanes::{COMPACT, Columns, Evaluation, Formula, Lane, Once, Second};
 
 /// A canonical motion in the frame of an orbit, asked for the angle, the velocity, or both.
 struct InFrame<'a, M, const ANGLE: bool, const VELOCITY: bool>(&'a Orbit, M);
@@ -18,6 +18,7 @@ impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RES
     for InFrame<'_, M, ANGLE, VELOCITY>
 {
     type Place = M;
+    const VECTORS: bool = M::VECTORS;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let InFrame(orbit, motion) = self;
@@ -93,6 +94,9 @@ impl Orbit {
         motion: M,
         evaluation: E,
     ) -> E::Output {
+        if COMPACT && !M::VECTORS {
+            return evaluation.of(&InFrame::<M, true, true>(self, motion));
+        }
         evaluation.of(&InFrame::<M, ANGLE, VELOCITY>(self, motion))
     }
 

@@ -230,6 +230,25 @@ impl Orbit {
         }
     }
 
+    /// The first time from `after` on (in s, included) at which the motion passes `theta`; `None` where it does not.
+    ///
+    /// **Error** and source as for [`Orbit::times`].
+    ///
+    /// # Errors
+    /// As for [`Orbit::times`].
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(2.0, 0.0, Frequency::from_omega0(1.0)?)?;
+    /// assert_eq!(orbit.next_time(0.5, 2.0)?.map(|t| format!("{t:.6}")), Some("6.563908".into()));
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    pub fn next_time(&self, theta: f64, after: f64) -> Result<Option<f64>, Domain> {
+        // A libration passes every angle that it reaches within a period; the other motions pass it once.
+        let longest = if matches!(self.solution, Solution::Libration(_)) { 1.5 * self.period() } else { f64::MAX };
+        Ok(self.times(theta, after, after + longest)?.first().copied())
+    }
+
     /// All times from `start` to `stop` (in s, both included) at which a libration turns back; none in other regimes.
     ///
     /// **Error** and source as for [`Orbit::times`].

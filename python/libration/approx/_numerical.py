@@ -1,6 +1,7 @@
 """Numerical solutions by name: what a first program, or SciPy as it comes, makes of the pendulum.
 
-The steps of fixed length are the core's (core/approx/steps.rs); `solve_ivp` and `odeint` are SciPy's, with its defaults.
+`solve_ivp` and `odeint` are SciPy's, with its defaults; the others are the core's (core/src/approx/numerical.rs), where
+`rk45` is `solve_ivp` once more, step by step, for those without SciPy.
 """
 
 from __future__ import annotations
@@ -40,7 +41,8 @@ SCIPY = {
 
 @dataclass(frozen=True)
 class NumericalFormula:
-    """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `verlet:H`, `rk4:H` with steps of H s, `solve_ivp`, `odeint`.
+    """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `verlet:H`, `rk4:H` with steps of H s; `rk45`,
+    `solve_ivp`, `odeint`.
 
     Parameters
     ----------
@@ -68,9 +70,9 @@ class NumericalFormula:
         if self.scheme not in SCHEMES and self.scheme not in SCIPY:
             near = ", ".join(nearest(numerical.names, self.name))
             raise ValueError(f"numerical solution = {self.name!r}: must be one of {near}")
-        if self.scheme in SCIPY and colon:
+        if self.scheme not in STEPPED and colon and (self.scheme in SCIPY or self.scheme in SCHEMES):
             raise ValueError(f"numerical solution = {self.name!r}: must be {self.scheme} without a step")
-        if self.scheme in SCHEMES:
+        if self.scheme in STEPPED:
             if not (NUMBER.fullmatch(step) and 0 < self.step < math.inf):
                 allowed = f"{self.scheme}:H with a step H > 0 in s, as {self.scheme}:0.01"
                 raise ValueError(f"numerical solution = {self.name!r}: must be {allowed}")
@@ -163,7 +165,8 @@ class NumericalSolution:
         Parameters
         ----------
         t : scalar or array
-            Time in s, finite and not negative. Between steps of fixed length the cubic through both states is taken.
+            Time in s, finite and not negative. Between steps of fixed length the cubic through both states is taken, in a
+            step of `rk45` its interpolant. As in SciPy its last step ends at the last of the times.
 
         Returns
         -------
@@ -264,7 +267,7 @@ class NumericalSolution:
     def _instants(self, periods: float) -> np.ndarray:
         """The instants at which it is compared."""
         last = checked_span(periods, self.pendulum)
-        if self.formula.scheme in SCIPY:
+        if self.formula.scheme not in STEPPED:
             return np.linspace(0.0, last, math.ceil(INSTANTS * periods) + 1)
         t = self.formula.step * np.arange(self._steps(last) + 1)
         # The last step may end beyond.
@@ -279,19 +282,20 @@ class NumericalSolution:
 
     def _rising(self, t: np.ndarray) -> np.ndarray:
         """Angle at times that rise."""
-        pendulum = self.pendulum
-        start = pendulum.theta0, pendulum.velocity0
-        if self.formula.scheme in SCIPY:
-            return scipy_solution(self.formula.scheme, start, pendulum.omega2, t)
-        step = self.formula.step
-        theta, velocity = _core.march(self.formula.scheme, start, pendulum.omega2, step, self._steps(t[-1]) + 1)
-        before = np.minimum((t / step).astype(np.int64), theta.size - 2)
-        return between(theta, velocity, before, t / step - before, step)
+        pendulum, scheme, until = self.pendulum, self.formula.scheme, float(t[-1])
+        if scheme in SCIPY:
+            start = pendulum.theta0, pendulum.velocity0
+            return scipy_solution(scheme, start, pendulum.omega2, t)
+        step = self.formula.step if scheme in STEPPED else None
+        theta: np.ndarray = _core.NumericalSolution(scheme, step, pendulum._orbit, until).theta(t)
+        return theta
 
 
-SCHEMES: dict[str, tuple[str, str]] = {name: (formula, source) for name, formula, source in _core.schemes()}
+SCHEMES: dict[str, tuple[str, str]] = {name: (formula, source) for name, formula, source, _ in _core.schemes()}
+STEPPED = frozenset(name for name, _, _, stepped in _core.schemes() if stepped)
 USUAL = {"euler": "0.01", "euler-cromer": "0.01", "verlet": "0.01", "rk4": "0.025"}
-numerical = Registry(NumericalFormula, [*(f"{name}:H" for name in SCHEMES), *SCIPY], USUAL)
+PATTERNS = [f"{name}:H" if name in STEPPED else name for name in SCHEMES]
+numerical = Registry(NumericalFormula, [*PATTERNS, *SCIPY], USUAL)
 
 
 def nearest(patterns: Iterable[str], wanted: str) -> list[str]:
@@ -317,17 +321,6 @@ def checked_span(periods: float, pendulum: Pendulum) -> float:
     if not math.isfinite(last):
         raise ValueError(f"period = {pendulum.period}: must be finite for an error over periods")
     return last
-
-
-def between(theta: np.ndarray, velocity: np.ndarray, before: np.ndarray, part: np.ndarray, step: float) -> np.ndarray:
-    """The cubic through two states, at parts of a step."""
-    a, b = theta[before], theta[before + 1]
-    # A step far too long overflows.
-    with np.errstate(over="ignore", invalid="ignore"):
-        slope_a, slope_b = step * velocity[before], step * velocity[before + 1]
-        bend: np.ndarray = 3 * (b - a) - 2 * slope_a - slope_b
-        cubic: np.ndarray = a + part * (slope_a + part * (bend + part * (2 * (a - b) + slope_a + slope_b)))
-    return cubic
 
 
 def scipy_solution(name: str, start: tuple[float, float], omega2: float, t: np.ndarray) -> np.ndarray:

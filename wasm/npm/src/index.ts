@@ -1,0 +1,18 @@
+/**
+ * libration: the exact nonlinear pendulum and the elliptic functions it needs, right to the last digits.
+ *
+ * Call `await load()` once; everything else answers at once. Angles in rad, everything else in SI units. A number gives
+ * a number, an array a Float64Array. Wrong arguments throw a DomainError that names argument, value and what is allowed.
+ *
+ * @example
+ * import { load, Pendulum } from "libration";
+ * await load();
+ * console.log(new Pendulum({ theta0: 3 }).theta(5)); // -1.67599...
+ *
+ * @packageDocumentation
+ */
+
+export * as approx from "./approx/index.js";
+export { DomainError, hasVectors, load, loadSecond, type Numbers, type Source, type Sources, usesVectors, version } from "./core.js";
+export * as elliptic from "./elliptic.js";
+export { type Energies, type Extremes, type Motion, Pendulum, type PendulumOptions, type Regime, type Turns } from "./pendulum.js";

@@ -1,0 +1,94 @@
+/** How the core is loaded, what is refused before, and which arguments a pendulum takes. */
+
+import { strict as assert } from "node:assert";
+import { execFile } from "node:child_process";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { promisify } from "node:util";
+import { DomainError, hasVectors, Pendulum, version } from "./loaded.js";
+import { ROOT } from "./ruler.js";
+
+/** What a program of its own prints, the package not yet being loaded in it. */
+async function printed(program: string): Promise<string> {
+  const options = { cwd: new URL("wasm/npm/", ROOT) };
+  const { stdout } = await promisify(execFile)(process.execPath, ["--input-type=module", "-e", program], options);
+  return stdout.trim();
+}
+
+test("before load everything says what is missing", async () => {
+  const program = `import { Pendulum } from "libration";
+    try { new Pendulum({ theta0: 1 }); } catch (error) { console.log(error.message); }`;
+  assert.equal(await printed(program), "the core is not loaded: await load() first");
+});
+
+test("a module comes from the package, from bytes, from a base64 address; a wrong one can be tried again", async () => {
+  const program = `import { load, Pendulum, usesVectors } from "libration";
+    import { readFileSync } from "node:fs";
+    const scalar = "data:application/wasm;base64," + readFileSync("dist/libration-scalar.wasm").toString("base64");
+    await load({ scalar: new Uint8Array(4) }).catch((error) => console.log(error.name));
+    await Promise.all([load({ scalar }), load({ scalar })]);
+    console.log(usesVectors(), new Pendulum({ theta0: 3 }).theta(5));`;
+  const scalar = await printed(program);
+  const simd = await printed(`import { load, Pendulum } from "libration"; await load(); console.log(new Pendulum({ theta0: 3 }).theta(5));`);
+  assert.equal(scalar, `CompileError\nfalse ${simd}`);
+});
+
+test("an engine without vectors takes the scalar module", async () => {
+  const program = `WebAssembly.validate = () => false;
+    const { load, usesVectors, hasVectors } = await import("libration");
+    await load(); console.log(hasVectors(), usesVectors());`;
+  assert.equal(await printed(program), "false false");
+  assert.equal(hasVectors(), true);
+});
+
+test("the version is that of the core", async () => {
+  const manifest = await readFile(new URL("Cargo.toml", ROOT), "utf8");
+  assert.equal(version(), /^version = "(.*)"$/m.exec(manifest)?.[1]);
+  const { version: ours } = JSON.parse(await readFile(new URL("wasm/npm/package.json", ROOT), "utf8")) as { version: string };
+  assert.equal(version(), ours);
+});
+
+test("wrong arguments are named with their value and what is allowed", () => {
+  const refused = (options: object): string => {
+    try {
+      new Pendulum(options as { theta0: number });
+    } catch (error) {
+      if (error instanceof DomainError) return error.message;
+      throw error;
+    }
+    return "";
+  };
+  assert.equal(refused({ theta0: Number.NaN }), "theta0 = NaN: must be finite");
+  assert.equal(refused({ theta0: 1, length: -1 }), "length = -1.0: must be finite and positive");
+  assert.match(refused({ theta0: 1, omega0: 1, length: 2 }), /must be given as one of omega0, omega2 and length$/);
+  assert.match(refused({ theta0: 1, gravity: 9.8 }), /^gravity = 9.8: must be given with a length$/);
+  assert.equal(new Pendulum({ theta0: 1, length: 2 }).gravity, 9.80665);
+});
+
+test("times, turns and crossings", () => {
+  const pendulum = new Pendulum({ theta0: 1 });
+  const times = pendulum.times(0.5, 0, 7);
+  assert.deepEqual(Array.from(times, (t) => t.toFixed(6)), ["1.126844", "5.573131"]);
+  assert.deepEqual(Array.from(pendulum.turningTimes(0, 10), (t) => t.toFixed(6)), ["0.000000", "3.349988", "6.699976"]);
+  assert.equal(pendulum.nextCrossing(0.5, 2), times[1]);
+  assert.ok(Number.isNaN(pendulum.nextCrossing(2, 0)));
+  assert.throws(() => pendulum.times(0.5, 1, 0), /^DomainError: stop = 0.0: must be not before start, 1.0$/);
+  const { n, angle } = new Pendulum({ theta0: 0, velocity0: 3 }).turns(10);
+  assert.ok(n === 4 && angle.toFixed(6) === "1.025388");
+});
+
+test("thousands of forgotten pendulums leave room, and one thousand are kept apart", () => {
+  const many = Array.from({ length: 1000 }, (_, i) => new Pendulum({ theta0: (i + 1) / 1000 }));
+  many.forEach((pendulum, i) => assert.equal(pendulum.theta(0), (i + 1) / 1000));
+});
+
+test("results go where they are told, also onto their arguments", () => {
+  const pendulum = new Pendulum({ theta0: 2 });
+  const t = Float64Array.from({ length: 10000 }, (_, i) => i / 100);
+  const expected = pendulum.motion(t);
+  const out = { theta: new Float64Array(t.length), velocity: new Float64Array(t.length) };
+  assert.equal(pendulum.motion(t, out).theta, out.theta);
+  assert.deepEqual(out, expected);
+  assert.equal(pendulum.theta(t, t), t);
+  assert.deepEqual(t, expected.theta);
+});
