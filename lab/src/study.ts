@@ -9,8 +9,9 @@ import { remember } from './memory'
 import type { Compared, Energy, Motion, Refusal, Setup, Solution, Track } from './model'
 import type { State } from './state'
 
-/** Points of a curve in a window. */
+/** Steps of a curve in a window; while a hand is on a control, one to a pixel of a laptop's plot is enough. */
 export const POINTS = 1200
+export const QUICK_POINTS = 600
 
 export interface Window {
   readonly from: number
@@ -110,8 +111,8 @@ function thinned(values: Float64Array, stride: number): Float64Array {
   )
 }
 
-/** While a hand is on a control, energies have fewer points: 2 px of a laptop's plot. */
-const QUICK_STRIDE = 4
+/** And energies have half of them. */
+const QUICK_STRIDE = 2
 
 function energyOf(motion: Motion, times: Float64Array, track: Track, quick: boolean): Points {
   if (!quick) return { x: times, y: motion.energy(track).total }
@@ -155,12 +156,12 @@ function drawn(
 }
 
 /**
- * All that the Lab draws, but for the time shown. While a control is held it is `quick`: curves have all their points,
- * errors are plain differences, energies have fewer points, and what is switched off is not computed.
+ * All that the Lab draws, but for the time shown. While a control is held it is `quick`: fewer points, errors as
+ * plain differences, and what is switched off is not computed.
  */
 export function study(motion: Motion, curves: readonly Curve[], from: number, to: number, quick = false): Study {
   const window = { from, to }
-  const times = evenTimes(window, POINTS)
+  const times = evenTimes(window, quick ? QUICK_POINTS : POINTS)
   const exact = motion.sample(times)
   const frame = { motion, window, times, exact, quick }
   const clothes = clothesOf(curves)
