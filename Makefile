@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers lab accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -134,12 +134,15 @@ lab/node_modules/.needed: lab/package-lock.json
 	@cd lab && npm ci --silent --no-audit --no-fund
 	@touch $@
 
-lab: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/dist/offline.html, and serve it at 127.0.0.1
+page: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/dist/offline.html, and into the package (a minute)
 	@mkdir -p $(LOGS)
-	@cd lab && npm run build >../$(LOGS)/lab.log 2>&1 || { tail -n 40 ../$(LOGS)/lab.log; exit 1; }
+	@cd lab && npm run build >../$(LOGS)/page.log 2>&1 || { tail -n 40 ../$(LOGS)/page.log; exit 1; }
+	@rm -rf python/libration/page && cp -r lab/dist python/libration/page
+
+lab: page ## build the page and serve it at 127.0.0.1
 	@cd lab && npm run --silent serve
 
-wheel: $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
+wheel: page $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
 	@maturin build --release --locked --out dist
 
 format: $(VENV)/.packages $(VENV)/.components ## write every file the way the formatters do (2 s)
@@ -198,9 +201,9 @@ test/truth: $(TOOLS)
 test/rust: kernels
 	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
 
-# The page: its types, its lint, its tests without a browser, and its build with the budgets.
-test/lab: wasm lab/node_modules/.needed
-	$(call step,cd lab && npm run --silent lint && npm test --silent && npm run --silent build)
+# The page: its lint and its tests without a browser; its types and budgets are checked by its build.
+test/lab: page
+	$(call step,cd lab && npm run --silent lint && npm test --silent)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:
