@@ -166,7 +166,7 @@ export const en = {
     step: 'step {step}',
     full: 'Six curves are drawn. Switch one off to draw another.',
     refused: 'not for this motion',
-    stated: 'stated {range}',
+    stated: 'stated up to {range}',
     overTop: 'over the top at {t}',
     tooLong: 'not computed beyond {t}: too many steps',
     none: '–',

@@ -22,9 +22,9 @@ export function studyOf({ motion, state, t, session }: Live): Study {
 /** What is wrong with a curve shown, for the screen reader. */
 export const labAlarm = (page: Live): string => alarmText(page, studyOf(page))
 
-/** A long list leaves the portrait less room, or none. */
+/** A long list leaves the portrait no room. */
 function crowding(rows: number): string {
-  return rows > 5 ? 'very-crowded' : rows > 4 ? 'crowded' : ''
+  return rows > 5 ? 'very-crowded' : ''
 }
 
 export function lab(page: Live): TemplateResult {
@@ -35,7 +35,7 @@ export function lab(page: Live): TemplateResult {
     angle: solution.theta(t),
     faded: session.pointed !== null && session.pointed !== key,
   }))
-  return html`<div class="columns">${bench(page, ghosts)}
+  return html`<div class="columns lab-columns">${bench(page, ghosts)}
     <div class="column middle">${angleChart(page, study)}${errorChart(page, study)}${energyChart(page, study)}${player(page, study.window, periodMarks(study), spanSwitch(page))}</div>
     <div class="column right ${crowding(study.rows.length)}">${compareList(page, study)}${portraitChart(page)}</div>
   </div>`
