@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic docs wheel format lint clean kernels
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -119,6 +119,9 @@ bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes a
 
 bench-elliptic: $(VENV)/.packages $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's: docs/elliptic.md (5 minutes)
 	@$(PY) bench/run_elliptic.py
+
+bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)
+	@$(PY) bench/run_damped.py
 
 docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and picture (a minute)
 	@mkdir -p out

@@ -1,18 +1,22 @@
-"""Draws docs/duffing.png, the phase portraits of the springs with orbits of every regime, and docs/periods.png.
+"""Draws docs/duffing.png, the phase portraits of the springs with orbits of every regime, and docs/periods.png; docs/damped.png, a
+motion with friction; docs/junction.png, Shapiro's steps.
 
 Run: python docs/pictures.py
 """
 
 from pathlib import Path
 
+import junction
 import numpy as np
+from scipy.special import jv
 
-from libration import Duffing
+from libration import DampedPendulum, Duffing, Friction
 from libration.plot import plot_periods
+from libration.plot._axes import named
 from libration.plot._language import ENGLISH
 from libration.plot._potential import barriers, equilibria, polynomial, potential
 from libration.plot._springs import along
-from libration.plot._style import DASHED, EXACT, FAINT, SEPARATRIX, quiet, save_figure
+from libration.plot._style import DASHED, EXACT, FAINT, GREEN, LINEAR, PURPLE, SEPARATRIX, quiet, save_figure
 
 # Title, p and q, half width and height, and orbits: a label, where it stands over the orbit, and a start each.
 PANELS = [
@@ -98,10 +102,35 @@ def draw_springs(figure):
     figure.legend(handles=marks, loc="outside lower center", ncols=5, frameon=False, fontsize=10)
 
 
+def draw_damped(figure):
+    """A pendulum that turns over the top twice, swings and is stopped by dry friction: angle, energy and spiral."""
+    friction = Friction(linear=0.03, quadratic=0.02, dry=0.02)
+    pendulum, t = DampedPendulum(0.0, 2.9, friction=friction), [0.0, 75.0]
+    panels = figure.subplot_mosaic([["angle", "phase"], ["energy", "phase"]], width_ratios=(1.25, 1))
+    look = {"color": EXACT, "lw": 1.6, "label": "with friction"}
+    for axes in panels.values():
+        quiet(axes)
+    pendulum.plot(t, ax=panels["angle"], undamped=False, **look)
+    pendulum.plot_energy(t, ax=panels["energy"], **look)
+    pendulum.plot_phase(panels["phase"], t=t, **look)
+    for axes in panels.values():
+        named(axes, new=True)
+
+
+def draw_junction(figure):
+    """Shapiro's steps, and how wide they are."""
+    left, right = figure.subplots(1, 2)
+    colors = {"steps": SEPARATRIX, "dashes": DASHED, "still": LINEAR, "driven": EXACT, "orders": (EXACT, GREEN, PURPLE)}
+    junction.draw_curve(left, quiet, colors)
+    junction.draw_widths(right, quiet, colors, jv)
+
+
 def main():
     """Write the pictures beside this file."""
     save_figure({"png": Path(__file__).with_name("duffing.png")}, (12, 7.6), draw_springs)
     plot_periods(Path(__file__).with_name("periods.png"))
+    save_figure({"png": Path(__file__).with_name("damped.png")}, (12, 6.4), draw_damped)
+    save_figure({"png": Path(__file__).with_name("junction.png")}, (12, 5), draw_junction)
 
 
 if __name__ == "__main__":

@@ -122,9 +122,66 @@ fn averages_are_of_second_order() {
     let motion = trajectory(60f64.to_radians(), 0.0, 1.0, [0.01, 0.0, 0.0, 0.0], Torque::NONE, 110.0);
     let unit = Frequency::from_omega2(1.0).unwrap();
     for t in motion.turning_times(0.0, 110.0).unwrap() {
-        let angle = averaged_turning_angle(60f64.to_radians(), t, unit, 0.01);
+        let friction = Friction::new(0.01, 0.0, 0.0, 0.0).unwrap();
+        let angle = averaged_turning_angle(60f64.to_radians(), t, unit, friction);
         assert!((motion.theta(t).abs() - angle).abs().to_degrees() < 1e-3, "{t}");
     }
+}
+
+/// The turning angle in the mean: it has the averaged rate, one decay after another is one decay, and the closed form of linear
+/// friction is the limit of the quadrature.
+#[test]
+fn averaged_decays() {
+    let force = Frequency::from_omega2(2.0).unwrap();
+    let of = |law: [f64; 4]| Friction::new(law[0], law[1], law[2], law[3]).unwrap();
+    let laws =
+        [[0.0, 0.05, 0.0, 0.0], [0.0, 0.0, 0.02, 0.0], [0.01, 0.03, 0.005, 0.0], [0.01, 0.0, 0.02, 0.05]];
+    for law in laws.map(of) {
+        for start in [1e-3, 0.5, 2.0, 3.1, 3.14159] {
+            let now = |t: f64| averaged_turning_angle(start, t, force, law);
+            assert_eq!(now(0.0), start);
+            for t in [0.01, 1.0, 10.0] {
+                let angle = now(t);
+                if angle == 0.0 {
+                    assert!(law.dry() > 0.0 && law.presliding() == 0.0);
+                    continue;
+                }
+                let onward = averaged_turning_angle(angle, 3.0, force, law);
+                assert!((onward - now(t + 3.0)).abs() <= 1e-13 * start, "{law:?} {start} {t}");
+                // Next to the top a time says little of where it began.
+                let back = averaged_turning_angle(angle, -t, force, law);
+                let slack = if start < 3.11 { 1e-12 } else { 1e-9 };
+                assert!((back - start).abs() <= slack * start, "{law:?} {start} {t} {back}");
+                let slope = (now(t + 1e-4) - now(t - 1e-4)) / 2e-4;
+                let rate = averaged_turning_rate(angle, force, law);
+                if now(t + 1e-4) > 0.0 && start < 3.0 {
+                    assert!((slope / rate - 1.0).abs() < 1e-5, "{law:?} {start} {t} {slope} {rate}");
+                }
+            }
+        }
+    }
+    for start in [1e-3, 0.5, 2.0, 3.1] {
+        for t in [-1.0, 0.3, 20.0, 300.0] {
+            let closed = averaged_turning_angle(start, t, force, of([0.02, 0.0, 0.0, 0.0]));
+            let sum = averaged_turning_angle(start, t, force, of([0.02, 1e-20, 0.0, 0.0]));
+            let both = sum.is_nan() && closed.is_nan();
+            assert!(both || (sum - closed).abs() <= 1e-14 * closed, "{start} {t} {sum} {closed}");
+        }
+    }
+    // Small swings: 1/a = 1/a0 + 4 beta omega0 t/3 pi, and dry friction takes 2 mu/pi omega0 in the mean.
+    let [mut quadratic, mut dry] = [[0.0; 4]; 2];
+    (quadratic[1], dry[2]) = (0.1, 1e-9);
+    let (beta, omega0, pi) = (0.1, 2f64.sqrt(), core::f64::consts::PI);
+    let inverse = 1.0 / averaged_turning_angle(1e-6, 1e8, force, of(quadratic));
+    assert!((inverse / (1e6 + 4.0 * beta * omega0 * 1e8 / (3.0 * pi)) - 1.0).abs() < 1e-11);
+    let lost = 1e-6 - averaged_turning_angle(1e-6, 500.0, force, of(dry));
+    assert!((lost / (2e-9 * 500.0 / (pi * omega0)) - 1.0).abs() < 1e-8);
+    let unserved = [[0.01, -0.1, 0.0, 0.0], [-0.01, 0.0, 0.1, 0.0]].map(of);
+    assert!(unserved.iter().all(|law| averaged_turning_angle(1.0, 1.0, force, *law).is_nan()));
+    for (theta, t) in [(4.0, 1.0), (-0.1, 1.0), (1.0, f64::NAN), (1.0, -1e4)] {
+        assert!(averaged_turning_angle(theta, t, force, of([0.0, 0.1, 0.1, 0.0])).is_nan(), "{theta} {t}");
+    }
+    assert_eq!(averaged_turning_angle(0.0, 5.0, force, of([0.0, 0.1, 0.1, 0.0])), 0.0);
 }
 
 /// Small swings under linear friction, and fall under quadratic friction without a force, have closed forms.

@@ -1,127 +1,116 @@
-//! Pulls of omega0 over replicas of synthetic records: `cargo run --release --example replicas -- [replicas] [case]`.
+//! Pulls of omega0 over replicas of synthetic records: `cargo run --release -p libration-fit --example replicas -- [replicas] [case]`.
 //!
-//! Each line: noise, friction model, mean and deviation of (found - true)/u, and the share within 2 u.
+//! A pull is (found - true)/u. Each row of the table: the friction of the record, the model that is fitted, the correlation of an error
+//! with the next, the mean and the deviation of the pulls of omega0, the share within 2 u, the deviation of the errors over the mean
+//! statistical u, and the deviation of the pulls of every friction term.
 
 use libration::{DampedPendulum, Frequency, Friction, Torque};
-use libration_fit::fit::{Data, FitOptions, Measured, Model, fit};
+use libration_fit::fit::{Data, Estimate, Fit, FitOptions, Measured, Model, Stream, fit};
 
-/// Standard normal numbers from a linear congruence: the same on every machine.
-struct Normal(u64);
-
-impl Normal {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 11) as f64 + 0.5) / 9_007_199_254_740_992.0
-    }
-    fn next(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (core::f64::consts::TAU * self.uniform()).cos()
-    }
-}
-
+#[derive(Clone, Copy)]
 struct Case {
     name: &'static str,
+    /// Of the release, in degrees.
     theta0: f64,
-    omega2: f64,
     friction: [f64; 4],
+    /// None for the ladder's own choice.
     model: Option<Model>,
     rows: usize,
-    step: f64,
+    /// Of the noise, in rad.
     sigma: f64,
-    memory: f64,
 }
 
-fn pulls(case: &Case, replicas: u64) {
+/// The pendulum of 0.8 m where g is 9.81, 30 samples a second.
+const OMEGA2: f64 = 9.81 / 0.8;
+const STEP: f64 = 1.0 / 30.0;
+
+const fn case(name: &'static str, friction: [f64; 4], model: Option<Model>) -> Case {
+    Case { name, theta0: 70.0, friction, model, rows: 600, sigma: 0.01 }
+}
+
+const CASES: [Case; 16] = [
+    case("none", [0.0; 4], Some(Model::None)),
+    case("linear", [0.02, 0.0, 0.0, 0.0], Some(Model::Linear)),
+    case("linear + quadratic", [0.01, 0.02, 0.0, 0.0], Some(Model::Quadratic)),
+    case("quadratic", [0.0, 0.02, 0.0, 0.0], Some(Model::Quadratic)),
+    case("linear + quadratic + dry", [0.01, 0.02, 0.05, 0.0], Some(Model::Dry)),
+    case("linear + dry", [0.01, 0.0, 0.05, 0.0], Some(Model::Dry)),
+    case("quadratic + dry", [0.0, 0.02, 0.05, 0.0], Some(Model::Dry)),
+    case("dry", [0.0, 0.0, 0.05, 0.0], Some(Model::Dry)),
+    case("all with presliding", [0.01, 0.02, 0.3, 0.05], Some(Model::Presliding)),
+    case("dry + presliding", [0.0, 0.0, 0.3, 0.05], Some(Model::Presliding)),
+    case("presliding near its bound", [0.01, 0.02, 0.1, 0.003], Some(Model::Presliding)),
+    case("linear, by the ladder", [0.02, 0.0, 0.0, 0.0], None),
+    case("linear + quadratic, by the ladder", [0.01, 0.02, 0.0, 0.0], None),
+    case("linear + quadratic + dry, by the ladder", [0.01, 0.02, 0.05, 0.0], None),
+    Case { sigma: 0.003, ..case("all with presliding, by the ladder", [0.01, 0.02, 0.3, 0.05], None) },
+    // gamma = omega0/200.
+    Case {
+        theta0: 100.0,
+        rows: 1500,
+        ..case("Q = 100 from 100 deg, by the ladder", [0.017_508_926_8, 0.0, 0.0, 0.0], None)
+    },
+];
+
+/// Mean and deviation.
+fn moments(values: &[f64]) -> (f64, f64) {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    (mean, (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt())
+}
+
+fn row(case: &Case, memory: f64, replicas: u64) {
     let [a, b, c, d] = case.friction;
-    let friction = Friction::new(a, b, c, d).unwrap();
-    let frequency = Frequency::from_omega2(case.omega2).unwrap();
-    let pendulum =
-        DampedPendulum::new(case.theta0.to_radians(), 0.0, frequency, friction, Torque::NONE).unwrap();
-    let trajectory = pendulum.trajectory(0.0, case.step * case.rows as f64).unwrap();
-    let t: Vec<f64> = (0..case.rows).map(|i| case.step * i as f64).collect();
-    let (mut found, mut refused, mut parts) = (Vec::new(), 0, [0.0; 2]);
+    let friction = Friction::new(a, b, c, d).expect("friction");
+    let frequency = Frequency::from_omega2(OMEGA2).expect("a frequency");
+    let pendulum = DampedPendulum::new(case.theta0.to_radians(), 0.0, frequency, friction, Torque::NONE);
+    let trajectory =
+        pendulum.and_then(|p| p.trajectory(0.0, STEP * case.rows as f64)).expect("a motion of the pendulum");
+    let t: Vec<f64> = (0..case.rows).map(|i| STEP * i as f64).collect();
+    let exact: Vec<f64> = t.iter().map(|t| trajectory.theta(*t)).collect();
+    let mut fits: Vec<Fit> = Vec::new();
     for replica in 0..replicas {
-        let mut normal = Normal(1000 + 7919 * replica);
-        let mut error = normal.next();
-        let values = t
-            .iter()
-            .map(|t| {
-                error = case.memory * error + (1.0 - case.memory * case.memory).sqrt() * normal.next();
-                trajectory.theta(*t) + case.sigma * error
-            })
-            .collect();
+        let noise = Stream::new(replica).noise(memory, case.rows);
+        let values = exact.iter().zip(noise).map(|(y, e)| y + case.sigma * e).collect();
         let data = Data::Record { measured: Measured::Angle, t: t.clone(), values };
-        match fit(&data, &FitOptions { model: case.model, ..FitOptions::default() }) {
-            Ok(fit) => {
-                found.push((fit.omega0.value - case.omega2.sqrt()) / fit.omega0.u);
-                parts[0] += fit.omega0.statistical / replicas as f64;
-                parts[1] += fit.omega0.model / replicas as f64;
-            }
-            Err(_) => refused += 1,
-        }
+        fits.extend(fit(&data, &FitOptions { model: case.model, ..FitOptions::default() }));
     }
-    let n = found.len() as f64;
-    let mean = found.iter().sum::<f64>() / n;
-    let deviation = (found.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
-    let inside = found.iter().filter(|x| x.abs() < 2.0).count() as f64 / n;
-    let worst = found.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let pulls: Vec<f64> = fits.iter().map(|fit| (fit.omega0.value - OMEGA2.sqrt()) / fit.omega0.u).collect();
+    let errors: Vec<f64> = fits.iter().map(|fit| fit.omega0.value - OMEGA2.sqrt()).collect();
+    let statistical: Vec<f64> = fits.iter().map(|fit| fit.omega0.statistical).collect();
+    let (mean, deviation) = moments(&pulls);
+    let inside = pulls.iter().filter(|pull| pull.abs() < 2.0).count() as f64 / pulls.len() as f64;
+    let terms: [fn(&Fit) -> Option<Estimate>; 4] = [
+        |fit| fit.friction.linear,
+        |fit| fit.friction.quadratic,
+        |fit| fit.friction.dry,
+        |fit| fit.friction.presliding,
+    ];
+    let of_terms = terms.iter().zip(case.friction).map(|(term, truth)| {
+        let pulls: Vec<f64> = fits.iter().filter_map(term).map(|e| (e.value - truth) / e.u).collect();
+        if 2 * pulls.len() > fits.len() { format!("{:.2}", moments(&pulls).1) } else { "-".into() }
+    });
     println!(
-        "{:28} memory {:.2}: mean {mean:+.3} deviation {deviation:.3} within 2 u {:.1} % worst {worst:.1} refused {refused} statistical {:.1e} model {:.1e}",
+        "| {} | {} | {memory} | {} | {mean:+.3} | {deviation:.3} | {:.1} % | {:.2} | {} |",
         case.name,
-        case.memory,
+        case.model.map_or("auto", Model::name),
+        fits.len(),
         100.0 * inside,
-        parts[0],
-        parts[1]
+        moments(&errors).1 / moments(&statistical).0,
+        of_terms.collect::<Vec<_>>().join(" ")
     );
 }
 
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let replicas = given.first().map_or(100, |text| text.parse().expect("a number of replicas"));
-    let only = given.get(1).map(String::as_str);
-    let plain = Case {
-        name: "linear",
-        theta0: 70.0,
-        omega2: 9.81 / 0.8,
-        friction: [0.02, 0.0, 0.0, 0.0],
-        model: Some(Model::Linear),
-        rows: 600,
-        step: 1.0 / 30.0,
-        sigma: 0.01,
-        memory: 0.0,
-    };
-    for memory in [0.0, 0.7] {
-        let cases = [
-            Case { name: "none", friction: [0.0; 4], model: Some(Model::None), memory, ..plain },
-            Case { memory, ..plain },
-            Case {
-                name: "quadratic",
-                friction: [0.01, 0.02, 0.0, 0.0],
-                model: Some(Model::Quadratic),
-                memory,
-                ..plain
-            },
-            Case { name: "dry", friction: [0.01, 0.02, 0.05, 0.0], model: Some(Model::Dry), memory, ..plain },
-            Case {
-                name: "presliding",
-                friction: [0.01, 0.02, 0.3, 0.05],
-                model: Some(Model::Presliding),
-                sigma: 0.003,
-                memory,
-                ..plain
-            },
-            Case { name: "auto on linear", model: None, memory, ..plain },
-            Case {
-                name: "Q 100 from 100 deg",
-                theta0: 100.0,
-                friction: [(9.81f64 / 0.8).sqrt() / 200.0, 0.0, 0.0, 0.0],
-                model: None,
-                rows: 1500,
-                memory,
-                ..plain
-            },
-        ];
-        for case in cases.iter().filter(|case| only.is_none_or(|only| case.name == only)) {
-            pulls(case, replicas);
+    println!(
+        "| friction | model | memory | replicas | mean | deviation | within 2 u | errors / statistical u | terms |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for case in CASES.iter().filter(|case| given.get(1).is_none_or(|only| case.name == only)) {
+        for memory in [0.0, 0.7] {
+            row(case, memory, replicas);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Time of one fit of a long record with all friction terms: `cargo run --release --example speed -- ROWS [model]`.
 
 use libration::{DampedPendulum, Frequency, Friction, Torque};
-use libration_fit::fit::{Data, FitOptions, Measured, Model, fit};
+use libration_fit::fit::{Data, FitOptions, Measured, Model, Stream, fit};
 
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
@@ -13,11 +13,7 @@ fn main() {
     let stop = 170.0;
     let trajectory = pendulum.trajectory(0.0, stop).expect("a motion");
     let t: Vec<f64> = (0..rows).map(|i| stop * i as f64 / rows as f64).collect();
-    let noise = |i: usize| {
-        let bits = (i as u64 + 17).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let mixed = (bits ^ (bits >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        (mixed >> 11) as f64 / 9_007_199_254_740_992.0 - 0.5
-    };
+    let noise = |i: usize| Stream::new(17).uniform(i as u64) - 0.5;
     let values: Vec<f64> =
         t.iter().enumerate().map(|(i, t)| trajectory.theta(*t) + 0.003 * noise(i)).collect();
     let data = Data::Record { measured: Measured::Angle, t, values };

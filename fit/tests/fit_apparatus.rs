@@ -2,8 +2,8 @@
 
 use libration::{DampedPendulum, Frequency, Friction, Shape, Torque};
 use libration_fit::fit::{
-    Corrections, Data, FitOptions, Measure, Measured, MeasuredPart, fit, fit_lengths, fit_runs,
-    length_of_parts, reversible,
+    Corrections, Data, FitOptions, Measure, Measured, MeasuredPart, Stream, fit, fit_lengths, fit_runs,
+    length_of_parts, reversible, reversible_between,
 };
 
 fn measure(value: f64, u: f64) -> Measure {
@@ -17,16 +17,8 @@ fn record(length: f64, seed: u64) -> Data {
     let pendulum = DampedPendulum::new(0.6, 0.0, frequency, friction, Torque::NONE).unwrap();
     let trajectory = pendulum.trajectory(0.0, 20.0).unwrap();
     let t: Vec<f64> = (0..500).map(|i| 0.04 * f64::from(i)).collect();
-    let mut state = seed;
-    let mut noise = || {
-        let mut sum = 0.0;
-        for _ in 0..12 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            sum += (state >> 11) as f64 / 9_007_199_254_740_992.0;
-        }
-        sum - 6.0
-    };
-    let values = t.iter().map(|t| trajectory.theta(*t) + 0.004 * noise()).collect();
+    let noise = Stream::new(seed).noise(0.0, t.len());
+    let values = t.iter().zip(noise).map(|(t, e)| trajectory.theta(*t) + 0.004 * e).collect();
     Data::Record { measured: Measured::Angle, t, values }
 }
 
@@ -78,6 +70,29 @@ fn a_symmetric_crossing_of_a_reversible_pendulum_is_flagged() {
 }
 
 #[test]
+fn the_distance_between_pivots_counts_more_than_the_centre_of_mass() {
+    let (periods, first) = ([measure(2.0061, 1e-4), measure(2.0063, 1e-4)], measure(0.66, 0.002));
+    let both = reversible(periods, [first, measure(0.3401, 0.002)]).unwrap();
+    let between = reversible_between(periods, measure(1.0001, 1e-5), first).unwrap();
+    assert!((both.g.value - between.g.value).abs() < 1e-12, "{both:?} {between:?}");
+    assert!(between.g.u < 0.1 * both.g.u, "{both:?} {between:?}");
+    assert!(reversible_between(periods, measure(0.5, 0.0), first).is_err());
+}
+
+#[test]
+fn impossible_bobs_are_refused() {
+    let data = record(0.5, 4);
+    let refused = |corrections: Corrections| {
+        let options = FitOptions { corrections, ..FitOptions::default() };
+        fit(&data, &options).unwrap_err().to_string()
+    };
+    let known = Corrections { radius: Some(0.02), mass: Some(0.01), ..Corrections::default() };
+    assert!(refused(Corrections { radius: Some(-1.0), ..known }).starts_with("bob radius = -1"));
+    assert!(refused(Corrections { density: 998.0, ..known }).contains("floats"));
+    assert!(refused(Corrections { wire: Some(0.001), mass: None, ..known }).contains("without a bob mass"));
+}
+
+#[test]
 fn records_together_know_more_than_one() {
     let runs: Vec<Data> = (0..4).map(|i| record(0.5, 100 + i)).collect();
     let options = FitOptions { length: Some(measure(0.5, 0.0)), ..FitOptions::default() };
@@ -101,6 +116,8 @@ fn several_lengths_show_what_they_leave_out() {
     let (g, offset) = (found.g.unwrap(), found.length_offset.unwrap());
     assert!((g.value - 9.81).abs() < 4.0 * g.u && g.u < 0.05, "{g:?}");
     assert!((offset.value - 0.015).abs() < 4.0 * offset.u && !found.verdicts.is_empty(), "{offset:?}");
+    let sum: f64 = found.budget.iter().map(|row| row.u * row.u).sum();
+    assert!((sum.sqrt() / g.u - 1.0).abs() < 1e-12, "{:?}", found.budget);
     assert!(fit_lengths(&runs, &stated[..3], &FitOptions::default()).is_err());
 }
 

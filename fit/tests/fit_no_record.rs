@@ -1,13 +1,10 @@
 //! Noise, steps, waves of any size and at any step of time: each is answered, by a fit or by one line.
 
-use libration_fit::fit::{Data, FitOptions, Measured, fit};
+use libration_fit::fit::{Data, FitOptions, Measured, Stream, fit};
 
-/// Evenly spread in -1/2 to 1/2, by the number of the draw (splitmix64).
+/// Evenly spread in -1/2 to 1/2, by the number of the draw.
 fn spread(number: usize) -> f64 {
-    let mut bits = (number as u64).wrapping_add(0x9E37_79B9_7F4A_7C15);
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    Stream::new(0).uniform(number as u64) - 0.5
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What a fit refuses, and what it says in words.
 
-use libration_fit::fit::{Data, Fit, FitOptions, Grade, Measure, Measured, fit};
+use libration_fit::fit::{Data, Fit, FitOptions, Grade, Measure, Measured, Stream, fit};
 
 fn angle(t: Vec<f64>, values: Vec<f64>) -> Data {
     Data::Record { measured: Measured::Angle, t, values }
@@ -16,8 +16,7 @@ fn times(rows: usize) -> Vec<f64> {
 
 /// Noise that repeats on every machine.
 fn noise(i: usize) -> f64 {
-    let bits = (i as u64 + 17).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    ((bits ^ (bits >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 11) as f64 / 9_007_199_254_740_992.0 - 0.5
+    Stream::new(17).uniform(i as u64) - 0.5
 }
 
 #[test]
@@ -86,7 +85,8 @@ fn tables_and_gates_are_fitted_without_an_integration() {
     assert!(!found.stands() && says(&found, "does not depend on the swing"), "{:?}", found.verdicts);
 
     let t: Vec<f64> = (0..400).map(|i| 1.6 * f64::from(i)).collect();
-    let swing = |t: f64| libration::damped::averaged_turning_angle(0.9, t, frequency, 0.002);
+    let friction = libration::Friction::new(0.002, 0.0, 0.0, 0.0).unwrap();
+    let swing = |t: f64| libration::damped::averaged_turning_angle(0.9, t, frequency, friction);
     let periods: Vec<f64> = t.iter().enumerate().map(|(i, t)| period(swing(*t)) + 1e-4 * noise(i)).collect();
     let transits = t.iter().map(|t| {
         let orbit = libration::Orbit::new(swing(*t), 0.0, frequency).unwrap();

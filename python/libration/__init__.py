@@ -51,7 +51,16 @@ if TYPE_CHECKING:
         theta3,
         theta4,
     )
-    from .measurement import Estimate, Fit, fit, gravity_of_period, normal_gravity
+    from .measurement import (
+        Estimate,
+        Fit,
+        Together,
+        fit,
+        fit_together,
+        gravity_of_period,
+        gravity_of_pivots,
+        normal_gravity,
+    )
     from .oscillator import CubicQuintic, Duffing, DuffingForm, OscillatorRegime, duffing_motion
     from .pendulum import (
         Fourier,
@@ -83,6 +92,7 @@ __all__ = [
     "OscillatorRegime",
     "Pendulum",
     "Regime",
+    "Together",
     "Torque",
     "__version__",
     "action",
@@ -96,9 +106,11 @@ __all__ = [
     "complete_pi",
     "duffing_motion",
     "fit",
+    "fit_together",
     "frequency",
     "from_action_phase",
     "gravity_of_period",
+    "gravity_of_pivots",
     "harmonic_distortion",
     "heuman_lambda",
     "incomplete_e",

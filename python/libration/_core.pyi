@@ -96,10 +96,14 @@ __all__ = [
     "equivalent_length",
     "factors",
     "fit_columns",
+    "fit_records",
+    "fit_steps",
     "frequency",
+    "friction_law",
     "friction_models",
     "from_action_phase",
     "gravity_of_period",
+    "gravity_of_pivots",
     "harmonic_distortion",
     "heuman_lambda_k",
     "heuman_lambda_m",
@@ -503,6 +507,16 @@ class DampedPendulum:
     def decrements(self, /, start: float, stop: float) -> tuple[np.ndarray, np.ndarray]: ...
 
 def check_friction(terms: tuple[float, ...]) -> None: ...
+def friction_law(
+    name: str,
+    values: np.ndarray,
+    friction: tuple[float, ...],
+    theta_max: float = 0.0,
+    omega0: float | None = None,
+    omega2: float | None = None,
+    length: float | None = None,
+    gravity: float | None = None,
+) -> np.ndarray: ...
 def torque_at(
     terms: tuple[float, ...], samples: tuple[np.ndarray, np.ndarray, str] | None, t: np.ndarray
 ) -> np.ndarray: ...
@@ -590,18 +604,19 @@ class Record:
     def columns(self) -> tuple[str, list[np.ndarray]]: ...
 
 def friction_models() -> list[str]: ...
+def fit_steps() -> list[str]: ...
 def fit_columns(
-    kind: str,
-    columns: list[np.ndarray],
-    length: tuple[float, float] | None,
-    gravity: tuple[float, float] | None,
-    parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
-    model: str | None,
-    window: tuple[float, float] | None,
-    relative: tuple[float, float],
-    free_scale: bool,
-    resampled: tuple[int, int, int],
+    data: tuple[str, list[np.ndarray]], known: dict[str, object], told: Callable[[str], None] | None
 ) -> tuple[str, list[str], list[np.ndarray]]: ...
+def fit_records(
+    records: list[tuple[str, list[np.ndarray]]],
+    lengths: list[tuple[float, float]] | None,
+    known: dict[str, object],
+    told: Callable[[str], None] | None,
+) -> tuple[str, list[str], list[tuple[str, list[str], list[np.ndarray]]]]: ...
+def gravity_of_pivots(
+    periods: list[tuple[float, float]], distances: list[tuple[float, float]], between: bool
+) -> tuple[str, list[str]]: ...
 def equivalent_length(
     parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
 ) -> tuple[float, float]: ...

@@ -1,7 +1,11 @@
 //! The pendulum with friction and torque as a Python object.
 
-use libration::damped::{LazyTrajectory, PARAMETERS};
-use libration::{DampedPendulum as Core, Domain, Frequency, Friction, Interpolation, Torque, Trajectory};
+use libration::damped::{
+    LazyTrajectory, PARAMETERS, averaged_energy_loss, averaged_turning_angle, averaged_turning_rate,
+};
+use libration::{
+    DampedPendulum as Core, Domain, Frequency, Friction, Interpolation, Torque, Trajectory, half_swing,
+};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -11,6 +15,9 @@ use crate::signals;
 
 /// An array of results.
 pub(crate) type Floats<'py> = Bound<'py, PyArray1<f64>>;
+
+/// What a value of a law counts for between two questions about Ctrl-C.
+const ROWS_OF_A_LAW: usize = 64;
 
 /// Friction and torque, as Python gives them.
 type Terms = [f64; 4];
@@ -56,6 +63,45 @@ fn torque_at<'py>(
     let torque = torque_of(terms, samples)?;
     let values: Vec<f64> = t.as_slice()?.iter().map(|t| torque.at(*t)).collect();
     Ok(values.into_pyarray(py))
+}
+
+/// What law `name` of `libration.damped` gives at each angle or, where it begins at `theta_max`, at each time.
+#[pyfunction]
+#[pyo3(signature = (name, values, friction, theta_max=0.0, omega0=None, omega2=None, length=None, gravity=None))]
+#[allow(clippy::too_many_arguments, reason = "the arguments of the functions in Python")]
+fn friction_law<'py>(
+    py: Python<'py>,
+    name: &str,
+    values: PyReadonlyArray1<'py, f64>,
+    friction: Terms,
+    theta_max: f64,
+    omega0: Option<f64>,
+    omega2: Option<f64>,
+    length: Option<f64>,
+    gravity: Option<f64>,
+) -> PyResult<Floats<'py>> {
+    let frequency = Frequency::from_arguments(omega0, omega2, length, gravity).map_err(refused)?;
+    let friction = friction_of(friction)?;
+    let law: Box<dyn Fn(f64) -> f64 + Sync> = match name {
+        "half_swing" => Box::new(|theta| half_swing(theta, frequency, friction)),
+        "averaged_energy_loss" => Box::new(|angle| averaged_energy_loss(angle, frequency, friction)),
+        "averaged_turning_rate" => Box::new(|angle| averaged_turning_rate(angle, frequency, friction)),
+        "averaged_turning_angle" => Box::new(|t| averaged_turning_angle(theta_max, t, frequency, friction)),
+        other => return Err(PyValueError::new_err(format!("law = {other}: is not known"))),
+    };
+    let values = values.as_slice()?;
+    let found = signals::detached(py, |ended| {
+        let mut found = Vec::with_capacity(values.len());
+        for value in values {
+            // A decay may take as long as many rows of a motion.
+            if ended(ROWS_OF_A_LAW) {
+                break;
+            }
+            found.push(law(*value));
+        }
+        found
+    })?;
+    Ok(found.into_pyarray(py))
 }
 
 /// A pendulum with friction and torque, integrated as far as it is asked for: what `libration.DampedPendulum` stands on.
@@ -240,5 +286,6 @@ fn each<T>(t: &[f64], ended: signals::Stop<'_>, value: impl Fn(f64) -> T) -> Vec
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<DampedPendulum>()?;
     module.add_function(wrap_pyfunction!(check_friction, module)?)?;
+    module.add_function(wrap_pyfunction!(friction_law, module)?)?;
     module.add_function(wrap_pyfunction!(torque_at, module)?)
 }

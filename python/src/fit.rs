@@ -1,68 +1,25 @@
-//! Files of measurements, their fit, and g: what `libration fit` and `libration.fit` stand on; and one column of numbers,
-//! for `--times` and for series that are drawn.
+//! Files of measurements as they were read, and g from one period; and one column of numbers, for `--times` and for series that are
+//! drawn.
 
-use std::cell::RefCell;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
-
-use libration::Shape;
-use libration_fit::fit::{
-    Corrections, Data, Fit, FitOptions, FitRefusal, Grade, Measure, Measured, MeasuredPart, Model,
-    length_of_parts,
-};
+use libration_fit::fit::{Data, FitRefusal, Measure, Measured};
 use libration_fit::{Kind, Options, Wanted};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::damped::Floats;
-use crate::signals::{self, INTERVAL};
 
 /// A value and its standard uncertainty, as Python gives it.
-type Pair = (f64, f64);
-
-/// Result in JSON without its residuals; grades of the verdicts; times, values and residuals.
-type Fitted<'py> = (String, Vec<&'static str>, [Floats<'py>; 3]);
+pub type Pair = (f64, f64);
 
 /// g with its uncertainty, its budget, and g by the formula of small swings.
 type Weighed = (Pair, Vec<(String, f64)>, f64);
 
-fn measure((value, u): Pair) -> Measure {
+pub fn measure((value, u): Pair) -> Measure {
     Measure { value, u }
 }
 
-/// Shape, and mass, distance of the centre and size, as Python gives them.
-type PartGiven = (String, Pair, Pair, Pair);
-
-const SHAPES: [(&str, Shape); 4] =
-    [("rod", Shape::Rod), ("ball", Shape::Ball), ("disc", Shape::Disc), ("point", Shape::Point)];
-
-fn parts_of(given: Vec<PartGiven>) -> PyResult<Vec<MeasuredPart>> {
-    let part = |(shape, mass, distance, size): PartGiven| {
-        let found = SHAPES.iter().find(|(name, _)| *name == shape);
-        let (_, shape) = found.ok_or_else(|| {
-            PyValueError::new_err(format!("part = {shape}: must be one of rod, ball, disc, point"))
-        })?;
-        Ok(MeasuredPart {
-            shape: *shape,
-            mass: measure(mass),
-            distance: measure(distance),
-            size: measure(size),
-        })
-    };
-    given.into_iter().map(part).collect()
-}
-
-/// The equivalent length of a rigid pendulum and its standard uncertainty.
-#[pyfunction]
-fn equivalent_length(parts: Vec<PartGiven>) -> PyResult<Pair> {
-    let found = length_of_parts(&parts_of(parts)?).map_err(refused)?;
-    Ok((found.value, found.u))
-}
-
-fn refused(refusal: FitRefusal) -> PyErr {
+pub fn refused(refusal: FitRefusal) -> PyErr {
     PyValueError::new_err(refusal.to_string())
 }
 
@@ -162,119 +119,11 @@ impl Record {
     }
 }
 
-const MEASURED: [(&str, Measured); 3] =
+pub const MEASURED: [(&str, Measured); 3] =
     [("angle", Measured::Angle), ("velocity", Measured::Velocity), ("acceleration", Measured::Acceleration)];
 
 fn name_of(measured: Measured) -> &'static str {
     MEASURED.iter().find(|(_, each)| *each == measured).map_or("", |(name, _)| name)
-}
-
-fn data_of(kind: &str, mut columns: Vec<Vec<f64>>) -> PyResult<Data> {
-    let third = if columns.len() > 2 { columns.pop() } else { None };
-    let (Some(second), Some(first)) = (columns.pop(), columns.pop()) else {
-        return Err(PyValueError::new_err("columns: two are needed"));
-    };
-    Ok(match kind {
-        "gate" => Data::Gate { t: first, periods: second, transits: third },
-        "swings" => Data::Table { swings: first, periods: second },
-        other => {
-            let found = MEASURED.iter().find(|(name, _)| *name == other);
-            let (_, measured) =
-                found.ok_or_else(|| PyValueError::new_err(format!("kind = {other}: is not known")))?;
-            Data::Record { measured: *measured, t: first, values: second }
-        }
-    })
-}
-
-/// Names of the models, from none to all friction terms.
-#[pyfunction]
-fn friction_models() -> Vec<&'static str> {
-    Model::LADDER.iter().map(|model| model.name()).collect()
-}
-
-/// The fit of columns. `ValueError` of one line. `resampled` is bootstrap, draws and seed; `relative` scale and clock.
-#[pyfunction]
-#[pyo3(signature = (kind, columns, length, gravity, parts, model, window, relative, free_scale, resampled))]
-#[allow(clippy::too_many_arguments, reason = "the options of a fit, handed over once")]
-fn fit_columns<'py>(
-    py: Python<'py>,
-    kind: &str,
-    columns: Vec<PyReadonlyArray1<'py, f64>>,
-    length: Option<Pair>,
-    gravity: Option<Pair>,
-    parts: Vec<PartGiven>,
-    model: Option<&str>,
-    window: Option<Pair>,
-    relative: Pair,
-    free_scale: bool,
-    resampled: (usize, usize, u64),
-) -> PyResult<Fitted<'py>> {
-    let columns = columns.iter().map(|column| Ok(column.as_slice()?.to_vec())).collect::<PyResult<_>>()?;
-    let data = data_of(kind, columns)?;
-    let model = model.and_then(|name| Model::LADDER.into_iter().find(|model| model.name() == name));
-    let options = FitOptions {
-        length: length.map(measure),
-        gravity: gravity.map(measure),
-        parts: parts_of(parts)?,
-        corrections: Corrections::default(),
-        model,
-        window,
-        scale_u: relative.0,
-        clock_u: relative.1,
-        free_scale,
-        bootstrap: resampled.0,
-        monte_carlo: resampled.1,
-        seed: resampled.2,
-        stop: Some(given_up),
-    };
-    let mut fit = interruptible(py, data, options)?;
-    let residuals = std::mem::take(&mut fit.residuals);
-    let grades = fit.verdicts.iter().map(|verdict| match verdict.grade {
-        Grade::Note => "note",
-        Grade::Warning => "warning",
-        Grade::Refuted => "refuted",
-    });
-    let arrays = [residuals.t, residuals.measured, residuals.residual].map(|values| values.into_pyarray(py));
-    Ok((fit.json(), grades.collect(), arrays))
-}
-
-thread_local! {
-    /// Whether the call that waits for the fit of this thread has given up.
-    static GIVEN_UP: RefCell<Arc<AtomicBool>> = RefCell::default();
-}
-
-fn given_up() -> bool {
-    GIVEN_UP.with_borrow(|flag| flag.load(Ordering::Relaxed))
-}
-
-/// The fit on a thread of its own, while this one asks for signals. After one the thread ends at its next evaluation, and what it
-/// finds is dropped.
-fn interruptible(py: Python<'_>, data: Data, options: FitOptions) -> PyResult<Fit> {
-    let (sender, receiver) = mpsc::channel();
-    let flag = Arc::new(AtomicBool::new(false));
-    let seen = Arc::clone(&flag);
-    thread::Builder::new()
-        .name("libration fit".to_owned())
-        .spawn(move || {
-            GIVEN_UP.set(seen);
-            // Nobody waits any more after a signal.
-            let _ = sender.send(libration_fit::fit::fit(&data, &options));
-        })
-        .map_err(|error| PyRuntimeError::new_err(format!("no thread for the fit: {error}")))?;
-    let found = signals::detached(py, move |ended| {
-        loop {
-            match receiver.recv_timeout(INTERVAL) {
-                Ok(found) => return Some(found),
-                Err(RecvTimeoutError::Disconnected) => return None,
-                Err(RecvTimeoutError::Timeout) if ended(usize::MAX / 2) => {
-                    flag.store(true, Ordering::Relaxed);
-                    return None;
-                }
-                Err(RecvTimeoutError::Timeout) => {}
-            }
-        }
-    })?;
-    found.ok_or_else(|| PyRuntimeError::new_err("the fit ended without an answer"))?.map_err(refused)
 }
 
 /// g from period, length and swing with its uncertainty; its budget; and 4 pi^2 length / T^2.
@@ -329,9 +178,6 @@ fn column<'py>(
 /// Adds what stands here to the module.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Record>()?;
-    module.add_function(wrap_pyfunction!(friction_models, module)?)?;
-    module.add_function(wrap_pyfunction!(fit_columns, module)?)?;
-    module.add_function(wrap_pyfunction!(equivalent_length, module)?)?;
     module.add_function(wrap_pyfunction!(gravity_of_period, module)?)?;
     module.add_function(wrap_pyfunction!(normal_gravity, module)?)?;
     module.add_function(wrap_pyfunction!(column, module)?)

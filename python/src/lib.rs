@@ -8,6 +8,7 @@ mod damped;
 mod elliptic;
 mod fit;
 mod kernels;
+mod least_squares;
 mod numerical;
 mod orbit;
 mod oscillator;
@@ -31,5 +32,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     numerical::add_all(module)?;
     elliptic::add_all(module)?;
     fit::add_all(module)?;
+    least_squares::add_all(module)?;
     kernels::add_all(module)
 }

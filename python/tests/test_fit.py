@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pandas
 import pytest
-import scipy.io
 
 import libration
 from libration import DampedPendulum, Estimate, Fit, Friction, fit
@@ -163,6 +162,16 @@ REFUSED = [
     (dict(rate=10.0), "not for arrays"),
     (dict(columns={"angle": "a"}), "not for arrays"),
     (dict(scale_u=-1.0), "scale_u = -1"),
+    (dict(run="all"), "is for fit_together"),
+    (dict(bob=(-0.01, 0.1), length=1.0), "bob radius = -0.01"),
+    (dict(bob=(0.01, 0.1, 0.2)), "must be a radius in m"),
+    (dict(wire=0.001, length=1.0), "without a bob mass"),
+    (dict(bob=(0.1, 1e-4), length=1.0), "a bob that floats"),
+    (dict(bob=0.01, parts=[("point", 1.0, 1.0, 0.0)]), "parts and a bob"),
+    (dict(fluid="oil"), "fluid = 'oil': must be air, water"),
+    (dict(without="friction"), "without = 'friction': must be one of bob size"),
+    (dict(monte_carlo=10), "monte_carlo = 10: must be a whole number, 0 or from 100"),
+    (dict(bootstrap=2.5), "bootstrap = 2.5: must be a whole number"),
 ]
 
 
@@ -195,6 +204,8 @@ def test_no_source():
         fit(3.0)
     with pytest.raises(TypeError, match="must be real numbers"):
         fit(["a"], ["b"])
+    with pytest.raises(TypeError, match="fit_together takes several"):
+        fit(["a.csv", "b.csv"])
     with pytest.raises(FileNotFoundError):
         fit("no such file.csv")
 
@@ -220,20 +231,41 @@ def test_a_rigid_pendulum_of_parts():
         fit(T, record(), parts=[("rod", 1.0)])
 
 
-def test_files_of_matlab(tmp_path):
-    path = tmp_path / "swing.mat"
-    scipy.io.savemat(path, {"run": {"t": T, "theta": record(), "note": "words"}, "mass": 0.2})
-    found = fit(path, columns={"time": "run.t", "angle": "run.theta"}, units={"angle": "rad"}, length=(0.8, 0.001))
-    assert found.g.value == pytest.approx(9.81, abs=0.008)
-    scipy.io.savemat(path, {"mass": 0.2})
-    with pytest.raises(ValueError, match="without a series"):
-        fit(path)
+def test_corrections_of_a_bob():
+    known = dict(length=0.8, model="linear", bob=(0.02, 0.0027), wire=1e-4)
+    t, theta = T, record()
+    ideal, with_all = fit(t, theta, length=0.8, model="linear"), fit(t, theta, **known)
+    rows = {row["name"]: row for row in with_all.to_dict()["corrections"]}
+    # Nelson and Olsson: r^2/5L^2 and half the ratio of the densities; the wire by its twelfth.
+    assert rows["bob size"]["relative_period"] == pytest.approx(0.02**2 / (5 * 0.8**2), rel=1e-3)
+    density = 0.0027 / (4 / 3 * math.pi * 0.02**3)
+    assert rows["buoyancy"]["relative_period"] == pytest.approx(0.5 * 1.204 / density, rel=0.05)
+    assert rows["wire mass"]["relative_period"] == pytest.approx(-(1e-4 / 0.0027) / 12, rel=0.05)
+    product = math.prod((1 + row["relative_period"]) ** 2 for row in rows.values())
+    assert with_all.g.value == pytest.approx(ideal.g.value * product, rel=1e-9)
+    assert "buoyancy" in str(with_all) and "corrected: yes" in str(with_all)
+    names = ["bob size", "wire mass", "buoyancy", "added mass"]
+    without = fit(t, theta, **known, without=names)
+    assert without.g.value == pytest.approx(ideal.g.value, rel=1e-12)
+    assert "corrected: no" in str(without)
+    # In water the bob is slower by far more.
+    water = fit(t, theta, length=0.8, model="linear", bob=(0.02, 0.1), fluid="water")
+    assert water.g.value > 1.2 * ideal.g.value
+    # Without a length there is nothing to correct.
+    assert "neither g nor the length" in str(fit(t, theta, bob=(0.02, 0.1), model="linear"))
 
 
-def test_files_of_parquet(tmp_path, monkeypatch):
-    # pandas reads them by a package of its own, which is not needed here.
-    frame = pandas.DataFrame({"t [s]": T, "theta [rad]": record()})
-    monkeypatch.setattr(pandas, "read_parquet", lambda file: frame if file.read(4) == b"PAR1" else None)
-    path = tmp_path / "swing.parquet"
-    path.write_bytes(b"PAR1 and more")
-    assert fit(path, length=0.8).g.value == pytest.approx(9.81, abs=0.008)
+def test_monte_carlo_draws_the_quoted_interval():
+    found = fit(T, record(), length=(0.8, 0.001), model="linear", monte_carlo=4000, seed=5)
+    low, high = found.to_dict()["monte_carlo"]
+    assert (high - low) / (2 * 1.96 * found.g.u) == pytest.approx(1.0, abs=0.1)
+    assert low < found.g.value < high
+    assert "Monte Carlo, 95 %" in str(found)
+    again = fit(T, record(), length=(0.8, 0.001), model="linear", monte_carlo=4000, seed=5)
+    other = fit(T, record(), length=(0.8, 0.001), model="linear", monte_carlo=4000, seed=6)
+    assert again.to_dict()["monte_carlo"] == [low, high] != other.to_dict()["monte_carlo"]
+
+
+def test_the_words_name_the_terms_that_act():
+    assert "linear friction" in fit(T, record(), model="linear").sentence()
+    assert "without friction" in fit(T, record(linear=0.0), model="none").sentence()

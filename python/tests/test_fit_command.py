@@ -46,13 +46,79 @@ def test_json(file, capsys):
     assert told["files"] == [] and told["source"] == file
 
 
-def test_several_files(file, tmp_path, capsys):
-    other = write(tmp_path / "other.csv", swing(4))
-    assert main(["fit", file, other, "--json", "--model", "linear"]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert [json.loads(line)["source"] for line in lines] == [file, other]
-    assert main(["fit", file, other, "--model", "linear"]) == 0
-    assert capsys.readouterr().out.count("to quote") == 2
+ESTIMATE = {name: float for name in ("value", "u", "expanded", "statistical", "model", "calibration")}
+NUMBER = (float, int)
+# The names that are promised, with their types; a list stands for each of its elements, () for anything.
+SCHEMA = {
+    "source": str,
+    "kind": str,
+    "model": str,
+    "rms": float,
+    "rms_deg": float,
+    "omega0": ESTIMATE,
+    "g": ESTIMATE,
+    "length": ESTIMATE,
+    "offset": ESTIMATE,
+    "offset_deg": ESTIMATE,
+    "scale": (),
+    "friction": {"linear": ESTIMATE, "quadratic": (), "dry": (), "presliding": ()},
+    "swing": float,
+    "verdicts": [str],
+    "grades": [str],
+    "stands": bool,
+    "understood": [str],
+    "dropped": [{"reason": str, "count": int, "rows": [int]}],
+    "window": [float],
+    "window_reason": str,
+    "samples": int,
+    "ladder": [{"model": str, "rms": float, "aicc": (), "bic": (), "omega0": float, "wanted_negative": [str]}],
+    "correlation": {"names": [str], "rows": [[float]]},
+    "budget": [{"source": str, "u": float}],
+    "corrections": [{"name": str, "relative_period": float, "made": bool}],
+    "monte_carlo": [float],
+    "diagnostics": (),
+    "state": [float],
+    "files": [str],
+}
+
+
+def departures(found, schema, place=""):
+    """Where JSON departs from a schema."""
+    if schema == ():
+        return []
+    if isinstance(schema, dict):
+        if not isinstance(found, dict):
+            return [f"{place}: no object"]
+        missing = [f"{place}.{name}: missing" for name in schema if name not in found]
+        return missing + [
+            each
+            for name, part in schema.items()
+            if name in found
+            for each in departures(found[name], part, f"{place}.{name}")
+        ]
+    if isinstance(schema, list):
+        if not isinstance(found, list):
+            return [f"{place}: no list"]
+        return [each for number, one in enumerate(found) for each in departures(one, schema[0], f"{place}[{number}]")]
+    wanted = NUMBER if schema is float else schema
+    right = isinstance(found, wanted) and isinstance(found, bool) == (schema is bool)
+    return [] if right else [f"{place}: {found!r} is no {schema.__name__}"]
+
+
+def test_json_keeps_its_schema(tmp_path, capsys):
+    theta = swing()
+    theta[[7, 300]] += 90.0
+    file = write(tmp_path / "swing.csv", theta)
+    words = "--length 0.800±0.001 --model quadratic --bob 12mm,66g --monte-carlo 200 --json"
+    assert main(["fit", file, *words.split()]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert departures(told, SCHEMA) == []
+    assert told["dropped"] and told["corrections"] and told["ladder"]
+    for each in (told["omega0"], told["g"], told["offset_deg"], told["friction"]["linear"]):
+        parts = math.hypot(each["statistical"], each["model"], each["calibration"])
+        assert each["u"] == pytest.approx(parts, rel=1e-12) and each["expanded"] == 2 * each["u"]
+    # What spoils it is found.
+    assert departures(told | {"rms_deg": "1"}, SCHEMA) and departures({"g": None}, {"g": ESTIMATE})
 
 
 def test_options_reach_the_fit(file, capsys):
@@ -100,10 +166,10 @@ REFUSED = [
     ("FILE --scale 200%", "relative uncertainty"),
     ("FILE --rate 0", "--rate = 0"),
     ("FILE --lenght 1", "did you mean --length?"),
-    ("FILE FILE --plot a.png", "shows one file, and 2 are given"),
     ("FILE --report a.txt", "must end in .html or .htm"),
     ("FILE --plot a.jpg", "must end in .png or .svg"),
     ("FILE --lang en", "needs --plot FILE"),
+    ("FILE --title a --report a.html", "needs --plot FILE"),
     ("absent.csv", "absent.csv: cannot be read: No such file"),
     (".", "cannot be read: Is a directory"),
 ]

@@ -4,6 +4,7 @@ import math
 import re
 from html.parser import HTMLParser
 from io import BytesIO
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 import libration
 from libration import DampedPendulum, Friction, fit
 from libration.cli import main
+from libration.measurement._sentences import PATTERNS, in_language
 from libration.plot import plot_fit
 
 T = np.linspace(0.0, 60.0, 1500)
@@ -104,6 +106,53 @@ def test_the_page_needs_no_other_file(which, request):
         assert head in text
     assert ("Friction models" in text) == (which == "found")
     assert ("Period against swing" in text) == (which == "found")
+
+
+@pytest.mark.parametrize("lang", ["pt-BR", "es"])
+@pytest.mark.parametrize("which", ["found", "table"])
+def test_the_page_in_other_languages(lang, which, request):
+    result = request.getfixturevalue(which)
+    text, english = result.report(lang), result.report()
+    assert f'<html lang="{lang}">' in text
+    # No heading, no sentence of the core and no decimal point of the numbers stays English.
+    for part in re.findall(r"<(?:h2|th|li)>(.*?)</", english):
+        if len(part) > 8 and not part.startswith("Monte"):
+            assert part not in text
+    assert not re.search(r'class="number">[^<]*[0-9]\.[0-9]', text)
+
+
+def test_the_page_has_two_themes(found):
+    text = found.report()
+    assert "prefers-color-scheme:dark" in text and 'content="light dark"' in text
+    # Pictures have no colour of their own, but for what is a raster.
+    drawn = re.sub(r"<style>.*?</style>", "", text[text.index("<body>") :], flags=re.DOTALL)
+    assert not re.findall(r"(?:stroke|fill): ?#[0-9a-f]{6}", drawn)
+    assert "var(--data)" in drawn and "var(--exact)" in drawn
+
+
+def test_every_sentence_of_the_core_has_its_translations():
+    root = Path(__file__).parents[2] / "fit/src"
+    sources = [*(root / "fit").glob("*.rs"), *(root / "read").glob("*.rs")]
+    said = []
+    for path in sources:
+        code = re.sub(r"(?s)#\[cfg\(test\)\].*", "", path.read_text())
+        calls = r'(?s)(?:Verdict::new\(|\bsay\(|understood\s*\.?push\(|\.push\(|leave_out\().{0,60}?"((?:[^"\\]|\\.)*)"'
+        wanted = path.name in ("verdicts.rs", "tables.rs", "together.rs", "reversible.rs") or path.parent.name == "read"
+        found = [re.sub(r"\\\s+", "", each) for each in re.findall(calls, code)] if wanted else []
+        said += [each.replace('\\"', '"') for each in found if len(each.split()) > 4]
+    assert len(said) > 40
+    for each in said:
+        example = re.sub(r"\{[^}]*\}", "7", each)
+        assert in_language(example, "es") != example, each
+        assert in_language(example, "pt-BR") != example, each
+
+
+def test_numbers_of_sentences_have_a_decimal_comma():
+    told = in_language("the record holds 1.2 periods: friction and rest are hardly determined", "es")
+    assert told.startswith("el registro contiene 1,2 periodos")
+    assert in_language("what nobody says", "es") == "what nobody says"
+    for english, others in PATTERNS.items():
+        assert all(each.count("{}") == english.count("{}") for each in others), english
 
 
 def test_a_name_is_no_markup(tmp_path):

@@ -75,6 +75,12 @@ Pendulum(1, length=1, g=9.8)
     TypeError: Pendulum() got an unexpected keyword argument 'g': did you mean gravity?
 libration.DampedPendulum(1, g=9.8)
     TypeError: DampedPendulum() got an unexpected keyword argument 'g': did you mean gravity?
+libration.damped.half_swing(1.0)
+    TypeError: half_swing() needs friction; it takes theta, friction, omega0, omega2, length, gravity
+libration.damped.averaged_energy_loss("1", libration.Friction(dry=1))
+    TypeError: theta_max = '1': must be real numbers; write float(theta_max)
+libration.damped.averaged_turning_angle(4.0, 2.0, libration.Friction(dry=1))
+    ValueError: theta_max = 4.0: must be in [0, pi)
 libration.Friction(lin=0.1)
     TypeError: Friction() got an unexpected keyword argument 'lin': did you mean linear?
 libration.Torque(const=1)

@@ -20,9 +20,13 @@ from libration.plot._comparison import draw_comparison
 from libration.plot._language import CATALOGUE, ENGLISH, Language
 
 SWING = Pendulum(3.0, length=1.0, gravity=9.8)
+DECAY = libration.DampedPendulum(2.0, friction=libration.Friction(linear=0.05, dry=0.02))
 DRAWN = {
     "plot": lambda **given: SWING.plot(**given),
     "plot_phase": lambda **given: SWING.plot_phase(**given),
+    "damped": lambda **given: DECAY.plot(**given),
+    "damped_phase": lambda **given: DECAY.plot_phase(**given),
+    "damped_energy": lambda **given: DECAY.plot_energy(**given),
     "plot_period": lambda **given: plot.plot_period(**given),
     "comparison": lambda **given: approx.compare(SWING, ["linear", "harmonic"]).plot(**given),
     "errors": lambda **given: approx.compare(SWING, ["linear", "harmonic"]).plot_error(**given),

@@ -33,8 +33,8 @@ def test_close_sees_nan_signs_and_negative_truth():
 def test_every_public_name_is_there_and_documented():
     names = [
         "CubicQuintic DampedPendulum Duffing DuffingForm Estimate Fit Fourier Friction JacobiComplexValues JacobiValues",
-        "OscillatorRegime Pendulum Regime Torque __version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
-        "complete_pi duffing_motion fit frequency from_action_phase gravity_of_period harmonic_distortion heuman_lambda",
+        "OscillatorRegime Pendulum Regime Together Torque __version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
+        "complete_pi duffing_motion fit fit_together frequency from_action_phase gravity_of_period gravity_of_pivots harmonic_distortion heuman_lambda",
         "incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex jacobi_epsilon jacobi_zeta motion nome",
         "normal_gravity phase sensitivities theta theta1 theta2 theta3 theta4 velocity",
     ]

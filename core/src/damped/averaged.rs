@@ -8,13 +8,11 @@
 
 use super::circular::circular;
 use super::friction::Friction;
-use crate::domain::Domain;
 use crate::float::{Dd, PI, Scaled};
-use crate::pendulum::action::state_of;
 use crate::pendulum::{Frequency, Orbit};
 
 /// The libration with this turning angle, in (0, pi) for a force that pulls down.
-fn libration(theta_max: f64, frequency: Frequency) -> Option<Orbit> {
+pub(super) fn libration(theta_max: f64, frequency: Frequency) -> Option<Orbit> {
     let inside = theta_max > 0.0 && theta_max < core::f64::consts::PI;
     let pulls = inside && frequency.root().is_some() && !frequency.upside_down();
     if pulls { Orbit::new(theta_max, 0.0, frequency).ok() } else { None }
@@ -73,29 +71,4 @@ pub fn averaged_turning_rate(theta_max: f64, frequency: Frequency, friction: Fri
     let Some(orbit) = libration(theta_max, frequency) else { return f64::NAN };
     let (sine, _) = circular(Dd::from(theta_max));
     -averaged_energy_loss(theta_max, frequency, friction) / (orbit.period() * orbit.omega2() * sine.value())
-}
-
-/// The turning angle in rad a time t (in s) after it was `theta_max`, under linear friction gamma (in 1/s) alone, in the mean: that of
-/// the action J(0) e^(-2 gamma t).
-///
-/// NaN out of the domain of [`averaged_energy_loss`], and where friction below 0 has driven it over the top. **Error** 8 ulp, as a
-/// formula of first order.
-///
-/// ```
-/// use libration::{Frequency, damped::averaged_turning_angle};
-/// let angle = averaged_turning_angle(1.0, 50.0, Frequency::from_omega0(1.0)?, 0.01);
-/// assert_eq!(format!("{angle:.6}"), "0.596202");
-/// # Ok::<(), libration::Domain>(())
-/// ```
-#[must_use]
-pub fn averaged_turning_angle(theta_max: f64, t: f64, frequency: Frequency, linear: f64) -> f64 {
-    let after = |orbit: Orbit| -> Result<f64, Domain> {
-        let decay = Scaled::exp(Dd::product(linear, t).scale(-2.0));
-        let action = (decay * Scaled::from(orbit.action())).value();
-        Ok(state_of(action, core::f64::consts::FRAC_PI_2, 0.0, frequency)?.0)
-    };
-    match libration(theta_max, frequency) {
-        Some(orbit) if t.is_finite() && linear.is_finite() => after(orbit).unwrap_or(f64::NAN),
-        _ => f64::NAN,
-    }
 }

@@ -49,6 +49,44 @@ impl Branch {
     }
 }
 
+/// The most times that are taken together.
+const RUN: usize = 64;
+
+impl Branch {
+    /// Angle and velocity at the first of some times and at those after it that are `here` and in the same segment, bit for bit those
+    /// of [`Branch::at`]; how many these are.
+    pub fn run(
+        &self,
+        t: &[f64],
+        here: impl Fn(f64) -> bool,
+        near: &mut usize,
+        theta: &mut [f64],
+        velocity: &mut [f64],
+    ) -> usize {
+        let mut place = [0.0; RUN];
+        let first = self.equation.time(t[0]);
+        *near = self.index_near(first, *near);
+        let segment = &self.segments[*near];
+        let next = self.segments.get(*near + 1);
+        let mut rows = 0;
+        for t in t.iter().take(RUN) {
+            let time = self.equation.time(*t);
+            let since_start = since(segment, time);
+            let inside = since_start >= 0.0 && next.is_none_or(|next| since(next, time) < 0.0);
+            if rows > 0 && !(inside && here(*t)) {
+                break;
+            }
+            place[rows] = since_start;
+            rows += 1;
+        }
+        segment.at_into(&place[..rows], &mut theta[..rows], &mut velocity[..rows]);
+        for velocity in &mut velocity[..rows] {
+            *velocity = self.equation.sense * ldexp(*velocity, self.equation.power);
+        }
+        rows
+    }
+}
+
 /// Time since the start of a segment.
 pub(super) fn since(segment: &Segment, time: f64) -> f64 {
     (time - segment.start.hi) - segment.start.lo

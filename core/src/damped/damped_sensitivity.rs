@@ -7,9 +7,12 @@ use super::branch::{Branch, since};
 use super::integrator::ASKED_EVERY;
 use super::segment::Segment;
 use super::trajectory::Trajectory;
-use super::variational::{ColumnJet, Columns, PARAMETERS};
+use super::variational::{ColumnJet, Columns, PARAMETERS, SiFactors};
 use crate::domain::Domain;
 use std::sync::Arc;
+
+/// Rows that are collected before they are written.
+const BLOCK: usize = 32;
 
 /// The first derivatives of angle and velocity by the parameters of [`PARAMETERS`], in SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +43,21 @@ pub struct DampedSensitivity {
     branches: Arc<[Branch; 2]>,
     /// At the start of every segment of the branches.
     starts: [Vec<Columns>; 2],
+    factors: [SiFactors; 2],
     interval: (f64, f64),
 }
 
-/// The series of the segment that was asked for last.
-type Last = Option<(usize, usize, ColumnJet)>;
+/// The series of the segment that was asked for last, and its branch and number.
+struct Last {
+    of: Option<(usize, usize)>,
+    jet: ColumnJet,
+}
+
+impl Last {
+    fn none() -> Last {
+        Last { of: None, jet: ColumnJet::ZERO }
+    }
+}
 
 impl DampedSensitivity {
     /// Of a trajectory; also of an exact one, which is then integrated.
@@ -72,7 +85,8 @@ impl DampedSensitivity {
             },
         };
         let starts = [0, 1].map(|i| along(&branches[i], ended));
-        Ok(DampedSensitivity { branches, starts, interval: (start, stop) })
+        let factors = [0, 1].map(|i| SiFactors::new(&branches[i].equation));
+        Ok(DampedSensitivity { branches, starts, factors, interval: (start, stop) })
     }
 
     /// The derivatives at t (in s).
@@ -84,7 +98,7 @@ impl DampedSensitivity {
     /// parameter. Source: the variational equations, variational.rs.
     #[must_use]
     pub fn at(&self, t: f64) -> DampedJacobian {
-        self.through(t, &mut None)
+        self.through(t, &mut Last::none())
     }
 
     /// [`DampedSensitivity::at`] of every time, bit for bit, row by row of the matrix; panics where the lengths differ. Rising times
@@ -92,11 +106,19 @@ impl DampedSensitivity {
     pub fn at_into(&self, t: &[f64], mut derivatives: [&mut [f64]; 2 * PARAMETERS.len()]) {
         let fits = derivatives.iter().all(|column| column.len() == t.len());
         assert!(fits, "columns of different lengths");
-        let mut last = None;
-        for (row, t) in t.iter().enumerate() {
-            let DampedJacobian { theta, velocity } = self.through(*t, &mut last);
-            for (column, value) in derivatives.iter_mut().zip(theta.iter().chain(&velocity)) {
-                column[row] = *value;
+        let mut last = Last::none();
+        // Rows by the block, so that a column is written in pieces and not number by number.
+        let mut block = [[0.0; BLOCK]; 2 * PARAMETERS.len()];
+        for (number, times) in t.chunks(BLOCK).enumerate() {
+            for (row, t) in times.iter().enumerate() {
+                let DampedJacobian { theta, velocity } = self.through(*t, &mut last);
+                for (column, value) in block.iter_mut().zip(theta.iter().chain(&velocity)) {
+                    column[row] = *value;
+                }
+            }
+            let place = number * BLOCK..number * BLOCK + times.len();
+            for (column, values) in derivatives.iter_mut().zip(&block) {
+                column[place.clone()].copy_from_slice(&values[..times.len()]);
             }
         }
     }
@@ -108,22 +130,20 @@ impl DampedSensitivity {
         let side = usize::from(t >= 0.0);
         let Branch { equation, segments } = &self.branches[side];
         let time = equation.time(t);
-        let near = last.as_ref().map_or(0, |(.., number, _)| *number);
+        let near = last.of.map_or(0, |(_, number)| number);
         let number = self.branches[side].index_near(time, near);
         let segment: &Segment = &segments[number];
         let start = &self.starts[side][number];
-        let columns = if segment.side == 0.0 {
-            *start
+        let motion = if segment.side == 0.0 {
+            [start.theta, start.velocity]
         } else {
-            if last.as_ref().is_none_or(|(a, b, _)| (*a, *b) != (side, number)) {
-                *last = Some((side, number, ColumnJet::new(equation, segment, start)));
+            if last.of != Some((side, number)) {
+                last.jet.fill(equation, segment, start);
+                last.of = Some((side, number));
             }
-            match last {
-                Some((.., jet)) => jet.at(since(segment, time)),
-                None => *start,
-            }
+            last.jet.motion(since(segment, time))
         };
-        let [theta, velocity] = columns.in_si(equation);
+        let [theta, velocity] = self.factors[side].of(motion);
         DampedJacobian { theta, velocity }
     }
 }
@@ -132,6 +152,7 @@ impl DampedSensitivity {
 fn along(Branch { equation, segments }: &Branch, ended: &dyn Fn() -> bool) -> Vec<Columns> {
     let mut starts: Vec<Columns> = Vec::with_capacity(segments.len());
     let mut now = Columns::start(equation);
+    let mut jet = ColumnJet::ZERO;
     let mut gave_up = false;
     for (i, segment) in segments.iter().enumerate() {
         gave_up |= i % ASKED_EVERY == ASKED_EVERY - 1 && ended();
@@ -143,7 +164,8 @@ fn along(Branch { equation, segments }: &Branch, ended: &dyn Fn() -> bool) -> Ve
         }
         starts.push(now);
         if segment.side != 0.0 && !gave_up {
-            now = ColumnJet::new(equation, segment, &now).at(segment.length);
+            jet.fill(equation, segment, &now);
+            now = jet.at(segment.length);
         }
     }
     starts

@@ -119,6 +119,11 @@ impl Equation {
         if self.amplitude == 0.0 { f64::INFINITY } else { LARGEST_ROTATION / self.frequency.abs() }
     }
 
+    /// Whether the torque is another one at other times.
+    pub fn varies(&self) -> bool {
+        self.amplitude != 0.0 || self.samples.is_some()
+    }
+
     /// The torque's coefficients at a time, with the sine and cosine of its sinusoid; those of samples of the piece that lies
     /// ahead.
     pub fn torque(&self, time: Dd, [sine, cosine]: [Dd; 2]) -> TorqueJet {

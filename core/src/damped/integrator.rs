@@ -7,9 +7,9 @@
 
 use super::circular::of_double;
 use super::equation::Equation;
-use super::jet::{COSINE, Jet, SINE, SLIP, VELOCITY};
-use super::roots::{first_root, rootless, value_and_slope};
-use super::segment::{Event, Segment, step_length};
+use super::jet::{Ahead, COSINE, Jet, SINE, SLIP, VELOCITY};
+use super::roots::{first_root, value_and_slope};
+use super::segment::{Event, Segment, Start, step_length};
 use super::taylor::ORDER;
 use super::torque_jet::{TorqueJet, rotated};
 use crate::domain::Domain;
@@ -53,6 +53,7 @@ pub(super) fn integrate(
 ) -> (Vec<Segment>, Option<Domain>) {
     let mut state = State::new(equation, theta0, velocity0);
     let mut segments = Vec::new();
+    let mut torque = equation.torque(state.time, state.sinusoid);
     let mut jet = Jet::ZERO;
     while segments.is_empty() || state.time.value() <= stop {
         if segments.len() == most {
@@ -64,10 +65,10 @@ pub(super) fn integrate(
             break;
         }
         let knot = equation.next_knot(state.time);
-        let segment = if state.side == 0.0 {
-            state.hold(equation, knot, stop)
+        let (segment, slopes) = if state.side == 0.0 {
+            (state.hold(equation, knot, stop), &[0.0; ORDER + 1])
         } else {
-            state.step(equation, knot, stop, &mut jet)
+            (state.step(equation, knot, stop, &mut torque, &mut jet), &jet.slopes)
         };
         // A release at once leaves no segment behind.
         if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
@@ -77,17 +78,17 @@ pub(super) fn integrate(
         if segment.length == 0.0 && segment.start.value() == stop && !segments.is_empty() {
             break;
         }
-        if !(segment.length > 0.0 || stop == 0.0) || !segment.slopes[ORDER].is_finite() {
+        if !(segment.length > 0.0 || stop == 0.0) || !slopes[ORDER].is_finite() {
             let order = if equation.sense > 0.0 { "before" } else { "after" };
             let reached = equation.seconds(segment.start.value());
             let allowed = format!("{order} {reached:?} s, where the motion grows without bound");
             if segments.is_empty() {
                 // The start is known.
-                segments.push(Segment { length: 0.0, slopes: [0.0; ORDER + 1], ..segment });
+                segments.push(Start { length: 0.0, ..segment }.with(&[0.0; ORDER + 1]));
             }
             return (segments, Some(refused(equation, stop, allowed)));
         }
-        segments.push(segment);
+        segments.push(segment.with(slopes));
     }
     (segments, None)
 }
@@ -133,13 +134,12 @@ impl State {
             && (equation.pull(self.time, self.sinusoid, self.values[SINE]).abs() - Dd::from(dry)).hi <= 0.0
     }
 
-    /// A segment from here, without its polynomial.
-    fn segment(&self) -> Segment {
-        Segment {
+    /// A segment from here, without its length.
+    fn segment(&self) -> Start {
+        Start {
             start: self.time,
             length: 0.0,
             theta: self.theta,
-            slopes: [0.0; ORDER + 1],
             event: self.event,
             side: self.side,
             sine: self.values[SINE].value(),
@@ -174,22 +174,34 @@ impl State {
     }
 
     /// A step of the series, as far as it converges, but not beyond a knot of the torque; a series that ends serves until `stop`.
-    fn step(&mut self, equation: &Equation, knot: f64, stop: f64, jet: &mut Jet) -> Segment {
-        let torque = equation.torque(self.time, self.sinusoid);
-        let converged = self.fill(equation, &torque, jet);
+    #[inline(always)]
+    fn step(
+        &mut self,
+        equation: &Equation,
+        knot: f64,
+        stop: f64,
+        torque: &mut TorqueJet,
+        jet: &mut Jet,
+    ) -> Start {
+        if equation.varies() {
+            *torque = equation.torque(self.time, self.sinusoid);
+        }
+        let converged = self.fill(equation, torque, jet);
         let mut segment = self.segment();
-        segment.side = self.side;
-        segment.slopes = jet.slopes;
         let velocity = &jet.velocity;
         let end = if converged.is_finite() { knot } else { knot.min(stop) };
         let left = self.until(end);
         let last = converged >= left;
         let length = if last { left } else { converged };
-        let root = if rootless(velocity, length) { None } else { first_root(velocity, length) };
+        let slips = self.values[SLIP].hi != 0.0;
+        let mut all = jet.at(length, slips);
+        let root = if jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
+        if let Some(root) = root {
+            all = jet.at(root, slips);
+        }
         let mut passed = root.unwrap_or(length);
         let mut exactly = Dd::from(passed);
-        let slips = self.values[SLIP].hi != 0.0;
-        let mut ahead = jet.at(passed, slips);
+        let Ahead { values: mut ahead, change, .. } = all;
         let turns = root.is_some() || ahead[VELOCITY].hi * self.side < 0.0;
         if turns {
             // What the root in double misses; the angle changes only by its square.
@@ -203,7 +215,7 @@ impl State {
         segment.length = passed;
         self.turn_phase(equation, exactly);
         let moving = ahead[VELOCITY].hi != 0.0;
-        let [sine, cosine, slip, v, change] = ahead;
+        let [sine, cosine, slip, v] = ahead;
         let speed = v.hi.abs().max(velocity[0].abs()).max(velocity[1].abs());
         let settled = slip.hi.abs() * equation.dry.abs() <= SETTLED * speed;
         let slip = if settled { Dd::ZERO } else { slip };
@@ -232,7 +244,7 @@ impl State {
     }
 
     /// Rest under dry friction until the pull exceeds it, but not beyond a knot of the torque; under a constant torque until `stop`.
-    fn hold(&mut self, equation: &Equation, knot: f64, stop: f64) -> Segment {
+    fn hold(&mut self, equation: &Equation, knot: f64, stop: f64) -> Start {
         let mut segment = self.segment();
         let torque = equation.torque(self.time, self.sinusoid);
         // The series of the sinusoid serves one radian: 1/30! is 2^-107.

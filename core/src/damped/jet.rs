@@ -2,18 +2,23 @@
 //!
 //! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
 //! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
-//! Coefficients below LONG are double-doubles, because a step is 2^(-66/30) = 0.22 of the radius of convergence: the term of order
-//! LONG is below 0.22^9 = 1e-6 of the motion, and its rounding error below 2^-72.
+//! Coefficients below LONG are double-doubles, because a step is 2^(-66/31) = 0.23 of the radius of convergence: the term of order
+//! LONG is below 0.23^5 = 2^-10 of the motion, and its rounding error below 2^-63: summed over N steps, whose errors are
+//! independent, it is that of 2^-63 sqrt(N) in the state.
 //!
-//! One step is, for each of s and c (and |v| v, and u, where they act), 30 31/2 - 36 = 429 multiplications with additions in
-//! double and 36 in double-double; and for each of s, c, v and theta a sum of 22 terms in double and 9 in double-double.
+//! Four numbers are side by side in a lane: c, -s, u, v times one v give the sums of s, c, u and of v^2. Where friction is linear or
+//! dry only c and -s are needed: then a lane holds two terms of the sum. One step is 31 32/2 - 15 = 481 products of a row with a v in
+//! double (half of the lanes where two terms share one) and 10 in double-double, then sums of 27 and 5 terms.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
-use super::taylor::{Four, INVERSE, LONG, ORDER, Series, double, four, four_mul_add, number, on_circle};
+use super::taylor::{INVERSE, LONG, ORDER, Series, double, number, on_circle, places};
 use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{Kernel, Lane, single};
+use crate::lanes::{Kernel, Lane, four};
+
+/// Sums that are written out order by order, and lanes of four coefficients.
+const _: () = assert!(LONG == 5 && ORDER == 31);
 
 /// Places of the four variables.
 pub(super) const SINE: usize = 0;
@@ -34,7 +39,7 @@ pub(super) struct Piece {
     pub slip: f64,
 }
 
-/// Coefficients of powers of time of s, c, v and the angle, a row for each power, and of u.
+/// Coefficients of powers of time, a row for each power.
 #[derive(Clone, Debug)]
 pub(super) struct Jet {
     /// Of s, c, v, and of the powers 1, 2, ... in the angle; the low words of the first.
@@ -46,6 +51,17 @@ pub(super) struct Jet {
     /// The columns of v and of the angle.
     pub velocity: Series,
     pub slopes: Series,
+}
+
+/// The state some time after the place of a jet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ahead {
+    /// s, c, u, v.
+    pub values: [Dd; 4],
+    /// Of the angle.
+    pub change: Dd,
+    /// How far the velocity may be from its chord in between.
+    pub bend: f64,
 }
 
 impl Jet {
@@ -61,17 +77,23 @@ impl Jet {
     /// From the values of s, c, u, v. `at_limit`: the acceleration is 0, as it is when a stuck pendulum is released.
     pub fn fill(&mut self, start: &[Dd; 4], piece: &Piece, torque: &TorqueJet, at_limit: bool) {
         let jet = self;
-        match (piece.quadratic != 0.0, piece.slip != 0.0) {
-            (false, false) => single(Recurrence::<false, false> { jet, start, piece, torque, at_limit }),
-            (true, false) => single(Recurrence::<true, false> { jet, start, piece, torque, at_limit }),
-            (false, true) => single(Recurrence::<false, true> { jet, start, piece, torque, at_limit }),
-            (true, true) => single(Recurrence::<true, true> { jet, start, piece, torque, at_limit }),
+        if piece.quadratic != 0.0 || piece.slip != 0.0 {
+            four(Recurrence::<true> { jet, start, piece, torque, at_limit })
+        } else {
+            four(Recurrence::<false> { jet, start, piece, torque, at_limit })
         }
     }
 
-    /// s, c, u, v and the change of the angle a time later, as far as the series converges; s and c on the circle.
-    pub fn at(&self, time: f64, slips: bool) -> [Dd; 5] {
-        single(Sum { jet: self, time, slips })
+    /// The state a time later, as far as the series converges; s and c on the circle.
+    pub fn at(&self, time: f64, slips: bool) -> Ahead {
+        four(Sum { jet: self, time, slips })
+    }
+
+    /// Whether the velocity is seen at once to have no root in (0, time], at whose end `ahead` is.
+    pub fn keeps_side(&self, time: f64, ahead: &Ahead) -> bool {
+        let [first, second, ..] = self.velocity;
+        let (start, end) = (if first == 0.0 { second * time } else { first }, ahead.values[VELOCITY].hi);
+        start * end > 0.0 && f64::min(start.abs(), end.abs()) > ahead.bend
     }
 
     /// The sizes of the coefficients of s, c, v and of u at one power.
@@ -81,7 +103,8 @@ impl Jet {
     }
 }
 
-struct Recurrence<'a, const DRAG: bool, const SLIPS: bool> {
+/// `FULL`: with drag or presliding.
+struct Recurrence<'a, const FULL: bool> {
     jet: &'a mut Jet,
     start: &'a [Dd; 4],
     piece: &'a Piece,
@@ -89,136 +112,273 @@ struct Recurrence<'a, const DRAG: bool, const SLIPS: bool> {
     at_limit: bool,
 }
 
-/// Coefficient k >= 4 of x v, the latest coefficients last.
+/// c, -s, u, v: what is multiplied by v gives (k + 1) times the next s and c, the next u times a constant, and v^2.
 #[inline(always)]
-fn product<L: Lane>(x: &[L; ORDER + 1], v: &[L; ORDER + 1], k: usize) -> L {
-    let (mut even, mut odd) = (x[k - 2] * v[2], L::splat(0.0));
-    let mut j = 3;
-    while j + 1 < k - 1 {
-        odd = x[k - j].mul_add(v[j], odd);
-        even = x[k - j - 1].mul_add(v[j + 1], even);
-        j += 2;
-    }
-    if j == k - 2 {
-        odd = x[2].mul_add(v[k - 2], odd);
-    }
-    even = x[k - 1].mul_add(v[1], even);
-    odd = x[1].mul_add(v[k - 1], odd);
-    even = x[k].mul_add(v[0], even);
-    odd = x[0].mul_add(v[k], odd);
-    even + odd
+fn factors<L: Lane>([s, c, u, _]: [f64; 4], v: f64) -> L {
+    L::load(&[c, -s, u, v])
 }
 
-impl<const DRAG: bool, const SLIPS: bool> Kernel for Recurrence<'_, DRAG, SLIPS> {
+impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
     type Output = ();
     type Place = Jet;
     #[inline(always)]
     fn run<L: Lane>(self) {
         let Recurrence { jet, start, piece, torque, at_limit } = self;
-        // Rows of s, c, u, v.
-        let mut long = [Four::<L>::zero(); LONG];
-        long[0] = Four::of([
-            Unnormalised::splat(start[SINE]),
-            Unnormalised::splat(start[COSINE]),
-            Unnormalised::splat(start[SLIP]),
-            Unnormalised::splat(start[VELOCITY]),
-        ]);
-        let omega2 = Unnormalised::<L>::splat(piece.omega2);
-        let mut k = 0;
-        while k < LONG - 1 {
-            let mut sums = long[0].times(long[k].at(VELOCITY));
-            if k > 0 {
-                // The two products with the latest row last.
-                sums = sums.plus(long[k].times(long[0].at(VELOCITY)));
-                let (mut middle, mut j) = (Four::zero(), 1);
-                while j < k {
-                    middle = middle.plus(long[k - j].times(long[j].at(VELOCITY)));
-                    j += 1;
+        let zero = L::splat(0.0);
+        let (omega2, linear) = (Unnormalised::<L>::splat(piece.omega2), double::<L>(piece.linear));
+        let (quadratic, dry) = (double::<L>(piece.quadratic), double::<L>(piece.dry));
+        let sides = L::load(&[1.0, 1.0, -piece.slip, 1.0]);
+        // In every place.
+        let mut v = [Unnormalised::new(zero, zero); LONG];
+        let mut t = [Unnormalised::new(zero, zero); LONG];
+        v[0] = Unnormalised::splat(start[VELOCITY]);
+        let mut hi = [start[SINE].hi, start[COSINE].hi, start[SLIP].hi, 0.0];
+        let mut lo = [start[SINE].lo, start[COSINE].lo, start[SLIP].lo, 0.0];
+        t[0] = Unnormalised::new(factors(hi, start[VELOCITY].hi), factors(lo, start[VELOCITY].lo));
+        let (mut f, mut w) = ([zero; ORDER + 1], [0.0; ORDER + 1]);
+        // Written out here and below, so that the compiler knows the length of every sum.
+        macro_rules! next {
+            ($($k:literal)*) => {$({
+                const K: usize = $k;
+                let mut sums = t[0] * v[K];
+                if K > 0 {
+                    // The two products with the latest row last.
+                    sums = sums + t[K] * v[0];
                 }
-                sums = sums.plus(middle);
-            }
-            let mut force = Unnormalised::new(L::splat(torque.hi[k]), L::splat(torque.lo[k]));
-            force = force - double::<L>(piece.linear) * long[k].at(VELOCITY) - omega2 * long[k].at(SINE);
-            if DRAG {
-                force = force - double::<L>(piece.quadratic) * sums.at(VELOCITY);
-            }
-            if k == 0 {
-                force = force - double::<L>(piece.dry);
-            }
-            if SLIPS || k == 0 {
-                force = force + double::<L>(piece.dry) * long[k].at(SLIP);
-            }
-            if k == 0 && at_limit {
-                force = double::<L>(0.0);
-            }
-            let mut slip = double::<L>(0.0);
-            if SLIPS {
-                slip = -(double::<L>(piece.slip) * sums.at(SLIP));
-            }
-            let next = Four::of([sums.at(COSINE), -sums.at(SINE), slip, force]);
-            long[k + 1] = next.times(Unnormalised::splat(INVERSE[k + 1]));
-            k += 1;
+                if K > 1 {
+                    let (mut middle, mut j) = (t[K - 1] * v[1], 2);
+                    while j < K {
+                        middle = middle + t[K - j] * v[j];
+                        j += 1;
+                    }
+                    sums = sums + middle;
+                }
+                let sine = Unnormalised::new(L::splat(hi[SINE]), L::splat(lo[SINE]));
+                let mut force = Unnormalised::new(L::splat(torque.hi[K]), L::splat(torque.lo[K]));
+                force = force - linear * v[K] - omega2 * sine;
+                if K == 0 {
+                    force = force - dry;
+                }
+                if FULL || K == 0 {
+                    force = force + dry * Unnormalised::new(L::splat(hi[SLIP]), L::splat(lo[SLIP]));
+                }
+                if FULL {
+                    let (square_hi, square_lo) = (places(sums.hi)[3], places(sums.lo)[3]);
+                    force = force - quadratic * Unnormalised::new(L::splat(square_hi), L::splat(square_lo));
+                }
+                if K == 0 && at_limit {
+                    force = double(0.0);
+                }
+                let inverse = Unnormalised::splat(INVERSE[K + 1]);
+                v[K + 1] = force * inverse;
+                let x = sums * (inverse * Unnormalised::from_double(sides));
+                (hi, lo) = (places(x.hi), places(x.lo));
+                let [next, rest] = [v[K + 1].hi.first(), v[K + 1].lo.first()];
+                t[K + 1] = Unnormalised::new(factors(hi, next), factors(lo, rest));
+            })*};
         }
-        let series = [L::splat(0.0); ORDER + 1];
-        let (mut s, mut c, mut u, mut v, mut slopes) = (series, series, series, series, series);
+        next!(0 1 2 3);
+        macro_rules! keep {
+            ($($k:literal)*) => {$({
+                const K: usize = $k;
+                // Not normalised: so the orders above need not wait for the low words.
+                (w[K], f[K]) = (v[K].hi.first(), t[K].hi);
+                let (row, now) = (t[K].tight(), v[K].tight());
+                let slope = (v[K] * Unnormalised::splat(INVERSE[K + 1])).tight();
+                let ([c, s, u, _], [c_low, s_low, u_low, _]) = (places(row.hi), places(row.lo));
+                jet.rows[K] = [-s, c, now.hi.first(), slope.hi.first()];
+                jet.low_rows[K] = [-s_low, c_low, now.lo.first(), slope.lo.first()];
+                (jet.slip[K], jet.low_slip[K]) = (u, u_low);
+                (jet.velocity[K], jet.slopes[K]) = (now.hi.first(), slope.hi.first());
+            })*};
+        }
+        keep!(0 1 2 3 4);
+        let constants = Constants {
+            omega2: L::splat(piece.omega2.hi),
+            linear: L::splat(piece.linear),
+            quadratic: L::splat(piece.quadratic),
+            dry: L::splat(piece.dry),
+            sides,
+        };
+        let mut last = [L::splat(hi[SINE]), L::splat(hi[SLIP])];
+        // A lane in memory keeps the stack aligned to lanes: without it many of those that wait there would lie across two cache lines.
+        let aligned = last;
+        core::hint::black_box(&aligned);
+        let mut rows = Rows { f, v: [zero; ORDER + 1], w: [zero; ORDER + 1], two: [zero; ORDER.div_ceil(2)] };
         let mut k = 0;
         while k < LONG {
-            let slope = long[k].at(VELOCITY) * Unnormalised::splat(INVERSE[k + 1]);
-            let words = [
-                long[k].at(SINE).tight(),
-                long[k].at(COSINE).tight(),
-                long[k].at(VELOCITY).tight(),
-                slope.tight(),
-                long[k].at(SLIP).tight(),
-            ];
-            (s[k], c[k], v[k], slopes[k], u[k]) =
-                (words[0].hi, words[1].hi, words[2].hi, words[3].hi, words[4].hi);
-            let mut i = 0;
-            while i < 4 {
-                words[i].lo.store(&mut jet.low_rows[k][i..=i]);
-                i += 1;
-            }
-            words[4].lo.store(&mut jet.low_slip[k..=k]);
+            rows.v[k] = L::splat(w[k]);
             k += 1;
         }
-        let (omega2, linear) = (L::splat(piece.omega2.hi), L::splat(piece.linear));
-        let (quadratic, dry, slip) = (L::splat(piece.quadratic), L::splat(piece.dry), L::splat(piece.slip));
-        let mut k = LONG - 1;
-        while k < ORDER {
-            let inverse = L::splat(INVERSE[k + 1].hi);
-            let mut force = L::splat(torque.hi[k]) - linear * v[k];
-            if DRAG {
-                force = force - quadratic * product(&v, &v, k);
-            }
-            if SLIPS {
-                force = dry.mul_add(u[k], force);
-            }
-            let rise = product(&c, &v, k);
-            let fall = product(&s, &v, k);
-            if SLIPS {
-                u[k + 1] = -(slip * product(&u, &v, k) * inverse);
-            }
-            v[k + 1] = (force - omega2 * s[k]) * inverse;
-            s[k + 1] = rise * inverse;
-            c[k + 1] = -(fall * inverse);
-            slopes[k + 1] = v[k + 1] * L::splat(INVERSE[k + 2].hi);
-            k += 1;
+        rows.w[4] = halves(rows.v[4], rows.v[3]);
+        macro_rules! orders {
+            ($($k:literal)*) => {$(
+                last = if FULL {
+                    constants.full_order($k, jet, &mut rows, torque, last)
+                } else {
+                    constants.order($k, jet, &mut rows, torque, last)
+                };
+            )*};
         }
-        let mut k = 0;
-        while k <= ORDER {
-            let row = &mut jet.rows[k];
-            s[k].store(&mut row[0..1]);
-            c[k].store(&mut row[1..2]);
-            v[k].store(&mut row[2..3]);
-            slopes[k].store(&mut row[3..4]);
-            v[k].store(&mut jet.velocity[k..=k]);
-            slopes[k].store(&mut jet.slopes[k..=k]);
-            if SLIPS || k == 0 {
-                u[k].store(&mut jet.slip[k..=k]);
-            }
-            k += 1;
-        }
+        orders!(4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
     }
+}
+
+/// The coefficients so far.
+struct Rows<L: Lane> {
+    /// c, -s, u, v of one order.
+    f: [L; ORDER + 1],
+    /// v in every place.
+    v: [L; ORDER + 1],
+    /// v twice, and v of the order before twice.
+    w: [L; ORDER + 1],
+    /// c, -s of an even order, and those of the next one.
+    two: [L; ORDER.div_ceil(2)],
+}
+
+/// The first half of one and the second half of another.
+#[inline(always)]
+fn halves<L: Lane>(a: L, b: L) -> L {
+    let ([a, b, ..], [.., c, d]) = (places(a), places(b));
+    L::load(&[a, b, c, d])
+}
+
+/// The first two of one and the first two of another.
+#[inline(always)]
+fn pair<L: Lane>(a: L, b: L) -> L {
+    let ([a, b, ..], [c, d, ..]) = (places(a), places(b));
+    L::load(&[a, b, c, d])
+}
+
+/// The constants of a piece, in every place.
+struct Constants<L: Lane> {
+    omega2: L,
+    linear: L,
+    quadratic: L,
+    dry: L,
+    /// What the products are times, before they are divided by k + 1.
+    sides: L,
+}
+
+impl<L: Lane> Constants<L> {
+    /// The row of order k + 1 from those up to k where neither drag nor presliding acts; s of the last row in every place. The latest
+    /// coefficients come last in every sum: so the processor forms the rest while it waits for them.
+    #[inline(always)]
+    fn order(
+        &self,
+        k: usize,
+        jet: &mut Jet,
+        rows: &mut Rows<L>,
+        torque: &TorqueJet,
+        [s, u]: [L; 2],
+    ) -> [L; 2] {
+        let Rows { f, v, w, two } = rows;
+        // Two terms in a lane from order 4 to k - 4 or k - 5, from the middle to both ends.
+        let last = if k < 9 { 1 } else { (k - 5) / 2 };
+        let (mut first, mut second) = (L::splat(0.0), L::splat(0.0));
+        let half = (2 + last) / 2;
+        let mut i = half;
+        while i <= last {
+            first = two[i].mul_add(w[k - 2 * i], first);
+            i += 1;
+        }
+        let mut i = half;
+        while i > 2 {
+            i -= 1;
+            second = two[i].mul_add(w[k - 2 * i], second);
+        }
+        let sum = first + second;
+        let mut singly = L::splat(0.0);
+        let mut j = 2 * last + 2;
+        while j + 2 < k {
+            singly = f[j].mul_add(v[k - j], singly);
+            j += 1;
+        }
+        let middle = if last < 2 { singly } else { singly + (sum + exchanged(sum)) };
+        let inverse = L::splat(INVERSE[k + 1].hi);
+        let x = latest(k, rows, middle) * inverse;
+        let force = (-self.linear).mul_add(rows.v[k], L::splat(torque.hi[k])) * inverse;
+        let force = (self.omega2 * -inverse).mul_add(s, force);
+        let next = places(x);
+        rows.f[k + 1] = L::load(&[next[COSINE], -next[SINE], 0.0, 0.0]);
+        if k.is_multiple_of(2) {
+            rows.two[k / 2] = pair(rows.f[k], rows.f[k + 1]);
+        }
+        rows.w[k + 1] = halves(force, rows.v[k]);
+        self.kept(k + 1, jet, rows, x, force);
+        [L::splat(next[SINE]), u]
+    }
+
+    /// The same with drag or presliding; s and u of the last row.
+    #[inline(always)]
+    fn full_order(
+        &self,
+        k: usize,
+        jet: &mut Jet,
+        rows: &mut Rows<L>,
+        torque: &TorqueJet,
+        [s, u]: [L; 2],
+    ) -> [L; 2] {
+        let Rows { f, v, .. } = rows;
+        let (mut first, mut second) = (L::splat(0.0), L::splat(0.0));
+        let half = k / 2;
+        let mut j = half;
+        while j + 2 < k {
+            if j > 3 {
+                first = f[j].mul_add(v[k - j], first);
+            }
+            j += 1;
+        }
+        let mut j = half;
+        while j > 4 {
+            j -= 1;
+            second = f[j].mul_add(v[k - j], second);
+        }
+        let inverse = L::splat(INVERSE[k + 1].hi);
+        let each = self.sides * inverse;
+        let x = latest(k, rows, first + second) * each;
+        let force = (-self.linear).mul_add(rows.v[k], L::splat(torque.hi[k])) * inverse;
+        let force = (self.dry * inverse).mul_add(u, (self.omega2 * -inverse).mul_add(s, force));
+        let next = places(x);
+        let force = (-self.quadratic).mul_add(L::splat(next[3]), force);
+        rows.f[k + 1] = factors(next, force.first());
+        jet.slip[k + 1] = next[SLIP];
+        self.kept(k + 1, jet, rows, x, force);
+        [L::splat(next[SINE]), L::splat(next[SLIP])]
+    }
+
+    /// A row, into the jet.
+    #[inline(always)]
+    fn kept(&self, k: usize, jet: &mut Jet, rows: &mut Rows<L>, x: L, v: L) {
+        rows.v[k] = v;
+        let (value, slope) = (v.first(), v.first() * INVERSE[k + 1].hi);
+        x.store(&mut jet.rows[k]);
+        (jet.rows[k][2], jet.rows[k][3]) = (value, slope);
+        (jet.velocity[k], jet.slopes[k]) = (value, slope);
+    }
+}
+
+/// The sum of all terms, when those of the latest three rows are added to the others.
+#[inline(always)]
+fn latest<L: Lane>(k: usize, rows: &Rows<L>, others: L) -> L {
+    let Rows { f, v, .. } = rows;
+    let mut sum = v[k - 3].mul_add(f[3], others);
+    sum = v[k - 2].mul_add(f[2], sum);
+    if k > 5 {
+        sum = f[k - 2].mul_add(v[2], sum);
+    }
+    sum = v[k - 1].mul_add(f[1], sum);
+    if k > 4 {
+        sum = f[k - 1].mul_add(v[1], sum);
+    }
+    f[k].mul_add(v[0], v[k].mul_add(f[0], sum))
+}
+
+/// The halves exchanged.
+#[inline(always)]
+fn exchanged<L: Lane>(row: L) -> L {
+    let [a, b, c, d] = places(row);
+    L::load(&[c, d, a, b])
 }
 
 struct Sum<'a> {
@@ -228,42 +388,92 @@ struct Sum<'a> {
 }
 
 impl Kernel for Sum<'_> {
-    type Output = [Dd; 5];
+    type Output = Ahead;
     type Place = Jet;
     #[inline(always)]
-    fn run<L: Lane>(self) -> [Dd; 5] {
+    fn run<L: Lane>(self) -> Ahead {
         let Sum { jet, time, slips } = self;
         let t = L::splat(time);
-        let mut tail = four::<L>(&jet.rows[ORDER]);
-        let mut k = ORDER;
+        let (square, fourth) = (t * t, (t * t) * (t * t));
+        // Every fourth power by itself, so that the sums need not wait for each other.
+        let mut k = ORDER + 1 - 4;
+        let mut sums = [L::splat(0.0); 4];
+        let mut i = 0;
+        while i < 4 {
+            sums[i] = L::load(&jet.rows[k + i]);
+            i += 1;
+        }
+        while k >= LONG + 4 {
+            k -= 4;
+            let mut i = 0;
+            while i < 4 {
+                sums[i] = sums[i].mul_add(fourth, L::load(&jet.rows[k + i]));
+                i += 1;
+            }
+        }
+        let mut tail = sums[3].mul_add(t, sums[2]).mul_add(square, sums[1].mul_add(t, sums[0]));
         while k > LONG {
             k -= 1;
-            tail = four_mul_add(tail, t, four(&jet.rows[k]));
+            tail = tail.mul_add(t, L::load(&jet.rows[k]));
         }
-        let mut sum = Four { hi: tail, lo: [L::splat(0.0); 4] };
+        let time = Unnormalised::from_double(t);
+        let mut sum = Unnormalised::from_double(tail);
         while k > 0 {
             k -= 1;
-            sum = sum.times_double(t).plus(Four { hi: four(&jet.rows[k]), lo: four(&jet.low_rows[k]) });
+            sum = sum * time + Unnormalised::new(L::load(&jet.rows[k]), L::load(&jet.low_rows[k]));
         }
         let mut u = Dd::new(jet.slip[0], jet.low_slip[0]);
         if slips {
-            let mut tail = L::load(&jet.slip[ORDER..]);
+            let mut tail = L::splat(jet.slip[ORDER]);
             let mut k = ORDER;
             while k > LONG {
                 k -= 1;
-                tail = tail.mul_add(t, L::load(&jet.slip[k..]));
+                tail = tail.mul_add(t, L::splat(jet.slip[k]));
             }
             let mut sum = Unnormalised::from_double(tail);
             while k > 0 {
                 k -= 1;
-                let word = Unnormalised::new(L::load(&jet.slip[k..]), L::load(&jet.low_slip[k..]));
-                sum = sum * Unnormalised::from_double(t) + word;
+                sum = sum * time + Unnormalised::new(L::splat(jet.slip[k]), L::splat(jet.low_slip[k]));
             }
             u = number(sum);
         }
-        let (mut s, mut c) = (sum.at(0), sum.at(1));
+        let bend = bend(&jet.velocity, t);
+        let (hi, lo) = (places(sum.hi), places(sum.lo));
+        let mut s = Unnormalised::<L>::new(L::splat(hi[0]), L::splat(lo[0]));
+        let mut c = Unnormalised::<L>::new(L::splat(hi[1]), L::splat(lo[1]));
         on_circle(&mut s, &mut c);
-        let change = sum.at(3) * Unnormalised::from_double(t);
-        [number(s), number(c), u, number(sum.at(2)), number(change)]
+        let velocity = Unnormalised::<L>::new(L::splat(hi[2]), L::splat(lo[2]));
+        let change = Unnormalised::<L>::new(L::splat(hi[3]), L::splat(lo[3])) * time;
+        Ahead { values: [number(s), number(c), u, number(velocity)], change: number(change), bend }
     }
+}
+
+/// (k - i) (k - 1 - i)/8 for i = 0 and 1.
+const BEND: [Series; 2] = {
+    let mut all = [[0.0; ORDER + 1]; 2];
+    let mut k = 1;
+    while k <= ORDER {
+        all[0][k] = (k * (k - 1)) as f64 * 0.125;
+        all[1][k] = ((k - 1) * (k - 1) - (k - 1)) as f64 * 0.125;
+        k += 1;
+    }
+    all
+};
+
+/// A polynomial is nowhere on an interval of length t farther from its chord than t^2/8 times its largest second derivative: at most
+/// the sum of k (k - 1)/8 |c_k| t^k. Where c_0 is 0 this is said of the polynomial over its argument, and the sum is t times that.
+#[inline(always)]
+fn bend<L: Lane>(c: &Series, t: L) -> f64 {
+    let weights = &BEND[usize::from(c[0] == 0.0)];
+    let square = t * t;
+    let fourth = square * square;
+    let mut sum = L::splat(0.0);
+    let mut k = ORDER + 1;
+    while k > 0 {
+        k -= 4;
+        sum = sum.mul_add(fourth, L::load(&c[k..]).abs() * L::load(&weights[k..]));
+    }
+    let [a, b, c, d] = places(sum);
+    let [t, square] = [t.first(), square.first()];
+    (a + b * t) + (c + d * t) * square
 }

@@ -1,6 +1,7 @@
 //! The pendulum with friction and torque: theta'' + 2 gamma theta' + beta |theta'| theta' + mu z + omega0^2 sin theta = torque(t).
 
 mod averaged;
+mod averaged_decay;
 mod branch;
 mod circular;
 mod damped_pendulum;
@@ -19,7 +20,8 @@ mod torque_jet;
 mod trajectory;
 mod variational;
 
-pub use averaged::{averaged_energy_loss, averaged_turning_angle, averaged_turning_rate};
+pub use averaged::{averaged_energy_loss, averaged_turning_rate};
+pub use averaged_decay::averaged_turning_angle;
 pub use damped_pendulum::DampedPendulum;
 pub use damped_sensitivity::{DampedJacobian, DampedSensitivity};
 pub use friction::Friction;

@@ -5,7 +5,8 @@
 //! is halved. Where neither can be decided on 2^-30 of the whole, the polynomial and its slope vanish there to rounding: a touch,
 //! which counts as a root only if the sign changes.
 
-use super::taylor::ORDER;
+use super::taylor::{ORDER, places};
+use crate::lanes::{Kernel, Lane, four};
 
 const COUNT: usize = ORDER + 1;
 /// Least part of the whole interval that is looked at by itself.
@@ -13,79 +14,65 @@ const LEAST: f64 = 1.0 / (1u64 << 30) as f64;
 /// No polynomial of a step needs more than some ten intervals; beyond, only the signs at the ends are compared.
 const MOST_INTERVALS: usize = 1000;
 
-/// Value and slope at x: of the even and the odd powers by themselves, so that the sums need not wait for each other.
-pub(super) fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
-    let square = x * x;
-    let (mut even, mut odd, mut even_slope, mut odd_slope) = (0.0, 0.0, 0.0, 0.0);
-    for pair in c.chunks(2).rev() {
-        even_slope = even_slope * square + even;
-        odd_slope = odd_slope * square + odd;
-        even = even * square + pair[0];
-        odd = odd * square + pair.get(1).copied().unwrap_or(0.0);
-    }
-    // The slopes of the two sums are by the square of x.
-    (odd * x + even, odd + 2.0 * (odd_slope * square + even_slope * x))
+/// Value and slope at x; the number of coefficients is a multiple of four.
+pub(super) fn value_and_slope<const N: usize>(c: &[f64; N], x: f64) -> (f64, f64) {
+    four(Value::<N, false> { c, x })
 }
 
-/// Whether the polynomial is seen at once to have no root in (0, end]: between its ends it is nowhere farther from its chord than
-/// end^2/8 times its largest second derivative.
-pub(super) fn rootless(coefficients: &[f64; COUNT], end: f64) -> bool {
-    // Without the zero at 0, if it has one.
-    let c = &coefficients[usize::from(coefficients[0] == 0.0)..];
-    let square = end * end;
-    // Sums of every other power, so that they need not wait for each other.
-    let (mut even, mut odd, mut bend, mut odd_bend) = (0.0, 0.0, 0.0, 0.0);
-    for (pair, [first, second]) in c.chunks(2).zip(&SECOND_DERIVATIVE).rev() {
-        let next = pair.get(1).copied().unwrap_or(0.0);
-        even = even * square + pair[0];
-        odd = odd * square + next;
-        bend = bend * square + first * pair[0].abs();
-        odd_bend = odd_bend * square + second * next.abs();
-    }
-    let last = odd * end + even;
-    // end^2 times the sum of k (k - 1) |c_k| end^(k - 2).
-    let bend = odd_bend * end + bend;
-    c[0] * last > 0.0 && f64::min(c[0].abs(), last.abs()) > 0.125 * bend
+/// Value and slope at x >= 0 with all coefficients positive.
+fn bounds(c: &[f64; COUNT], x: f64) -> (f64, f64) {
+    four(Value::<COUNT, true> { c, x })
 }
 
-/// k (k - 1) for k = 0 and 1, 2 and 3, ...
-const SECOND_DERIVATIVE: [[f64; 2]; COUNT.div_ceil(2)] = {
-    let mut all = [[0.0; 2]; COUNT.div_ceil(2)];
-    let mut i = 0;
-    while i < all.len() {
-        let k = 2 * i;
-        all[i] = [(k * k) as f64 - k as f64, (k * (k + 1)) as f64];
-        i += 1;
+struct Value<'a, const N: usize, const SIZES: bool> {
+    c: &'a [f64; N],
+    x: f64,
+}
+
+impl<const N: usize, const SIZES: bool> Kernel for Value<'_, N, SIZES> {
+    type Output = (f64, f64);
+    type Place = Self;
+    /// The sum of x^i Q_i(x^4), i = 0 to 3, with the four Q_i side by side.
+    #[inline(always)]
+    fn run<L: Lane>(self) -> (f64, f64) {
+        let Value { c, x } = self;
+        let (square, cube) = (x * x, x * x * x);
+        let fourth = L::splat(square * square);
+        let (mut sum, mut slope) = (L::splat(0.0), L::splat(0.0));
+        let mut k = N;
+        while k > 0 {
+            k -= 4;
+            let row = L::load(&c[k..]);
+            slope = slope.mul_add(fourth, sum);
+            sum = sum.mul_add(fourth, if SIZES { row.abs() } else { row });
+        }
+        let ([a, b, c, d], [p, q, r, s]) = (places(sum), places(slope));
+        let inner = (p + q * x) + (r + s * x) * square;
+        ((a + b * x) + (c + d * x) * square, (b + 2.0 * c * x) + (3.0 * d * square + 4.0 * cube * inner))
     }
-    all
-};
+}
 
 /// The least x in (0, end] at which the polynomial changes its sign; the zero at x = 0 of a polynomial without its lowest
 /// powers is none.
 pub(super) fn first_root(coefficients: &[f64; COUNT], end: f64) -> Option<f64> {
-    // In x/end, without the powers that vanish at 0.
-    let mut b = [0.0; COUNT];
+    // Without the powers that vanish at 0.
     let first = coefficients.iter().position(|c| *c != 0.0)?;
-    let mut power = 1.0;
-    for (b, c) in b.iter_mut().zip(&coefficients[first..]) {
-        *b = c * power;
-        power *= end;
-    }
-    let local = b;
+    let mut local = [0.0; COUNT];
+    local[..COUNT - first].copy_from_slice(&coefficients[first..]);
     let mut at = 0.0;
     let mut shifted = local;
-    let mut width = 1.0;
+    let mut width = end;
     for _ in 0..MOST_INTERVALS {
         let Some(verdict) = verdict(&shifted, width) else {
-            if width > LEAST {
+            if width > LEAST * end {
                 width *= 0.5;
                 continue;
             }
             let (left, right) = (shifted[0], value_and_slope(&shifted, width).0);
             if left * right < 0.0 {
-                return Some(end * (at + 0.5 * width));
+                return Some(at + 0.5 * width);
             }
-            (at, width) = (at + width, 1.0 - at - width);
+            (at, width) = (at + width, end - at - width);
             if width <= 0.0 {
                 return None;
             }
@@ -93,33 +80,26 @@ pub(super) fn first_root(coefficients: &[f64; COUNT], end: f64) -> Option<f64> {
             continue;
         };
         if verdict {
-            return Some(end * (at + bracketed(&shifted, width)));
+            return Some(at + bracketed(&shifted, width));
         }
         at += width;
-        width = 1.0 - at;
+        width = end - at;
         if width <= 0.0 {
             return None;
         }
         shifted = shift(&local, at);
     }
-    let right = value_and_slope(&local, 1.0).0;
-    (local[0] * right < 0.0).then(|| end * bracketed(&local, 1.0))
+    let right = value_and_slope(&local, end).0;
+    (local[0] * right < 0.0).then(|| bracketed(&local, end))
 }
 
 /// Whether there is one root in (0, width], or none; `None` where that is not clear.
 fn verdict(b: &[f64; COUNT], width: f64) -> Option<bool> {
-    let (mut others, mut slopes, mut power) = (0.0, 0.0, 1.0);
-    for (k, b) in b.iter().enumerate().skip(1) {
-        if k > 1 {
-            slopes += k as f64 * b.abs() * power;
-        }
-        power *= width;
-        others += b.abs() * power;
-    }
-    if b[0].abs() > others {
+    let (all, slopes) = bounds(b, width);
+    if b[0].abs() > all - b[0].abs() {
         return Some(false);
     }
-    if b[1].abs() <= slopes {
+    if b[1].abs() <= slopes - b[1].abs() {
         return None;
     }
     let end = value_and_slope(b, width).0;
@@ -139,7 +119,7 @@ fn shift(b: &[f64; COUNT], by: f64) -> [f64; COUNT] {
 
 /// The root in [0, width], over whose ends the sign changes: Newton's steps from where the chord vanishes, halving where they leave
 /// the bracket.
-pub(super) fn bracketed(b: &[f64], width: f64) -> f64 {
+pub(super) fn bracketed<const N: usize>(b: &[f64; N], width: f64) -> f64 {
     let negative = b[0] < 0.0;
     let end = value_and_slope(b, width).0;
     let (mut low, mut high) = (0.0, width);

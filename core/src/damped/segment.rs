@@ -5,6 +5,7 @@ use super::jet::{Jet, Piece};
 use super::roots::{bracketed, value_and_slope};
 use super::taylor::{INVERSE, ORDER, Series};
 use crate::float::{Dd, exponent};
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once};
 
 /// How a segment begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +39,51 @@ pub(super) struct Segment {
     pub slip: f64,
 }
 
+/// The change of the angle and the velocity, from the coefficients of the powers 1, 2, ... in the angle.
+struct Polynomial<'a>(&'a Series);
+
+impl Formula<1, 2> for Polynomial<'_> {
+    type Place = Segment;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
+        // Even and odd powers by themselves, so that the sums need not wait for each other.
+        let square = t * t;
+        let zero = L::splat(0.0);
+        let (mut even, mut odd, mut even_slope, mut odd_slope) = (zero, zero, zero, zero);
+        let mut k = ORDER + 1;
+        while k > 0 {
+            k -= 2;
+            let [low, high] = [self.0[k], self.0[k + 1]];
+            even = even.mul_add(square, L::splat(low));
+            odd = odd.mul_add(square, L::splat(high));
+            even_slope = even_slope.mul_add(square, L::splat((k + 1) as f64 * low));
+            odd_slope = odd_slope.mul_add(square, L::splat((k + 2) as f64 * high));
+        }
+        [odd.mul_add(t, even) * t, odd_slope.mul_add(t, even_slope)]
+    }
+}
+
+/// A segment without its polynomial.
+pub(super) struct Start {
+    pub start: Dd,
+    pub length: f64,
+    pub theta: Dd,
+    pub event: Event,
+    pub side: f64,
+    pub sine: f64,
+    pub cosine: f64,
+    pub slip: f64,
+}
+
+impl Start {
+    /// The segment with its polynomial.
+    #[inline(always)]
+    pub fn with(self, slopes: &Series) -> Segment {
+        let Start { start, length, theta, event, side, sine, cosine, slip } = self;
+        Segment { start, length, theta, slopes: *slopes, event, side, sine, cosine, slip }
+    }
+}
+
 impl Segment {
     /// Angle and velocity a time since the start.
     pub fn at(&self, since: f64) -> (f64, f64) {
@@ -47,12 +93,16 @@ impl Segment {
 
     /// The change of the angle, and the velocity.
     pub fn change(&self, since: f64) -> (f64, f64) {
-        let (mut change, mut velocity) = (0.0, 0.0);
-        for (k, c) in self.slopes.iter().enumerate().rev() {
-            change = change * since + c;
-            velocity = velocity * since + (k + 1) as f64 * c;
+        let [change, velocity] = Once([since]).of(&Polynomial(&self.slopes));
+        (change, velocity)
+    }
+
+    /// Angle and velocity at every time since the start, bit for bit those of [`Segment::at`].
+    pub fn at_into(&self, since: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
+        Columns::new([since], [&mut *theta, velocity]).of(&Polynomial(&self.slopes));
+        for theta in theta {
+            *theta = self.theta.hi + (self.theta.lo + *theta);
         }
-        (change * since, velocity)
     }
 
     /// Whether it is not at rest.
@@ -72,8 +122,10 @@ impl Segment {
         if (to < 0.0) == (from < 0.0) || (to == 0.0 && next.is_some()) {
             return None;
         }
-        let mut polynomial = [from; ORDER + 2];
-        polynomial[1..].copy_from_slice(&self.slopes);
+        // Filled up with zeros to a multiple of four.
+        let mut polynomial = [0.0; ORDER + 5];
+        polynomial[0] = from;
+        polynomial[1..ORDER + 2].copy_from_slice(&self.slopes);
         Some(bracketed(&polynomial, self.length))
     }
 
@@ -91,11 +143,13 @@ impl Segment {
 const TOLERANCE: f64 = -66.0;
 
 /// Length of a step whose terms of the two highest orders are at most 2^-66 of each variable; infinite for a motion that is a
-/// polynomial. The terms left out are 0.28 of that, since 2^(-66/30) = 0.22 is the ratio of one term to the next.
+/// polynomial. The terms left out are 0.3 of that, since 2^(-66/31) = 0.23 is the ratio of one term to the next.
 pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
-    let mut speed = jet.velocity[..4].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let larger = |a: f64, b: f64| if a > b { a } else { b };
+    let largest = |all: &[f64]| all.iter().fold(0.0, |most: f64, v| larger(v.abs(), most));
+    let mut speed = largest(&jet.velocity[..4]);
     if speed == 0.0 {
-        speed = jet.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        speed = largest(&jet.velocity);
     }
     if speed == 0.0 {
         return f64::INFINITY;
@@ -103,21 +157,23 @@ pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
     if !jet.velocity[ORDER].is_finite() {
         return 0.0;
     }
-    let circular = 1.0 / f64::min(1.0, f64::max(jet.sizes(0)[0], speed));
     let inverse = 1.0 / speed;
+    let sine = jet.sizes(0)[0];
+    let circular = if sine < 1.0 && speed < 1.0 { 1.0 / larger(sine, speed) } else { 1.0 };
     let slips = piece.slip != 0.0;
-    let mut shortest = f64::INFINITY;
+    let mut power = f64::INFINITY;
     for k in [ORDER - 1, ORDER] {
         let [sine, cosine, velocity, slip] = jet.sizes(k);
-        let mut size = (velocity * inverse).max(sine.max(cosine) * circular);
+        let mut size = larger(velocity * inverse, larger(sine, cosine) * circular);
         if slips {
-            size = size.max(slip * piece.dry.abs() * inverse);
+            size = larger(size, slip * piece.dry.abs() * inverse);
         }
         if size != 0.0 {
-            shortest = shortest.min(exp2((TOLERANCE - log2(size)) * INVERSE[k].hi));
+            let allowed = (TOLERANCE - log2(size)) * INVERSE[k].hi;
+            power = if allowed < power { allowed } else { power };
         }
     }
-    shortest
+    if power == f64::INFINITY { power } else { exp2(power) }
 }
 
 /// The logarithm to base 2 of a positive number, to 0.01: what a step needs of it.

@@ -12,9 +12,9 @@
 use super::equation::Equation;
 use super::jet::Piece;
 use super::segment::{Event, Segment};
-use super::taylor::{INVERSE, ORDER};
+use super::taylor::{INVERSE, ORDER, Series, places};
 use crate::float::Dd;
-use crate::lanes::{Kernel, Lane, single};
+use crate::lanes::{Kernel, Lane, four};
 
 /// What the derivatives are by, in this order.
 pub const PARAMETERS: [&str; 11] = [
@@ -33,8 +33,10 @@ const PHASE: usize = 10;
 
 /// The columns, and one that is not used: lanes come in fours.
 pub(super) const WIDTH: usize = 12;
+/// How many lanes hold a row.
+const LANES: usize = WIDTH / 4;
 
-type Row<L = f64> = [L; WIDTH];
+type Row = [f64; WIDTH];
 
 /// The derivatives of angle, velocity and u at one time.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +50,9 @@ pub(super) struct Columns {
 pub(super) struct ColumnJet {
     theta: [Row; ORDER + 1],
     velocity: [Row; ORDER + 1],
+    /// Zero where presliding does not act, as `slips` says.
     slip: [Row; ORDER + 1],
+    slips: bool,
 }
 
 impl Columns {
@@ -83,31 +87,54 @@ impl Columns {
         }
         self
     }
+}
 
-    /// In SI units.
-    pub fn in_si(&self, equation: &Equation) -> [[f64; PARAMETERS.len()]; 2] {
+/// What derivatives of angle and velocity are multiplied by to have them in SI units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SiFactors([Row; 2]);
+
+impl SiFactors {
+    pub fn new(equation: &Equation) -> SiFactors {
         let unit = crate::float::exponent::exp2(-equation.power);
         let square = unit * unit;
         let turned = equation.sense * unit;
         let factors = [1.0, turned, square, unit, 1.0, square, 1.0, square, square, turned, 1.0];
         let speed = equation.sense / unit;
-        let mut both = [[0.0; PARAMETERS.len()]; 2];
+        let mut both = [[0.0; WIDTH]; 2];
         for (i, factor) in factors.into_iter().enumerate() {
-            both[0][i] = self.theta[i] * factor;
-            both[1][i] = self.velocity[i] * factor * speed;
+            (both[0][i], both[1][i]) = (factor, factor * speed);
+        }
+        SiFactors(both)
+    }
+
+    /// Derivatives of angle and velocity in SI units.
+    pub fn of(&self, motion: [Row; 2]) -> [[f64; PARAMETERS.len()]; 2] {
+        let mut both = [[0.0; PARAMETERS.len()]; 2];
+        for ((both, row), factors) in both.iter_mut().zip(motion).zip(&self.0) {
+            for ((value, derivative), factor) in both.iter_mut().zip(row).zip(factors) {
+                *value = derivative * factor;
+            }
         }
         both
     }
 }
 
 impl ColumnJet {
+    pub const ZERO: ColumnJet = ColumnJet {
+        theta: [[0.0; WIDTH]; ORDER + 1],
+        velocity: [[0.0; WIDTH]; ORDER + 1],
+        slip: [[0.0; WIDTH]; ORDER + 1],
+        slips: false,
+    };
+
     /// On a segment that moves, from its start.
-    pub fn new(equation: &Equation, segment: &Segment, start: &Columns) -> ColumnJet {
+    pub fn fill(&mut self, equation: &Equation, segment: &Segment, start: &Columns) {
         let settled = equation.presliding == 0.0 || segment.slip == 0.0;
         let piece = equation.piece_of(segment.side, settled);
         let sinusoid = sinusoids(equation, segment.start);
         let signs = equation.sense * segment.side;
-        single(ColumnRecurrence {
+        four(ColumnRecurrence {
+            jet: self,
             piece: &piece,
             presliding: equation.presliding,
             sinusoid: &sinusoid,
@@ -115,12 +142,19 @@ impl ColumnJet {
             signs,
             segment,
             start,
-        })
+        });
     }
 
     /// The derivatives a time since the start.
     pub fn at(&self, since: f64) -> Columns {
-        single(ColumnSum { jet: self, since })
+        let [theta, velocity] = self.motion(since);
+        let slip = if self.slips { four(ColumnSum { rows: [&self.slip], since })[0] } else { self.slip[0] };
+        Columns { theta, velocity, slip }
+    }
+
+    /// Those of angle and velocity.
+    pub fn motion(&self, since: f64) -> [Row; 2] {
+        four(ColumnSum { rows: [&self.theta, &self.velocity], since })
     }
 }
 
@@ -143,6 +177,7 @@ fn sinusoids(equation: &Equation, time: Dd) -> [[f64; ORDER]; 3] {
 }
 
 struct ColumnRecurrence<'a> {
+    jet: &'a mut ColumnJet,
     piece: &'a Piece,
     presliding: f64,
     sinusoid: &'a [[f64; ORDER]; 3],
@@ -155,156 +190,158 @@ struct ColumnRecurrence<'a> {
 
 /// Coefficient k of the product of a series with every column.
 #[inline(always)]
-fn products<L: Lane>(series: &[L; ORDER + 1], columns: &[Row<L>; ORDER + 1], k: usize) -> Row<L> {
-    let mut sums = [L::splat(0.0); WIDTH];
-    let mut j = 0;
-    while j <= k {
+fn products<L: Lane>(series: &Series, columns: &[Row; ORDER + 1], k: usize) -> [L; LANES] {
+    let mut sums = [L::splat(0.0); LANES];
+    for (factor, row) in series[..=k].iter().rev().zip(&columns[..=k]) {
+        let factor = L::splat(*factor);
         let mut i = 0;
-        while i < WIDTH {
-            sums[i] = columns[k - j][i].mul_add(series[j], sums[i]);
+        while i < LANES {
+            sums[i] = L::load(&row[4 * i..]).mul_add(factor, sums[i]);
             i += 1;
         }
-        j += 1;
     }
     sums
 }
 
+/// The series of the motion that the columns are multiplied by.
+struct MotionSeries {
+    v: Series,
+    s: Series,
+    c: Series,
+    u: Series,
+    /// v^2, u v.
+    square: Series,
+    slipping: Series,
+}
+
+impl MotionSeries {
+    #[inline(always)]
+    fn new<L: Lane>(segment: &Segment, slip: f64) -> MotionSeries {
+        let none = [0.0; ORDER + 1];
+        let mut motion = MotionSeries { v: none, s: none, c: none, u: none, square: none, slipping: none };
+        for (k, (v, slope)) in motion.v.iter_mut().zip(&segment.slopes).enumerate() {
+            *v = slope * (k + 1) as f64;
+        }
+        (motion.s[0], motion.c[0], motion.u[0]) = (segment.sine, segment.cosine, segment.slip);
+        let mut factors = [L::splat(0.0); ORDER + 1];
+        let mut k = 0;
+        while k < ORDER {
+            factors[k] = L::load(&[motion.c[k], -motion.s[k], motion.u[k], motion.v[k]]);
+            let mut sum = L::splat(0.0);
+            for (v, factor) in motion.v[..=k].iter().rev().zip(&factors[..=k]) {
+                sum = factor.mul_add(L::splat(*v), sum);
+            }
+            let inverse = INVERSE[k + 1].hi;
+            let [sine, cosine, slipping, square] = places(sum);
+            (motion.s[k + 1], motion.c[k + 1]) = (sine * inverse, cosine * inverse);
+            motion.u[k + 1] = -(slip * slipping * inverse);
+            (motion.slipping[k], motion.square[k]) = (slipping, square);
+            k += 1;
+        }
+        motion
+    }
+}
+
 impl Kernel for ColumnRecurrence<'_> {
-    type Output = ColumnJet;
+    type Output = ();
     type Place = ColumnJet;
     #[inline(always)]
-    fn run<L: Lane>(self) -> ColumnJet {
-        let ColumnRecurrence { piece, presliding, sinusoid, sense, signs, segment, start } = self;
-        let zero = L::splat(0.0);
-        let none = [zero; ORDER + 1];
-        let (mut v, mut s, mut c, mut u, mut square, mut slipping) = (none, none, none, none, none, none);
-        let mut k = 0;
-        while k <= ORDER {
-            v[k] = L::splat(segment.slopes[k] * (k + 1) as f64);
-            k += 1;
-        }
-        (s[0], c[0], u[0]) = (L::splat(segment.sine), L::splat(segment.cosine), L::splat(segment.slip));
-        let slip = L::splat(piece.slip);
-        let mut k = 0;
-        while k < ORDER {
-            let (mut rise, mut fall) = (zero, zero);
-            let mut j = 0;
-            while j <= k {
-                rise = c[k - j].mul_add(v[j], rise);
-                fall = s[k - j].mul_add(v[j], fall);
-                square[k] = v[k - j].mul_add(v[j], square[k]);
-                slipping[k] = u[k - j].mul_add(v[j], slipping[k]);
-                j += 1;
-            }
-            let inverse = L::splat(INVERSE[k + 1].hi);
-            s[k + 1] = rise * inverse;
-            c[k + 1] = -(fall * inverse);
-            u[k + 1] = -(slip * slipping[k] * inverse);
-            k += 1;
-        }
-        let rows = [[zero; WIDTH]; ORDER + 1];
-        let (mut theta, mut velocity, mut slips) = (rows, rows, rows);
-        let mut i = 0;
-        while i < WIDTH {
-            theta[0][i] = L::splat(start.theta[i]);
-            velocity[0][i] = L::splat(start.velocity[i]);
-            slips[0][i] = L::splat(start.slip[i]);
-            i += 1;
-        }
+    fn run<L: Lane>(self) {
+        let ColumnRecurrence { jet, piece, presliding, sinusoid, sense, signs, segment, start } = self;
+        let MotionSeries { v, s, c, u, square, slipping } = MotionSeries::new::<L>(segment, piece.slip);
+        let ColumnJet { theta, velocity, slip: slips, slips: slides } = jet;
+        (theta[0], velocity[0], slips[0]) = (start.theta, start.velocity, start.slip);
+        *slides = piece.slip != 0.0;
         let (omega2, linear) = (L::splat(piece.omega2.hi), L::splat(piece.linear));
         let (dry, drag) = (L::splat(piece.dry), L::splat(2.0 * piece.quadratic));
-        let by_presliding = L::splat(if piece.slip == 0.0 { 0.0 } else { piece.slip / presliding });
+        let slip = L::splat(piece.slip);
+        let by_presliding = if piece.slip == 0.0 { 0.0 } else { piece.slip / presliding };
         let mut k = 0;
         while k < ORDER {
-            let pull = products(&c, &theta, k);
-            let mut force = [zero; WIDTH];
-            force[OMEGA2] = -s[k];
-            force[LINEAR] = -(L::splat(2.0 * sense) * v[k]);
-            force[QUADRATIC] = -(L::splat(signs) * square[k]);
-            force[DRY] = L::splat(signs) * (u[k] - L::splat(if k == 0 { 1.0 } else { 0.0 }));
-            force[CONSTANT] = L::splat(if k == 0 { 1.0 } else { 0.0 });
-            force[AMPLITUDE] = L::splat(sinusoid[0][k]);
-            force[FREQUENCY] = L::splat(sinusoid[1][k]);
-            force[PHASE] = L::splat(sinusoid[2][k]);
+            let first = if k == 0 { 1.0 } else { 0.0 };
+            let mut own = [0.0; WIDTH];
+            own[OMEGA2] = -s[k];
+            own[LINEAR] = -(2.0 * sense * v[k]);
+            own[QUADRATIC] = -(signs * square[k]);
+            own[DRY] = signs * (u[k] - first);
+            own[CONSTANT] = first;
+            own[AMPLITUDE] = sinusoid[0][k];
+            own[FREQUENCY] = sinusoid[1][k];
+            own[PHASE] = sinusoid[2][k];
+            let mut force = [L::splat(0.0); LANES];
+            let mut i = 0;
+            while i < LANES {
+                force[i] = L::load(&own[4 * i..]);
+                i += 1;
+            }
             if piece.quadratic != 0.0 {
-                let dragged = products(&v, &velocity, k);
+                let dragged = products::<L>(&v, velocity, k);
                 let mut i = 0;
-                while i < WIDTH {
+                while i < LANES {
                     force[i] = force[i] - drag * dragged[i];
                     i += 1;
                 }
             }
             let inverse = L::splat(INVERSE[k + 1].hi);
             if piece.slip != 0.0 {
-                let (own, moved) = (products(&v, &slips, k), products(&u, &velocity, k));
+                let (own, moved) = (products::<L>(&v, slips, k), products::<L>(&u, velocity, k));
                 let mut i = 0;
-                while i < WIDTH {
-                    force[i] = dry.mul_add(slips[k][i], force[i]);
-                    slips[k + 1][i] = -(slip * (own[i] + moved[i]) * inverse);
+                while i < LANES {
+                    force[i] = dry.mul_add(L::load(&slips[k][4 * i..]), force[i]);
+                    (-(slip * (own[i] + moved[i]) * inverse)).store(&mut slips[k + 1][4 * i..]);
                     i += 1;
                 }
-                slips[k + 1][PRESLIDING] =
-                    (by_presliding * slipping[k]).mul_add(inverse, slips[k + 1][PRESLIDING]);
+                slips[k + 1][PRESLIDING] += by_presliding * slipping[k] * INVERSE[k + 1].hi;
             }
+            let pull = products::<L>(&c, theta, k);
             let mut i = 0;
-            while i < WIDTH {
-                let rest = force[i] - linear * velocity[k][i];
-                theta[k + 1][i] = velocity[k][i] * inverse;
-                velocity[k + 1][i] = (rest - omega2 * pull[i]) * inverse;
+            while i < LANES {
+                let now = L::load(&velocity[k][4 * i..]);
+                let rest = force[i] - linear * now;
+                (now * inverse).store(&mut theta[k + 1][4 * i..]);
+                ((rest - omega2 * pull[i]) * inverse).store(&mut velocity[k + 1][4 * i..]);
                 i += 1;
             }
             k += 1;
         }
-        let rows = [[0.0; WIDTH]; ORDER + 1];
-        let mut jet = ColumnJet { theta: rows, velocity: rows, slip: rows };
-        let mut k = 0;
-        while k <= ORDER {
-            let mut i = 0;
-            while i < WIDTH {
-                theta[k][i].store(&mut jet.theta[k][i..=i]);
-                velocity[k][i].store(&mut jet.velocity[k][i..=i]);
-                slips[k][i].store(&mut jet.slip[k][i..=i]);
-                i += 1;
-            }
-            k += 1;
-        }
-        jet
     }
 }
 
-struct ColumnSum<'a> {
-    jet: &'a ColumnJet,
+struct ColumnSum<'a, const N: usize> {
+    rows: [&'a [Row; ORDER + 1]; N],
     since: f64,
 }
 
-#[inline(always)]
-fn sum<L: Lane>(rows: &[Row; ORDER + 1], t: L) -> Row {
-    let mut sums = [L::splat(0.0); WIDTH];
-    let mut k = ORDER + 1;
-    while k > 0 {
-        k -= 1;
-        let mut i = 0;
-        while i < WIDTH {
-            sums[i] = sums[i].mul_add(t, L::load(&rows[k][i..]));
-            i += 1;
-        }
-    }
-    let mut values = [0.0; WIDTH];
-    let mut i = 0;
-    while i < WIDTH {
-        values[i] = sums[i].first();
-        i += 1;
-    }
-    values
-}
-
-impl Kernel for ColumnSum<'_> {
-    type Output = Columns;
+impl<const N: usize> Kernel for ColumnSum<'_, N> {
+    type Output = [Row; N];
     type Place = ColumnJet;
     #[inline(always)]
-    fn run<L: Lane>(self) -> Columns {
+    fn run<L: Lane>(self) -> [Row; N] {
         let t = L::splat(self.since);
-        let ColumnJet { theta, velocity, slip } = self.jet;
-        Columns { theta: sum(theta, t), velocity: sum(velocity, t), slip: sum(slip, t) }
+        let mut sums = [[L::splat(0.0); LANES]; N];
+        let mut k = ORDER + 1;
+        while k > 0 {
+            k -= 1;
+            let mut n = 0;
+            while n < N {
+                let mut i = 0;
+                while i < LANES {
+                    sums[n][i] = sums[n][i].mul_add(t, L::load(&self.rows[n][k][4 * i..]));
+                    i += 1;
+                }
+                n += 1;
+            }
+        }
+        let mut values = [[0.0; WIDTH]; N];
+        let mut n = 0;
+        while n < N {
+            let mut i = 0;
+            while i < LANES {
+                sums[n][i].store(&mut values[n][4 * i..]);
+                i += 1;
+            }
+            n += 1;
+        }
+        values
     }
 }

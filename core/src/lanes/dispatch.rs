@@ -3,14 +3,21 @@
 use super::host;
 use super::instruction_set::InstructionSet;
 use super::lane::{Entry, Kernel};
+use super::pair::Pair;
 #[cfg(target_feature = "simd128")]
-use super::{pair, wasm};
+use super::wasm;
 
 /// The widest lane of `Plain`. WebAssembly cannot be asked what it has: its lanes are there if compiled for.
 #[cfg(target_feature = "simd128")]
-type WidePlain = pair::Pair<wasm::F64x2>;
+type WidePlain = Pair<wasm::F64x2>;
 #[cfg(not(target_feature = "simd128"))]
 type WidePlain = f64;
+
+/// The lane of four of `Plain`.
+#[cfg(target_feature = "simd128")]
+type FourPlain = WidePlain;
+#[cfg(not(target_feature = "simd128"))]
+type FourPlain = Pair<Pair<f64>>;
 
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
@@ -38,5 +45,14 @@ pub fn wide<K: Kernel>(kernel: K) -> K::Output {
         InstructionSet::Plain => K::Place::enter::<f64, K>(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
+    }
+}
+
+/// Runs the kernel on lanes of width four, which hold four numbers of one computation, not of four.
+#[inline]
+pub fn four<K: Kernel>(kernel: K) -> K::Output {
+    match InstructionSet::in_use() {
+        InstructionSet::Plain => K::Place::enter::<FourPlain, K>(kernel),
+        InstructionSet::Fused | InstructionSet::Avx512 => host::four_fused(kernel),
     }
 }

@@ -52,7 +52,7 @@ pub trait Lane:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// A computation over any lane type, handed to `single` or `wide` of dispatch.rs.
+/// A computation over any lane type, handed to `single`, `wide` or `four` of dispatch.rs.
 pub trait Kernel {
     /// What it returns.
     type Output;

@@ -10,10 +10,6 @@ mod formula;
 mod fused;
 mod instruction_set;
 mod lane;
-#[cfg(any(
-    all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)),
-    target_feature = "simd128"
-))]
 mod pair;
 mod scalar;
 #[cfg(any(
@@ -34,7 +30,7 @@ mod host;
 #[path = "plain.rs"]
 mod host;
 
-pub use dispatch::{single, wide};
+pub use dispatch::{four, single, wide};
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
 pub(crate) use lane::compiled_once;

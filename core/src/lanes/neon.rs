@@ -24,6 +24,12 @@ pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
 
 /// Width four.
 #[inline]
+pub fn four_fused<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Pair<F64x2>>()
+}
+
+/// Width four.
+#[inline]
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Pair<F64x2>>()
 }

@@ -1,6 +1,7 @@
 //! Processors without lanes of their own here: width one, without fused multiplication, and nothing else is compiled.
 
 use super::lane::Kernel;
+use super::pair::Pair;
 
 /// Whether `Plain` is the only set, known when compiled.
 pub const ONLY_PLAIN: bool = true;
@@ -13,6 +14,11 @@ pub fn instruction_sets() -> usize {
 /// Not on this processor.
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<f64>()
+}
+
+/// Not on this processor.
+pub fn four_fused<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Pair<Pair<f64>>>()
 }
 
 /// Not on this processor.

@@ -28,6 +28,11 @@ trait FeatureEntry {
     }
     /// SAFETY: only where the processor has AVX2 and FMA.
     #[target_feature(enable = "avx2,fma")]
+    unsafe fn four_fused<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x4>()
+    }
+    /// SAFETY: only where the processor has AVX2 and FMA.
+    #[target_feature(enable = "avx2,fma")]
     unsafe fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<Pair<F64x4>>()
     }
@@ -45,6 +50,13 @@ impl<Place> FeatureEntry for Place {}
 pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
     // SAFETY: see the top of this file.
     unsafe { K::Place::single_fused(kernel) }
+}
+
+/// Width four.
+#[inline]
+pub fn four_fused<K: Kernel>(kernel: K) -> K::Output {
+    // SAFETY: see the top of this file.
+    unsafe { K::Place::four_fused(kernel) }
 }
 
 /// Width eight.

@@ -4,6 +4,7 @@ use super::bootstrap::block_bootstrap;
 use super::covariance::Covariance;
 use super::data::{Measured, clean, extent};
 use super::diagnosis::{linear_equation, of_residuals, scale, swing};
+use super::held::{by_presliding, held, presliding_held, with_bounds, without_held};
 use super::monte_carlo::interval;
 use super::options::FitOptions;
 use super::problem::{
@@ -28,30 +29,48 @@ pub(super) fn record(
 ) -> Result<Fit, FitRefusal> {
     let clean = clean(t, values)?;
     let fitted = fitted(&clean, measured, options)?;
+    options.tell("uncertainty");
     let Fitted { rungs, chosen, samples, rows, anchor, period, .. } = &fitted;
     let rung = &rungs[*chosen];
     let found = &rung.outcome.values;
+    // Terms on their bound count as free.
+    let mut varied = [rung.free.clone(), held(rung)].concat();
     // With the scale beside, whose effect on every other value is wanted.
-    let mut widened = rung.free.clone();
+    let mut widened = varied.clone();
     if !widened.contains(&SCALE) {
         widened.push(SCALE);
     }
     let problem = Problem::new(samples, measured, &widened, Loss::Squares, *found);
     let singular = || FitRefusal::new("the record does not determine the motion: its Jacobian is singular");
     let all = problem.derivatives().ok_or_else(singular)?;
-    let jacobian = all.columns(0, rung.free.len()).into_owned();
+    let mut jacobian = all.columns(0, varied.len()).into_owned();
+    let scale_column = all.column(widened.len() - 1);
+    if let Some(column) = by_presliding(samples, measured, rung) {
+        jacobian = jacobian.insert_column(varied.len(), 0.0);
+        jacobian.set_column(varied.len(), &column);
+        varied.push(PRESLIDING);
+    }
     let span = samples.t[samples.len() - 1] - samples.t[0];
     let per_period = samples.len() as f64 * period / span;
     let lags = (3.0 * per_period) as usize;
-    let covariance = Covariance::of(&jacobian, problem.plain(), lags).ok_or_else(singular)?;
-    let by_scale: DVector<f64> = if widened.len() == rung.free.len() {
-        DVector::zeros(rung.free.len())
+    let mut known = Covariance::of(&jacobian, problem.plain(), lags);
+    if known.is_none() {
+        varied.truncate(rung.free.len());
+        jacobian = jacobian.columns(0, varied.len()).into_owned();
+        known = Covariance::of(&jacobian, problem.plain(), lags);
+    }
+    let mut covariance = known.ok_or_else(singular)?;
+    let inverse = &covariance.inverse;
+    let step = -(inverse * jacobian.tr_mul(&DVector::from_column_slice(problem.plain())));
+    let by_scale: DVector<f64> = if varied.contains(&SCALE) {
+        DVector::zeros(varied.len())
     } else {
-        -(&covariance.inverse * jacobian.tr_mul(&all.column(rung.free.len())))
+        without_held(inverse, &-(inverse * jacobian.tr_mul(&scale_column)), rung.free.len())
     };
+    covariance.matrix = with_bounds(&covariance.matrix, &varied, rung, &step);
     let (low, high) = extent(&samples.y);
     let reach = 0.5 * (high - low);
-    let place = |value: usize| rung.free.iter().position(|free| *free == value);
+    let place = |value: usize| varied.iter().position(|free| *free == value);
     let pieces = windows(samples, measured, found, *period);
     let scattered = scatter(&pieces);
     // Rates of the clock enter every value by its power of time.
@@ -63,7 +82,8 @@ pub(super) fn record(
     let estimate = |value: usize| {
         let Some(i) = place(value) else { return Estimate::new(found[value], 0.0, 0.0, 0.0) };
         let variance = covariance.matrix[(i, i)];
-        let mut model = between(rungs, *chosen, value, variance);
+        // The other rungs have no angle of presliding.
+        let mut model = if value == PRESLIDING { 0.0 } else { between(rungs, *chosen, value, variance) };
         if value == OMEGA2 {
             model = libm::hypot(model, scattered.map_or(0.0, |s| s.1));
         }
@@ -128,6 +148,9 @@ pub(super) fn record(
             quadratic: term(QUADRATIC),
             dry: term(DRY),
             presliding: term(PRESLIDING).map(|e| {
+                if !rung.free.contains(&PRESLIDING) {
+                    return presliding_held(found, e.statistical);
+                }
                 let angle = libm::exp(e.value);
                 Estimate { value: presliding(found), ..scaled(e, angle) }
             }),
@@ -149,7 +172,7 @@ pub(super) fn record(
                 wanted_negative: rung.wanted_negative.iter().map(|place| NAMES[*place]).collect(),
             })
             .collect(),
-        correlation: correlation(&rung.free, &covariance),
+        correlation: correlation(&varied, &covariance),
         corrections,
         monte_carlo: interval(omega0, options),
         budget,

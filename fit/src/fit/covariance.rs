@@ -1,13 +1,17 @@
 //! Statistical uncertainty of a minimum whose residuals may be correlated in time.
 //!
 //! Cov = (J'J)^-1 S (J'J)^-1 with S = J' Omega J. Omega comes from an autoregressive model of the residuals, its order by BIC (den
-//! Haan & Levin, NBER Technical Working Paper 197 (1996)), and beside it S from Newey & West's weights (Econometrica 55 (1987)
-//! 703) over three periods; the larger variance of the two is taken.
+//! Haan & Levin, NBER Technical Working Paper 197 (1996)), corrected for what the minimum has taken of the noise, and beside it S from
+//! Newey & West's weights (Econometrica 55 (1987) 703) over three periods; the larger variance of the two is taken.
 
 use nalgebra::{DMatrix, DVector};
 
 /// The largest order of the autoregressive model.
 const MOST: usize = 12;
+
+fn most_lags(n: usize) -> usize {
+    MOST.min(n / 8)
+}
 
 /// An autoregressive model of residuals.
 #[derive(Clone, Debug)]
@@ -24,11 +28,12 @@ pub(super) fn autocorrelations(residuals: &[f64], most: usize) -> Vec<f64> {
 }
 
 impl Autoregression {
-    /// Durbin and Levinson's recursion; the order with the least BIC.
     pub fn of(residuals: &[f64]) -> Autoregression {
-        let n = residuals.len() as f64;
-        let most = MOST.min(residuals.len() / 8);
-        let rho = autocorrelations(residuals, most);
+        Autoregression::through(&autocorrelations(residuals, most_lags(residuals.len())), residuals.len())
+    }
+    /// Durbin and Levinson's recursion for autocorrelations of n numbers; the order with the least BIC.
+    fn through(rho: &[f64], n: usize) -> Autoregression {
+        let (n, most) = (n as f64, rho.len() - 1);
         let (mut coefficients, mut variance): (Vec<f64>, f64) = (Vec::new(), 1.0);
         let (mut best, mut least) = (coefficients.clone(), 0.0);
         for order in 1..=most {
@@ -135,15 +140,12 @@ impl Covariance {
         let half = triangle.try_inverse()?;
         // Columns of an orthonormal base: the sums below then lose nothing to the condition.
         let base = &scaled * &half;
-        let rho = Autoregression::of(residuals).correlations((n / 2).max(1));
+        let corrected = autocorrelations_of_noise(&base, residuals);
+        let rho = Autoregression::through(&corrected, n).correlations((n / 2).max(1));
         let identity = DMatrix::identity(p, p);
-        let mut meat = identity.clone();
-        for (lag, r) in rho.iter().enumerate().skip(1) {
-            meat += lagged(&base, lag) * *r;
-        }
+        let meat = base.tr_mul(&weighted(&base, &rho));
         let sum: f64 = residuals.iter().map(|r| r * r).sum();
-        // The mean of the sum of squares is sigma^2 (n - trace).
-        let spare = (n as f64 - meat.trace()).max(0.1 * n as f64).min((n - p) as f64);
+        let spare = spare(n, &meat);
         let parametric = &meat * (sum / spare);
         let naive = identity * (sum / (n - p) as f64);
         let mut larger = parametric.clone();
@@ -175,14 +177,47 @@ impl Covariance {
     }
 }
 
-/// The sum of base_t base'_(t + lag) and its transpose.
-fn lagged(base: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
+/// The mean of the sum of squares of the residuals over the variance of the noise: n - trace.
+fn spare(n: usize, meat: &DMatrix<f64>) -> f64 {
+    (n as f64 - meat.trace()).max(0.1 * n as f64).min((n - meat.nrows()) as f64)
+}
+
+/// Autocorrelations of the noise, of which the residuals are what the minimum has left: r = (1 - B B') e with the base B. What it has
+/// taken of their products, by an autoregressive model of the residuals, is given back. Without it, long memory is found too short.
+fn autocorrelations_of_noise(base: &DMatrix<f64>, residuals: &[f64]) -> Vec<f64> {
+    let (n, most) = (residuals.len(), most_lags(residuals.len()));
+    let rho = Autoregression::of(residuals).correlations((n / 2).max(1));
+    let correlated = weighted(base, &rho);
+    let meat = base.tr_mul(&correlated);
+    let sum: f64 = residuals.iter().map(|r| r * r).sum();
+    let variance = sum / spare(n, &meat);
+    // E r_t r_(t+k) = sigma^2 (Omega - B B' Omega - Omega B B' + B B' Omega B B').
+    let less = &correlated - 0.5 * base * &meat;
+    let taken = |lag: usize| -> f64 {
+        let products = |a: &DMatrix<f64>, b: &DMatrix<f64>| a.rows(0, n - lag).dot(&b.rows(lag, n - lag));
+        products(base, &less) + products(&less, base)
+    };
+    let plain = autocorrelations(residuals, most);
+    let whole: Vec<f64> = (0..=most).map(|lag| sum * plain[lag] + variance * taken(lag)).collect();
+    whole.iter().map(|product| if whole[0] > 0.0 { product / whole[0] } else { 0.0 }).collect()
+}
+
+/// Omega B for correlations rho of the rows.
+fn weighted(base: &DMatrix<f64>, rho: &[f64]) -> DMatrix<f64> {
     let n = base.nrows();
-    if lag >= n {
-        return DMatrix::zeros(base.ncols(), base.ncols());
+    let mut found = base.clone();
+    for (mut column, of) in found.column_iter_mut().zip(base.column_iter()) {
+        let (column, of) = (column.as_mut_slice(), of.as_slice());
+        for (lag, r) in rho.iter().enumerate().take(n).skip(1) {
+            for (to, from) in column[..n - lag].iter_mut().zip(&of[lag..]) {
+                *to += r * from;
+            }
+            for (to, from) in column[lag..].iter_mut().zip(&of[..n - lag]) {
+                *to += r * from;
+            }
+        }
     }
-    let product = base.rows(0, n - lag).tr_mul(&base.rows(lag, n - lag));
-    &product + product.transpose()
+    found
 }
 
 /// Sum over lags with falling weights of the products of scores.
@@ -206,4 +241,32 @@ fn newey_west(base: &DMatrix<f64>, residuals: &[f64], lags: usize) -> DMatrix<f6
         total += &sum * sum.transpose();
     }
     total / width as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::random::Stream;
+    use super::*;
+
+    #[test]
+    fn noise_is_found_with_the_memory_that_the_minimum_has_shortened() {
+        // Residuals of noise with memory 0.7 from eight slow waves, which take most where the memory is.
+        let (n, p, memory) = (400, 8, 0.7);
+        let wave = |row: usize, column: usize| {
+            let turns = (column / 2 + 1) as f64 * (row as f64 + 0.5) / n as f64;
+            let phase = if column.is_multiple_of(2) { 0.0 } else { core::f64::consts::FRAC_PI_2 };
+            (2.0 / n as f64).sqrt() * libm::sin(core::f64::consts::TAU * turns + phase)
+        };
+        let base = DMatrix::from_fn(n, p, wave);
+        let (mut plain, mut corrected) = (0.0, 0.0);
+        let replicas = 60;
+        for replica in 0..replicas {
+            let noise = DVector::from_vec(Stream::new(replica).noise(memory, n));
+            let left = &noise - &base * base.tr_mul(&noise);
+            plain += autocorrelations(left.as_slice(), 1)[1] / replicas as f64;
+            corrected += autocorrelations_of_noise(&base, left.as_slice())[1] / replicas as f64;
+        }
+        assert!((corrected - memory).abs() < 0.02, "{corrected}");
+        assert!(plain < memory - 0.03, "{plain}");
+    }
 }

@@ -77,6 +77,41 @@ impl Default for Corrections {
     }
 }
 
+impl Corrections {
+    /// What is known must be possible, and must not stand beside parts, which have size and mass themselves.
+    pub(super) fn check(&self, parts: bool) -> Result<(), FitRefusal> {
+        let given = [("bob radius", self.radius), ("bob mass", self.mass), ("wire mass", self.wire)];
+        let all =
+            given.into_iter().chain([("density", Some(self.density)), ("viscosity", Some(self.viscosity))]);
+        for (name, value) in all.filter_map(|(name, value)| Some((name, value?))) {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(FitRefusal::new(format!("{name} = {value}: must be finite and positive")));
+            }
+        }
+        if parts && given.iter().any(|(_, value)| value.is_some()) {
+            return Err(FitRefusal::new(
+                "parts and a bob are both given: parts have their size and mass themselves",
+            ));
+        }
+        if self.wire.is_some() && self.mass.is_none() {
+            return Err(FitRefusal::new("a wire mass is given without a bob mass: only their ratio counts"));
+        }
+        let bob = self.radius.zip(self.mass).map(|(radius, mass)| density(radius, mass));
+        if let Some(bob) = bob.filter(|bob| *bob <= self.density) {
+            return Err(FitRefusal::new(format!(
+                "the bob has {bob:.4} kg/m^3 and the fluid {}: a bob that floats is no pendulum",
+                self.density
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// Of a ball, in kg/m^3.
+fn density(radius: f64, mass: f64) -> f64 {
+    mass / (4.0 / 3.0 * core::f64::consts::PI * radius * radius * radius)
+}
+
 /// One correction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CorrectionRow {
@@ -99,7 +134,7 @@ pub(super) fn table(known: &Corrections, length: f64, omega0: f64) -> Vec<Correc
         row("wire mass", wire_mass(wire, mass), known.wire_mass);
     }
     if let (Some(radius), Some(mass)) = (known.radius, known.mass) {
-        let density = mass / (4.0 / 3.0 * core::f64::consts::PI * radius * radius * radius);
+        let density = density(radius, mass);
         row("buoyancy", buoyancy(known.density, density), known.buoyancy);
         let added = added_mass(radius, known.density, density, known.viscosity, omega0);
         row("added mass", added, known.added_mass);

@@ -5,7 +5,7 @@ use super::data::Measured;
 use super::optimiser::{Outcome, Patience, minimum};
 use super::options::Model;
 use super::problem::{
-    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_RANGE, QUADRATIC, SCALE, Samples, THETA, VELOCITY,
+    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_HELD, QUADRATIC, SCALE, Samples, THETA, VELOCITY,
     Values, always_free, trajectory,
 };
 
@@ -105,10 +105,13 @@ pub(super) fn rung(
             outcome = other;
         }
     }
-    // At its least angle presliding is dry friction alone.
-    if free.contains(&PRESLIDING) && outcome.values[PRESLIDING] < PRESLIDING_RANGE.0 + 4.0 {
+    // The bound is an angle of 0: dry friction alone.
+    if free.contains(&PRESLIDING) && outcome.values[PRESLIDING] < PRESLIDING_HELD {
         wanted_negative.push(PRESLIDING);
         free.retain(|place| *place != PRESLIDING);
+        let mut values = outcome.values;
+        values[PRESLIDING] = 0.0;
+        outcome = search(&free, values);
     }
     let mean_square = outcome.sum_of_squares / outcome.residuals.len().max(1) as f64;
     Rung { model, outcome, free, wanted_negative, mean_square, aicc: f64::NAN, bic: f64::NAN }

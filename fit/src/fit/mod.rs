@@ -7,11 +7,13 @@ mod curve;
 mod data;
 mod diagnosis;
 mod entry;
+mod held;
 mod horizon;
 mod known;
 mod ladder;
 mod measure;
 mod monte_carlo;
+mod one_sided;
 mod optimiser;
 mod options;
 mod problem;
@@ -33,11 +35,12 @@ pub use data::{Data, Measured};
 pub use entry::fit;
 pub use known::{CorrectionRow, Corrections, MeasuredPart, length_of_parts};
 pub use measure::Measure;
-pub use options::{FitOptions, Model, Stop};
+pub use options::{FitOptions, Model, Stop, Told};
+pub use random::Stream;
 pub use refusal::FitRefusal;
 pub use result::{
     BudgetRow, Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals,
     RungSummary, Verdict,
 };
-pub use reversible::{Reversible, reversible};
+pub use reversible::{Reversible, reversible, reversible_between};
 pub use together::{Together, fit_lengths, fit_runs};

@@ -42,6 +42,9 @@ impl Model {
 /// A question to the caller, whether to give up; none for a caller who never does.
 pub type Stop = Option<fn() -> bool>;
 
+/// Told the name of each step when it begins; none for a caller who does not show them.
+pub type Told = Option<fn(&'static str)>;
+
 /// What is known beside the record. [`FitOptions::default`] knows nothing and climbs the ladder by itself.
 #[derive(Clone, Debug, Default)]
 pub struct FitOptions {
@@ -71,9 +74,21 @@ pub struct FitOptions {
     pub seed: u64,
     /// Asked between evaluations: whether to give up.
     pub stop: Stop,
+    /// Told at the begin of each of [`FitOptions::STEPS`].
+    pub told: Told,
 }
 
 impl FitOptions {
+    /// The steps of the fit of a record in time, in their order; a model that is asked for leaves out the others.
+    pub const STEPS: [&'static str; 9] =
+        ["start", "window", "none", "linear", "quadratic", "dry", "presliding", "all samples", "uncertainty"];
+
+    pub(super) fn tell(&self, step: &'static str) {
+        if let Some(told) = self.told {
+            told(step);
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), FitRefusal> {
         if self.length.is_some() && self.gravity.is_some() {
             return Err(FitRefusal::new(
@@ -102,6 +117,7 @@ impl FitOptions {
                 return Err(FitRefusal::new(format!("{name} = {u}: must be finite and not negative")));
             }
         }
+        self.corrections.check(!self.parts.is_empty())?;
         if let Some((from, to)) = self.window
             && !(from.is_finite() && to.is_finite() && from < to)
         {

@@ -30,7 +30,8 @@ pub(super) fn quoted(omega0: Estimate, options: &FitOptions) -> Result<Quote, Fi
     let made = || corrections.iter().filter(|row| row.made);
     // The ideal pendulum is faster by what each effect adds to the period.
     let factor: f64 = made().map(|row| (1.0 + row.relative_period) * (1.0 + row.relative_period)).product();
-    let doubt = 2.0 * DOUBT * made().map(|row| row.relative_period * row.relative_period).sum::<f64>().sqrt();
+    let squares = made().fold(0.0, |sum, row| sum + row.relative_period * row.relative_period);
+    let doubt = 2.0 * DOUBT * libm::sqrt(squares);
     let (name, known, value) = match (length, options.gravity) {
         (Some(length), _) => ("length", length, omega2 * factor * length.value),
         (None, Some(gravity)) => ("gravity", gravity, gravity.value / (omega2 * factor)),

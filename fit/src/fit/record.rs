@@ -5,7 +5,7 @@ use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
 use super::options::{FitOptions, Model, Stop};
-use super::problem::{LINEAR, Loss, OFFSET, Samples, Values, always_free};
+use super::problem::{LINEAR, Loss, OFFSET, PRESLIDING, Samples, Values, always_free};
 use super::refusal::FitRefusal;
 use super::start::{Start, free_decay, starts};
 use super::swings::{Passage, Swings, noise};
@@ -32,6 +32,7 @@ pub(super) struct Fitted {
 const MOST: usize = 8000;
 
 pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) -> Result<Fitted, FitRefusal> {
+    options.tell("start");
     let inside = |t: f64| options.window.is_none_or(|(from, to)| (from..=to).contains(&t));
     let kept: Vec<usize> = (0..clean.t.len()).filter(|i| inside(clean.t[*i])).collect();
     if kept.len() < 8 {
@@ -63,6 +64,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         from = swings.turns[decay.start].t - start.anchor;
         to = (swings.turns[decay.end].t - start.anchor + 0.5 * start.period).min(to);
     }
+    options.tell("window");
     let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
     let first = grown(&part(from.max(-0.3 * start.period), to), measured, &start, 3, sensor);
     let values = first.values;
@@ -83,6 +85,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         && let Some(dry) =
             rungs.iter().find(|rung| rung.model == Model::Dry).filter(|rung| moves(rung)).cloned()
     {
+        options.tell("presliding");
         // Presliding has a state of its own that no later one determines: the search starts at the first passage.
         let first = swings.passages[decay.clone()].iter().map(|p| p.t - anchor).find(|t| *t >= from);
         let shift = first.unwrap_or(0.0);
@@ -122,6 +125,7 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         None => chosen(&rungs),
     };
     let mut dropped = Vec::new();
+    options.tell("all samples");
     finish(&mut rungs[chosen], &mut samples, &mut rows, measured, options, sensor, &mut dropped);
     Ok(Fitted {
         chosen,
@@ -226,6 +230,7 @@ fn climbed(
     };
     let mut rungs: Vec<Rung> = Vec::new();
     for model in models {
+        options.tell(model.name());
         let own = match model {
             Model::None => Start { values: *values, ..*start }.values,
             _ => grown(samples, measured, start, terms(model).len().min(3), noise).values,
@@ -261,7 +266,15 @@ fn finish(
 ) {
     let again = |samples: &Samples, rung_chosen: &Rung| {
         let start = &rung_chosen.outcome.values;
-        let mut next = rung(samples, measured, rung_chosen.model, start, options.free_scale, FINE);
+        // Presliding that is held stays so: a new search for it would begin far from its bound.
+        let slides = rung_chosen.free.contains(&PRESLIDING);
+        let held = rung_chosen.model == Model::Presliding && !slides;
+        let acting = if held { Model::Dry } else { rung_chosen.model };
+        let mut next = rung(samples, measured, acting, start, options.free_scale, FINE);
+        if held {
+            next.model = Model::Presliding;
+            next.wanted_negative.push(PRESLIDING);
+        }
         (next.aicc, next.bic, next.mean_square) =
             (rung_chosen.aicc, rung_chosen.bic, rung_chosen.mean_square);
         next

@@ -28,7 +28,8 @@ impl Estimate {
     }
 }
 
-/// The friction terms of the chosen model; none where the model has no such term.
+/// The friction terms of the chosen model; none where the model has no such term. One that wanted to be negative is 0, with the
+/// root mean square of what it may be above that.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct FrictionEstimates {
     /// gamma in 1/s.

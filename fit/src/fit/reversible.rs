@@ -18,6 +18,14 @@ pub struct Reversible {
     pub verdicts: Vec<Verdict>,
 }
 
+impl Reversible {
+    /// As JSON; what is not finite is null.
+    #[must_use]
+    pub fn json(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
 /// Bessel's evaluation of Kater's pendulum: small-swing periods (in s) about two pivots and their distances (in m) from the centre of
 /// mass.
 ///
@@ -32,8 +40,47 @@ pub struct Reversible {
 /// # Ok::<(), libration_fit::fit::FitRefusal>(())
 /// ```
 pub fn reversible(periods: [Measure; 2], distances: [Measure; 2]) -> Result<Reversible, FitRefusal> {
-    let measures = [periods[0], periods[1], distances[0], distances[1]];
     let names = ["first period", "second period", "first distance", "second distance"];
+    evaluated(names, [periods[0], periods[1], distances[0], distances[1]], |v| v)
+}
+
+/// The same from the distance between the pivots, which is measured well, and that of the first from the centre of mass, which need
+/// not be: the less the periods differ, the less it counts.
+///
+/// # Errors
+/// As for [`reversible`], and where the centre of mass does not lie between the pivots.
+///
+/// ```
+/// use libration_fit::fit::{Measure, reversible_between};
+/// let measure = |value: f64, u: f64| Measure { value, u };
+/// let periods = [measure(2.0061, 1e-4), measure(2.0063, 1e-4)];
+/// let found = reversible_between(periods, measure(1.0001, 1e-5), measure(0.66, 0.002))?;
+/// assert!((found.g.value - 9.81).abs() < 0.02 && found.g.u < 0.002, "{found:?}");
+/// # Ok::<(), libration_fit::fit::FitRefusal>(())
+/// ```
+pub fn reversible_between(
+    periods: [Measure; 2],
+    between: Measure,
+    first: Measure,
+) -> Result<Reversible, FitRefusal> {
+    if first.value >= between.value {
+        return Err(FitRefusal::new(format!(
+            "first distance = {} m: must be less than the distance between the pivots, {} m: the centre of mass lies between them",
+            first.value, between.value
+        )));
+    }
+    let names = ["first period", "second period", "first distance", "distance between"];
+    evaluated(names, [periods[0], periods[1], first, between], |[t1, t2, first, between]| {
+        [t1, t2, first, between - first]
+    })
+}
+
+/// g of measures, of which `of` makes periods and distances from the centre of mass.
+fn evaluated(
+    names: [&str; 4],
+    measures: [Measure; 4],
+    of: impl Fn([f64; 4]) -> [f64; 4],
+) -> Result<Reversible, FitRefusal> {
     for (name, measure) in names.iter().zip(measures) {
         if !(measure.value.is_finite() && measure.value > 0.0 && measure.u.is_finite() && measure.u >= 0.0) {
             return Err(FitRefusal::new(format!(
@@ -42,7 +89,10 @@ pub fn reversible(periods: [Measure; 2], distances: [Measure; 2]) -> Result<Reve
             )));
         }
     }
-    let of = |v: [f64; 4]| reversible_gravity(v[0], v[1], v[2], v[3]);
+    let of = |values: [f64; 4]| {
+        let [t1, t2, d1, d2] = of(values);
+        reversible_gravity(t1, t2, d1, d2)
+    };
     let values = measures.map(|measure| measure.value);
     let g = of(values);
     if !(g.is_finite() && g > 0.0) {

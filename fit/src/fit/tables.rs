@@ -10,7 +10,7 @@ use super::result::{
     Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals, Verdict,
 };
 use libration::damped::averaged_turning_angle;
-use libration::{Frequency, Orbit};
+use libration::{Frequency, Friction, Orbit};
 
 /// Rows that can be used, and what was left out.
 struct Rows {
@@ -176,7 +176,8 @@ fn gate_once(
     let span = extent(&times).1.max(f64::MIN_POSITIVE);
     let curve = |values: &[f64]| -> Option<Vec<f64>> {
         let frequency = Frequency::from_omega0(values[0]).ok()?;
-        let swing = |t: f64| averaged_turning_angle(values[1], t, frequency, values[2]);
+        let friction = Friction::new(values[2], 0.0, 0.0, 0.0).ok()?;
+        let swing = |t: f64| averaged_turning_angle(values[1], t, frequency, friction);
         times.iter().map(|t| period_of_angle(swing(*t), values[0])).collect()
     };
     let mut tried = Vec::new();

@@ -4,7 +4,9 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from libration.cli.files import STANDARD_OUTPUT, Column, staged_table, strict, write_table
+from libration.cli.damped import NOT_REACHED, undamped, version
+from libration.cli.files import STANDARD_OUTPUT, Column, Parameter, staged_table, strict, write_table
+from libration.cli.friction import FORCES, ForceOptions, damped, force_options, forces
 from libration.cli.help import Topic
 from libration.cli.offers import units
 from libration.cli.parameters import given_parameters, keyed, table_parameters
@@ -12,12 +14,12 @@ from libration.cli.parser import Refusal, Word, command
 from libration.cli.quantities import TIME, quantities
 from libration.cli.results import OutOptions, check_printed, out_options, written
 from libration.cli.sampling import nans
-from libration.cli.state import UNITS, StateOptions, pendulum, state, state_options
+from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options
 from libration.cli.style import NumberStyle, StyleOptions, number_style, style_options
 from libration.cli.summary import print_lines, print_table
 
 if TYPE_CHECKING:
-    from libration import Pendulum
+    from libration import DampedPendulum, Pendulum
     from libration._arrays import Floats
 
 DESCRIPTION = """\
@@ -25,24 +27,27 @@ The exact angle and angular velocity of a pendulum at one instant after the star
 degrees. Where it turns over the top, the whole turns follow with the rest of the angle."""
 TOPICS = (
     UNITS,
+    FORCES,
     Topic(
         "results",
         text="""\
 Several instants are a table, as is --out. The angle grows beyond a turn; "turns" and "angle" are the whole turns and
 the rest, between -180 and 180 deg. With --json: one object, with an object for each instant in "instants"; null stands
-for a value that is not known, more than 2^53 half periods away.""",
+for a value that is not known, more than 2^53 half periods away. With friction or a torque "undamped_regime" is that
+without them.""",
     ),
 )
 EXAMPLES = (
     "libration at 7.3s --theta0 150deg --length 1m",
     "libration at 1s,2s,1min --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --digits 5",
+    "libration at 1min --theta0 150deg --length 1m --linear 0.02/s --quadratic 0.01",
 )
 DIGITS = 10
 TOO_LARGE = "the angle is too large"
 TOO_FAR = "it is more than 2^53 half periods away"
 
 
-class AtOptions(StateOptions, StyleOptions, OutOptions):
+class AtOptions(StateOptions, ForceOptions, StyleOptions, OutOptions):
     """The options of `libration at`."""
 
     times: str | None
@@ -57,26 +62,44 @@ def run(options: AtOptions) -> None:
         raise Refusal("missing --length or --omega0, such as --length 1m")
     check_printed(options)
     instants = quantities("TIME", options.times, TIME)
-    style, motion = number_style(options), pendulum(given)
+    style, acting = number_style(options), forces(options)
+    motion = pendulum(given) if acting is None else damped(given, acting, options)
+    known = [] if acting is None else [*acting.parameters, *undamped(given)]
     if options.out is not None:
-        with staged_table(options.out) as file:
+        with staged_table(options.out, keep=[] if acting is None else acting.kept) as file:
             columns = motion_columns(motion, instants)
-            write_table(file, options.out, table_parameters(given, motion), columns, style)
+            write_table(file, options.out, parameters(given, motion, known), columns, style)
     else:
         columns = motion_columns(motion, instants)
     if options.json:
-        answer = keyed(given_parameters(given, motion))
-        answer["regime"] = str(motion.regime)
+        answer = keyed([*given_parameters(given, motion), *known])
+        if isinstance(motion, exact_kind()):
+            answer["regime"] = str(motion.regime)
         answer["instants"] = [keyed(row) for row in instants_of(columns)]
         answer["files"] = written(options.out)
         print(strict(answer))
     elif options.out != STANDARD_OUTPUT:
-        print_one(columns, style) if len(instants) == 1 else print_several(columns, style)
+        why = TOO_FAR if acting is None else NOT_REACHED
+        print_one(columns, style, why) if len(instants) == 1 else print_several(columns, style, why)
         print_lines([("written", path) for path in written(options.out)])
 
 
-def motion_columns(motion: "Pendulum", instants: Sequence[float]) -> list[Column]:
-    """The time, the angle and the velocity, each in radians and degrees; in rotation also the turns and the rest."""
+def exact_kind() -> "type[Pendulum]":
+    """The class of a motion without friction and torque."""
+    from libration import Pendulum
+
+    return Pendulum
+
+
+def parameters(given: State, motion: "Pendulum | DampedPendulum", known: list[Parameter]) -> list[Parameter]:
+    """The parameters written in a table."""
+    if isinstance(motion, exact_kind()):
+        return table_parameters(given, motion)
+    return [("libration", version(), ""), *given_parameters(given, motion), *known]
+
+
+def motion_columns(motion: "Pendulum | DampedPendulum", instants: Sequence[float]) -> list[Column]:
+    """The time, the angle and the velocity, each in radians and degrees; beyond the top also the turns and the rest."""
     import numpy as np
 
     t = np.array(instants)
@@ -88,7 +111,13 @@ def motion_columns(motion: "Pendulum", instants: Sequence[float]) -> list[Column
         ("velocity", "rad/s", velocity),
         ("velocity", "deg/s", degrees(velocity)),
     ]
-    if motion.regime == "rotation":
+    if isinstance(motion, exact_kind()):
+        turns_over = motion.regime == "rotation"
+    else:
+        turns_over = bool(
+            np.abs(theta - (math.pi if motion.omega2 < 0 else 0.0)).max(initial=0.0, where=theta == theta) > math.pi
+        )
+    if turns_over:
         turns, angle = motion.turns(t)
         whole = np.where(np.isnan(angle), np.nan, turns)
         found += [("turns", "", whole), ("angle", "rad", angle), ("angle", "deg", degrees(angle))]
@@ -110,10 +139,10 @@ def instants_of(columns: Sequence[Column]) -> list[list[tuple[str, float, str]]]
     return [[(name, float(values[row]), unit) for name, unit, values in columns] for row in range(count)]
 
 
-def print_one(columns: Sequence[Column], style: NumberStyle) -> None:
-    """One instant in aligned lines."""
+def print_one(columns: Sequence[Column], style: NumberStyle, why: str) -> None:
+    """One instant in aligned lines; `why` says why it may not be known."""
     if nans(columns[1][2]):
-        print_lines([("t", f"{style.shown(float(columns[0][2][0]), DIGITS)} s"), ("theta", f"not known, {TOO_FAR}")])
+        print_lines([("t", f"{style.shown(float(columns[0][2][0]), DIGITS)} s"), ("theta", f"not known, {why}")])
         return
     shown: dict[str, list[str]] = {}
     for name, unit, values in columns:
@@ -125,8 +154,8 @@ def print_one(columns: Sequence[Column], style: NumberStyle) -> None:
     print_lines([(name, " = ".join(texts)) for name, texts in shown.items()])
 
 
-def print_several(columns: Sequence[Column], style: NumberStyle) -> None:
-    """A row for each instant."""
+def print_several(columns: Sequence[Column], style: NumberStyle, why: str) -> None:
+    """A row for each instant; `why` says why one may not be known."""
     heads = [f"{name} [{unit}]" if unit else name for name, unit, _ in columns]
     plain = ("t", "turns")
     rows = [
@@ -138,7 +167,7 @@ def print_several(columns: Sequence[Column], style: NumberStyle) -> None:
     ]
     print_table(heads, rows)
     if nans(columns[1][2]):
-        print(f"\n-: not known, {TOO_FAR}")
+        print(f"\n-: not known, {why}")
     elif any(nans(values) for _, _, values in columns):
         print(f"\n-: not known, {TOO_LARGE}")
 
@@ -158,6 +187,7 @@ COMMAND = command(
             offered=units(TIME),
         ),
         *state_options("(this, --omega0 or --omega2 is required)"),
+        *force_options(),
         *out_options("a table", "it"),
         *style_options(str(DIGITS)),
     ],

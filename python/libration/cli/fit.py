@@ -1,16 +1,15 @@
-"""`libration fit`: from data files to omega0, g or the length, with friction, uncertainty and verdicts.
+"""`libration fit`: from one data file, or several together, to omega0, g or the length, with friction, uncertainty, verdicts.
 
 Every file is read and fitted before anything is printed or written, so that a refusal leaves nothing half done.
 """
 
 import contextlib
 from collections.abc import Iterator
-from decimal import Decimal
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from libration.cli.files import staged, strict
+from libration.cli.fit_arguments import MODELS, FitOptions, arguments, counted
 from libration.cli.help import Topic
-from libration.cli.measures import measured
 from libration.cli.offers import files, units, words
 from libration.cli.parser import (
     Finding,
@@ -20,42 +19,61 @@ from libration.cli.parser import (
     Values,
     Words,
     command,
-    nearest,
     refusal,
     shown,
 )
 from libration.cli.picture import (
     PICTURES,
-    PictureOptions,
     check_matplotlib,
     check_plot,
     drawing,
     form,
+    language,
     picture_look,
     picture_options,
 )
-from libration.cli.quantities import GRAVITY, LENGTH, ONE, TIME, Dimension, plain, quantity, whole
+from libration.cli.quantities import GRAVITY, LENGTH
 
 if TYPE_CHECKING:
-    from libration import Fit
+    from libration import Fit, Together
+    from libration.measurement._columns import Given
+    from libration.measurement._together import Apart
 
-MODELS = ("auto", "none", "linear", "quadratic", "dry", "presliding")
 REPORTS = (".html", ".htm")
-# Of runs and of resamplings.
-MOST = 100_000
-
 DESCRIPTION = """\
 Fits a pendulum with friction to measurements: a file of a video tracker, a phone, a photogate or an encoder. Prints what
 was understood of the file and what was left out, omega0 with an honest uncertainty, g from the length or the length from
-g, the friction, and what speaks against the result. Needs no start values."""
+g, the friction, and what speaks against the result. Needs no start values. Several files are fitted together."""
 
 TOPICS = (
     Topic(
         "files",
         text="""\
 Text tables with any separator and decimal sign, Tracker (.txt, .trk), phyphox (.csv, .xls, .zip), Vernier, PASCO, .xlsx,
-photogate times, tables of periods against angles. Nothing is resampled. Where a file leaves a question open, it is asked
+photogate times, tables of periods against angles; MATLAB (.mat) and Parquet with pip install 'libration[files]'. Nothing is
+resampled. Where a file leaves a question open, it is asked
 in one line, with the option that answers it.
+""",
+    ),
+    Topic(
+        "several files",
+        (
+            ("a.csv b.csv", "runs of one pendulum: one omega0, one g"),
+            ("a.csv --length 0.4m b.csv --length 0.8m", "one g at several lengths, each in the order of the files"),
+            ("up.csv --pivot 0.660m down.csv --pivot 0.340m", "a reversible pendulum, about one pivot and the other"),
+            ("--run all", "every run of a file that has several"),
+        ),
+        """\
+From three lengths on, an error that they have in common is fitted too, such as a thread measured to the top of the bob. With
+--between the distance of the two pivots counts, and --pivot is given for the first alone.
+""",
+    ),
+    Topic(
+        "corrections",
+        text="""\
+A bob on a thread, with --bob and --wire, has a table of what changes its period: bob-size (the length goes to its centre),
+wire-mass, buoyancy, added-mass (the fluid that moves along). All are made in g, or in the length; --without leaves one in the
+table only.
 """,
     ),
     Topic(
@@ -72,7 +90,7 @@ in one line, with the option that answers it.
         "uncertainty",
         text="""\
 After the GUM, k = 1: noise with its correlation in time, the choice of the friction model, and length, scale and clock.
-A length is given as 0.650±0.010, 0.650+-0.010, 65.0(10)cm or 65cm±1%.
+A length is given as 0.650±0.010, 0.650+-0.010, 65.0(10)cm or 65cm±1%. With --monte-carlo the interval that holds 95 % of the draws stands beside it.
 """,
     ),
     Topic(
@@ -86,68 +104,57 @@ where a file or an option is refused.
 EXAMPLES = (
     "libration fit swing.csv --length 0.650±0.010",
     "libration fit counts.txt --unit angle=4096/rev --rate 100/s --plot fit.png",
-    "libration fit a.csv b.csv --column angle=theta --model dry --json",
+    "libration fit a.csv b.csv c.csv --column angle=theta --model dry --json",
+    "libration fit short.csv --length 0.400±0.001 long.csv --length 0.800±0.001 --report g.html",
+    "libration fit swing.csv --length 0.650±0.001 --bob 12.5mm,66g --wire 0.4g --monte-carlo 10000",
 )
-MASS = Dimension("masses", {"kg": ONE, "g": Decimal("0.001"), "lb": Decimal("0.45359237")}, {})
-RATE = Dimension("rates", {"1/s": ONE, "Hz": ONE}, {"fps": ONE})
-
-
-class FitOptions(PictureOptions):
-    """The options of `libration fit`."""
-
-    file: tuple[str, ...]
-    length: str | None
-    gravity: str | None
-    part: tuple[str, ...]
-    model: str | None
-    column: tuple[str, ...]
-    unit: tuple[str, ...]
-    rate: str | None
-    run: str | None
-    window: str | None
-    scale: str | None
-    clock: str | None
-    free_scale: bool
-    bootstrap: str | None
-    json: bool
-    report: str | None
 
 
 def run(options: FitOptions) -> None:
     """Fit what the words ask for, write the files, print the results."""
     if not options.file:
         raise Refusal("missing FILE: the measurements, such as swing.csv; see libration fit --help")
-    known = arguments(options)
-    look = picture_look(options, options.plot)
-    if len(options.file) > 1 and (options.plot or options.report):
-        given = "--plot" if options.plot else "--report"
-        raise refusal(given, options.plot or options.report, f"shows one file, and {len(options.file)} are given")
+    known, apart = arguments(options)
+    lang, look = picture(options)
     check_plot(options)
     if options.report is not None:
         check_matplotlib("--report", options.report, "plot")
     with targets(options) as opened:
-        found = [fitted(path, known) for path in options.file]
+        # A track on a short arc needs its own length to be read.
+        own = apart.lengths or []
+        shared = [known.get("length")] * len(options.file)
+        lengths = own if len(own) == len(options.file) else shared
+        pairs = zip(options.file, lengths, strict=True)
+        givens = [given for path, length in pairs for given in read(path, known | {"length": length})]
+        found = fitted(givens, known, apart)
         written = []
         if options.plot is not None:
             with drawing("--plot", options.plot):
-                found[0].plot(opened["--plot"], form=form(options.plot), **look)
+                found.plot(opened["--plot"], form=form(options.plot), **look)
             written.append(options.plot)
         if options.report is not None:
-            opened["--report"].write(found[0].report().encode())
+            opened["--report"].write(found.report(lang).encode())
             written.append(options.report)
-    for number, each in enumerate(found):
-        if options.json:
-            print(strict(each.to_dict() | {"files": written}))
-        else:
-            print(("\n" if number else "") + str(each))
-    if not options.json:
+    if options.json:
+        print(strict(found.to_dict() | {"files": written}))
+    else:
+        print(found)
         for path in written:
             print(f"written   {path}")
-    fallen = [(path, each) for path, each in zip(options.file, found, strict=True) if not each.stands]
-    if fallen:
-        path, each = fallen[0]
-        more = f" (and {len(fallen) - 1} more)" if len(fallen) > 1 else ""
-        raise Finding(f"{shown(path)}: {each.verdicts[0]}{more}")
+    if not found.stands:
+        alone = len(givens) == 1
+        raise Finding(f"{shown(options.file[0])}: {found.verdicts[0]}" if alone else found.verdicts[0])
+
+
+def picture(options: FitOptions) -> tuple[str, dict[str, Any]]:
+    """The language of picture and report, and how the picture looks."""
+    if options.plot is None and options.report is not None:
+        only_plot = {"--title": options.title, "--dpi": options.dpi}
+        for option, given in only_plot.items():
+            if given is not None:
+                raise refusal(option, given, "needs --plot FILE beside it")
+        return language(options.lang), {}
+    return language(options.lang), dict(picture_look(options, options.plot))
 
 
 @contextlib.contextmanager
@@ -162,120 +169,46 @@ def targets(options: FitOptions) -> Iterator[dict[str, BinaryIO]]:
         }
 
 
-def arguments(options: FitOptions) -> dict[str, Any]:
-    """The arguments of `libration.fit`, or a Refusal."""
-    known: dict[str, Any] = {"columns": stated("--column", options.column), "units": stated("--unit", options.unit)}
-    if options.length is not None and options.gravity is not None:
-        reason = "the motion holds g/length alone, so one of them is left to the fit; give one of the two"
-        raise Refusal(f"--length = {shown(options.length)} and --gravity = {shown(options.gravity)}: {reason}")
-    if options.length is not None:
-        known["length"] = measured("--length", options.length, LENGTH, above=0.0)
-    if options.gravity is not None:
-        known["gravity"] = measured("--gravity", options.gravity, GRAVITY, above=0.0)
-    if options.part:
-        other = "--length" if options.length is not None else "--gravity"
-        if options.length is not None or options.gravity is not None:
-            raise Refusal(f"--part and {other}: parts give the length, and one of length and g is left to the fit")
-        known["parts"] = parts_of(options.part)
-    if options.model is not None:
-        if options.model not in MODELS:
-            hint = nearest(options.model, MODELS, "see libration fit --help")
-            raise refusal("--model", options.model, f"must be one of {', '.join(MODELS)}; {hint}")
-        known["model"] = options.model
-    if options.rate is not None:
-        known["rate"] = quantity("--rate", options.rate, RATE, above=0.0)
-    if options.run is not None:
-        known["run"] = whole("--run", options.run, 1, MOST)
-    if options.window is not None:
-        known["window"] = window(options.window)
-    if options.scale is not None:
-        known["scale_u"] = share("--scale", options.scale)
-    if options.clock is not None:
-        known["clock_u"] = share("--clock", options.clock)
-    if options.bootstrap is not None:
-        known["bootstrap"] = whole("--bootstrap", options.bootstrap, 10, MOST)
-    return known | {"free_scale": options.free_scale}
+OF_READER = ("columns", "units", "rate", "run", "length")
 
 
-def stated(option: str, given: tuple[str, ...]) -> dict[str, str]:
-    """ROLE=NAME by role, or a Refusal."""
-    roles = ("time", "angle", "velocity", "acceleration", "x", "y", "period")
-    found: dict[str, str] = {}
-    for text in given:
-        role, equals, name = text.partition("=")
-        if not equals or not name.strip() or role.strip() not in roles:
-            word = "NAME" if option == "--column" else "UNIT"
-            raise refusal(option, text, f"must be ROLE={word}, where ROLE is one of {', '.join(roles)}")
-        if role.strip() in found:
-            raise refusal(option, text, f"{role.strip()} is given twice")
-        found[role.strip()] = name.strip()
-    return found
-
-
-def parts_of(texts: tuple[str, ...]) -> list[Any]:
-    """Shape, mass, distance and size of each part, or a Refusal."""
-    found: list[Any] = []
-    for text in texts:
-        shape, colon, rest = text.partition(":")
-        # A comma parts values; a decimal comma would be taken for it, so numbers here have points.
-        values = rest.split(",")
-        counts = {"rod": (2, 3), "ball": (3,), "disc": (3,), "point": (2,)}.get(shape, ())
-        if not colon or len(values) not in counts:
-            allowed = "rod:LENGTH,MASS[,DISTANCE], ball:DISTANCE,MASS,RADIUS, disc:DISTANCE,MASS,RADIUS or point:DISTANCE,MASS"
-            raise refusal("--part", text, f"must be {allowed}")
-        first = measured("--part", values[0], LENGTH, least=0.0)
-        mass = measured("--part", values[1], MASS, least=0.0)
-        third = measured("--part", values[2], LENGTH) if len(values) == 3 else (0.0, 0.0)
-        if shape == "rod":
-            # The centre of a rod that hangs from the pivot; its uncertainty is that of the end.
-            centre = third if len(values) == 3 else (first[0] / 2, first[1] / 2)
-            found.append((shape, mass, centre, first))
-        else:
-            found.append((shape, mass, first, third))
-    from libration import _core
-
-    try:
-        _core.equivalent_length(found)
-    except ValueError as error:
-        raise Refusal(f"--part: {error}") from error
-    return found
-
-
-def share(option: str, text: str) -> float:
-    """A relative uncertainty, `0.5%` or `0.005`, or a Refusal."""
-    percent = text.strip().endswith("%")
-    value = plain(option, text.strip().removesuffix("%")) / (100 if percent else 1)
-    if not 0 <= value < 1:
-        raise refusal(option, text, "must be a relative uncertainty from 0 to 1, such as 0.5% or 0.005")
-    return value
-
-
-def window(text: str) -> tuple[float, float]:
-    """Two times, `2s:40s` or `2:40`, or a Refusal."""
-    first, colon, last = text.partition(":")
-    if not colon or not first.strip() or not last.strip():
-        raise refusal("--window", text, "must be two times with a colon between, such as 2s:40s")
-    found = quantity("--window", first, TIME), quantity("--window", last, TIME)
-    if not found[0] < found[1]:
-        raise refusal("--window", text, "the second time must be later than the first")
-    return found
-
-
-def fitted(path: str, known: dict[str, Any]) -> "Fit":
-    """The fit of a file, or a Refusal."""
-    from libration.measurement._columns import of_bytes, stated_of
-    from libration.measurement._fit import fit_given
+def read(path: str, known: dict[str, Any]) -> "list[Given]":
+    """The records of a file, or a Refusal."""
+    from libration.measurement._columns import runs_of_bytes, stated_of
 
     try:
         with open(path, "rb") as file:
             content = file.read()
     except (OSError, ValueError) as error:
         raise Refusal(f"{shown(path)}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
-    of_reader = ("columns", "units", "rate", "run", "length")
-    reader = stated_of(**{name: known.get(name) for name in of_reader})
-    others = {name: each for name, each in known.items() if name not in ("columns", "units", "rate", "run")}
     try:
-        return fit_given(of_bytes(path, content, reader), **others)
+        return runs_of_bytes(path, content, stated_of(**{name: known.get(name) for name in OF_READER}))
+    except ValueError as error:
+        raise Refusal(str(error)) from error
+
+
+def fitted(givens: "list[Given]", known: dict[str, Any], apart: "Apart") -> "Fit | Together":
+    """The fit of one record, or of several together, or a Refusal."""
+    from libration.measurement._fit import fit_given
+    from libration.measurement._fit_together import together_given
+    from libration.measurement._known import known_of
+
+    count = len(givens)
+    if apart.lengths and len(apart.lengths) != count:
+        times = counted(len(apart.lengths))
+        records = f"{count} record{'s' * (count > 1)}"
+        raise Refusal(
+            f"--length: is given {times} for {records}; give it once for all, or once for each in their order"
+        )
+    if apart.pivots and count != 2:
+        raise Refusal(f"--pivot: a reversible pendulum has two records, one about each pivot; {count} are given")
+    if apart.lengths and known.get("monte_carlo"):
+        raise Refusal("--monte-carlo: is for records of one pendulum, not for several lengths")
+    others = {name: each for name, each in known.items() if name not in OF_READER or name == "length"}
+    try:
+        if count == 1:
+            return fit_given(givens[0], known_of(**others), progress=True)
+        return together_given(givens, known_of(**others), apart, progress=True)
     except ValueError as error:
         raise Refusal(str(error)) from error
 
@@ -294,33 +227,61 @@ COMMAND = command(
     FitOptions,
     short="from a data file to g: friction, uncertainty and verdicts",
     parameters=[
-        Words("file", "FILE...", "files of measurements, each fitted by itself (required)", FILE, offered=files),
-        Value(
+        Words("file", "FILE...", "files of measurements; several are fitted together (required)", FILE, offered=files),
+        Values(
             "--length",
             "LENGTH",
-            "equivalent length with its uncertainty, 0.650±0.010; gives g",
+            "equivalent length with its uncertainty, 0.650±0.010; gives g; once for each file where they differ",
             KNOWN,
             offered=units(LENGTH),
         ),
         Value("--gravity", "G", "local g, 9.7803±0.0002; gives the length", KNOWN, offered=units(GRAVITY)),
         Values("--part", "PART", "of a rigid pendulum, in place of --length: see below", KNOWN),
+        Values(
+            "--pivot",
+            "DISTANCE",
+            "of a reversible pendulum, from the centre of mass, for each of two files",
+            KNOWN,
+            offered=units(LENGTH),
+        ),
+        Value(
+            "--between", "DISTANCE", "of its two pivots, in place of the second --pivot", KNOWN, offered=units(LENGTH)
+        ),
+        Value("--bob", "RADIUS[,MASS]", "of the ball on a thread, 12.5mm,66g, for corrections: see below", KNOWN),
+        Value("--wire", "MASS", "of the thread or wire, for its correction", KNOWN),
+        Value("--fluid", "FLUID", "air (default), water, or DENSITY,VISCOSITY", KNOWN, offered=words("air", "water")),
+        Values(
+            "--without",
+            "CORRECTION",
+            "that is not made: bob-size, wire-mass, buoyancy or added-mass",
+            KNOWN,
+            offered=words("bob-size", "wire-mass", "buoyancy", "added-mass"),
+        ),
         Value("--scale", "U", "relative uncertainty of the angle's scale, such as 0.5%", KNOWN),
         Value("--clock", "U", "relative uncertainty of the clock's rate, such as 0.01%", KNOWN),
         Values("--column", "ROLE=NAME", "which column is time, angle, velocity, acceleration, x, y or period", READ),
         Values("--unit", "ROLE=UNIT", "in which unit, such as angle=deg or angle=4096/rev", READ),
         Value("--rate", "RATE", "samples in a second, for a file without times", READ),
-        Value("--run", "N", "which of several runs in a file, from 1", READ),
+        Value("--run", "N", "which of several runs in a file, from 1, or all of them", READ, offered=words("all")),
         Value("--model", "MODEL", f"{', '.join(MODELS)}: friction terms (default auto)", MODEL, offered=words(*MODELS)),
         Value(
             "--window", "FROM:TO", "the times that are fitted, 2s:40s (default: from the release to the stop)", MODEL
         ),
         Flag("--free-scale", "fit the scale of the angle too", MODEL),
         Value("--bootstrap", "N", "resamplings, to check the uncertainty of the noise", MODEL),
-        Flag("--json", "print one JSON object for each file", RESULTS),
-        Value("--report", "FILE", "write one page with all of it to an .html file", RESULTS, offered=files),
+        Value("--monte-carlo", "N", "draws, to check the combined uncertainty, such as 10000", MODEL),
+        Value("--seed", "N", "of the random numbers of both (default 1)", MODEL),
+        Flag("--json", "print one JSON object", RESULTS),
+        Value(
+            "--report",
+            "FILE",
+            "write one page with all of it to an .html file, in the language of --lang",
+            RESULTS,
+            offered=files,
+        ),
         *picture_options("the data with the curve, and the residuals"),
     ],
-    usage=["libration fit", "FILE...", "[--length LENGTH | --gravity G]", "[options]"],
+    usage=["libration fit", "FILE...", "[--length LENGTH | --gravity G | --part PART]", "[options]"],
     topics=TOPICS,
     examples=EXAMPLES,
 )

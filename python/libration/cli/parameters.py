@@ -7,7 +7,7 @@ from libration.cli.files import Json, Parameter, key
 from libration.cli.state import State
 
 if TYPE_CHECKING:
-    from libration import Pendulum
+    from libration import DampedPendulum, Pendulum
 
 UNIT = {
     "theta0": "rad",
@@ -22,7 +22,7 @@ UNIT = {
 }
 
 
-def given_parameters(given: State, motion: "Pendulum") -> list[Parameter]:
+def given_parameters(given: State, motion: "Pendulum | DampedPendulum") -> list[Parameter]:
     """What was given, and the frequency that follows from it."""
     values: list[Parameter] = [("angles", "from the top", "")] if given.from_top else []
     values += [(name, given.values[name], unit) for name, unit in UNIT.items() if name in given.values]

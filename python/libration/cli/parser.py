@@ -39,6 +39,16 @@ ALSO = {
     "methods": ("with",),
     "x0": ("u0",),
     "png": ("plot",),
+    "gamma": ("linear",),
+    "damping": ("linear",),
+    "friction": ("linear",),
+    "beta": ("quadratic",),
+    "drag": ("quadratic",),
+    "mu": ("dry",),
+    "coulomb": ("dry",),
+    "delta": ("presliding",),
+    "tau": ("torque",),
+    "drive": ("torque-amplitude",),
 }
 # No word of so few letters is anything else.
 LONGEST_UNIT = 4

@@ -5,7 +5,9 @@ Everything that can be refused is refused before the motion is evaluated; files 
 
 from typing import TYPE_CHECKING
 
+from libration.cli.damped import solve_damped
 from libration.cli.files import STANDARD_OUTPUT, Column, strict, write_table
+from libration.cli.friction import FORCES, ForceOptions, damped, force_options, forces
 from libration.cli.help import Topic
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
 from libration.cli.parser import Refusal, command
@@ -35,16 +37,19 @@ if TYPE_CHECKING:
 DESCRIPTION = """\
 The exact motion of a pendulum: angle and angular velocity at many instants, and how far
 the linear solution, theta0 cos(omega0 t) + velocity0 / omega0 sin(omega0 t), is from it.
-The angle of a rotation grows beyond a turn."""
+The angle of a rotation grows beyond a turn. With friction or a torque the motion is integrated to the last digits; its
+energy takes the place of the linear solution."""
 
 TOPICS = (
     UNITS,
+    FORCES,
     FILES,
     Topic(
         "json",
         text="""\
 With --json: one object on the standard output; the keys end in the unit. null stands for a value that is infinite or
 does not exist; "regime" tells which: on the separatrix the period is infinite, in rotation there is no turning angle.
+With friction or a torque: the turning points, the rests, the time at which it stops, and "undamped_regime".
 """,
     ),
 )
@@ -52,10 +57,12 @@ EXAMPLES = (
     "libration solve --theta0 170deg --length 1m",
     "libration solve --theta0 3 --length 1m --gravity 9.8 --out motion.csv --plot motion.png",
     "libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz",
+    "libration solve --theta0 2 --length 1m --linear 0.02/s --dry 0.1 --plot decay.png",
+    "libration solve --theta0 0 --omega0 1 --torque-amplitude 0.3 --torque-frequency 0.1Hz",
 )
 
 
-class SolveOptions(StateOptions, InstantOptions):
+class SolveOptions(StateOptions, ForceOptions, InstantOptions):
     """The options of `libration solve`."""
 
 
@@ -67,6 +74,10 @@ def run(options: SolveOptions) -> None:
     check_instants(options)
     check_targets(options)
     style, look = number_style(options), picture_look(options, options.plot)
+    acting = forces(options)
+    if acting is not None:
+        solve_damped(options, given, acting, damped(given, acting, options), style, look)
+        return
     motion = pendulum(given)
     with targets(options) as (table, plot):
         check_plot(options)
@@ -142,8 +153,11 @@ COMMAND = command(
     short="angle and velocity at many instants, as a table and as a plot",
     parameters=[
         *state_options("(this, --omega0 or --omega2 is required)"),
+        *force_options(),
         *instant_options(),
-        *result_options("t, theta, velocity and theta_linear", "theta(t) and the phase portrait"),
+        *result_options(
+            "t, theta, velocity and theta_linear (with friction: energy)", "theta(t) and the phase portrait"
+        ),
     ],
     usage=["libration solve", "--theta0 ANGLE", "(--length LENGTH | --omega0 OMEGA0)", "[options]"],
     topics=TOPICS,

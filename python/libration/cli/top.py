@@ -11,7 +11,7 @@ COMMANDS: dict[str, click.Command] = {str(each.COMMAND.name): each.COMMAND for e
 
 TEXT = """\
 The exact motion of a pendulum, theta'' + omega0^2 sin(theta) = 0, from any start and in every regime: swinging, turning
-over the top, at rest, or on the separatrix between them."""
+over the top, at rest, or on the separatrix between them. With friction and torque too."""
 
 EXAMPLES = (
     "libration period --theta0 150deg",

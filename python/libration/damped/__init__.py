@@ -11,7 +11,16 @@ Examples
 """
 
 from ._friction import Friction
+from ._laws import averaged_energy_loss, averaged_turning_angle, averaged_turning_rate, half_swing
 from ._pendulum import DampedPendulum
 from ._torque import Torque
 
-__all__ = ["DampedPendulum", "Friction", "Torque"]
+__all__ = [
+    "DampedPendulum",
+    "Friction",
+    "Torque",
+    "averaged_energy_loss",
+    "averaged_turning_angle",
+    "averaged_turning_rate",
+    "half_swing",
+]

@@ -13,7 +13,7 @@ from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import Elementwise, apply, tensor, unindexed
 from .._labels import Result
 from ..pendulum._results import MOTION, THETA, TURNS, VELOCITY
-from ._events import Events
+from ._plots import Plots
 
 ENERGY = Result("energy", "rad**2/s**2", "energy per unit inertia")
 # The units differ from element to element.
@@ -25,7 +25,7 @@ BY = (
 AXES = {"of": ("theta", "velocity"), "by": BY}
 
 
-class DampedPendulum(Events):
+class DampedPendulum(Plots):
     """A pendulum with friction and torque, from its state at t = 0.
 
     theta'' + friction(theta') + omega0**2 sin(theta) = torque(t), with the terms that `Friction` and `Torque` say. Dry friction

@@ -14,7 +14,18 @@ Examples
 
 from ._estimate import Estimate
 from ._fit import fit
-from ._gravity import gravity_of_period, normal_gravity
+from ._fit_together import fit_together
+from ._gravity import gravity_of_period, gravity_of_pivots, normal_gravity
 from ._result import Fit
+from ._together import Together
 
-__all__ = ["Estimate", "Fit", "fit", "gravity_of_period", "normal_gravity"]
+__all__ = [
+    "Estimate",
+    "Fit",
+    "Together",
+    "fit",
+    "fit_together",
+    "gravity_of_period",
+    "gravity_of_pivots",
+    "normal_gravity",
+]

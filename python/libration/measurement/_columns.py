@@ -1,6 +1,5 @@
 """What is given to a fit, as columns: a file, a data frame, or arrays; and measures, which are values with uncertainties."""
 
-import io
 import os
 import re
 from collections.abc import Mapping
@@ -11,9 +10,12 @@ import numpy as np
 from .. import _core
 from .._scalars import real, shown
 from ._binary import as_text
+from ._frames import frame_as_text
 
-# The name of what is no file.
-ARRAYS = "arrays"
+# The names of what is no file.
+ARRAYS, FRAME = "arrays", "data frame"
+# In place of the number of a run.
+ALL = "all"
 # As the messages of the reader name the options of the command.
 OPTION = re.compile(r"--(column|unit) (\w+)=([^;,]+)")
 PLAIN_OPTION = re.compile(r"--(rate|run|length)\b")
@@ -27,6 +29,8 @@ class Given(NamedTuple):
     columns: list[Any]
     understood: list[str]
     dropped: list[dict[str, Any]]
+    # In the file, of which this is one.
+    runs: int = 1
 
 
 def measure(name: str, given: Any) -> tuple[float, float]:
@@ -44,7 +48,7 @@ def stated_of(
     columns: Mapping[str, str] | None,
     units: Mapping[str, str] | None,
     rate: float | None,
-    run: int | None,
+    run: int | str | None,
     length: tuple[float, float] | None,
 ) -> dict[str, Any]:
     """What is stated about a file, as the reader takes it."""
@@ -69,7 +73,7 @@ def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
         {"reason": reason, "count": count, "lines": lines, "sentence": sentence}
         for reason, count, lines, sentence in record.dropped
     ]
-    return Given(name, kind, columns, record.understood, dropped)
+    return Given(name, kind, columns, record.understood, dropped, record.run[1])
 
 
 def read(content: bytes, stated: Mapping[str, Any]) -> _core.Record:
@@ -83,29 +87,52 @@ def read(content: bytes, stated: Mapping[str, Any]) -> _core.Record:
     return _core.Record("", content, **stated)
 
 
+def runs_of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> list[Given]:
+    """The columns in the bytes of a file; of every run in it where `run` is "all"."""
+    if stated["run"] != ALL:
+        return [of_bytes(name, content, stated)]
+    first = of_bytes(name, content, {**stated, "run": None})
+    if first.runs == 1:
+        return [first]
+    each = (of_bytes(name, content, {**stated, "run": run}) for run in range(1, first.runs + 1))
+    return [given._replace(name=f"{given.name}, run {run}") for run, given in enumerate(each, start=1)]
+
+
 def of_source(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) -> Given:
-    """The columns of whatever was given."""
+    """The columns of whatever was given, which is one record."""
+    if stated["run"] == ALL:
+        raise ValueError("run = 'all': is for fit_together; fit takes the number of one run")
+    if isinstance(source, list) and values is None and source and not is_number(source[0]):
+        raise TypeError(f"source: is a list of {len(source)}; fit_together takes several records")
+    return of_each(source, values, quantity, stated)[0]
+
+
+def is_number(each: Any) -> bool:
+    """Whether it may be an element of a list of times, or a row of times and values."""
+    return not isinstance(each, str | os.PathLike | tuple) and np.ndim(each) < 2 and not hasattr(each, "columns")
+
+
+def of_each(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) -> list[Given]:
+    """The columns of a source, which may be a file of several runs."""
     if isinstance(source, tuple) and len(source) == 2 and values is None:
         source, values = source
+    if values is None and isinstance(source, np.ndarray) and source.ndim == 2 and source.shape[1] == 2:
+        source, values = source.T
     if values is not None:
         needless = [name for name, each in stated.items() if each and name != "length"]
         if needless:
             raise ValueError(
                 f"{needless[0]} = {shown(stated[needless[0]])}: is for files and data frames, not for arrays"
             )
-        return of_arrays(source, values, quantity)
+        return [of_arrays(source, values, quantity)]
     try:
         if isinstance(source, str | os.PathLike):
             name = os.fspath(source)
             with open(name, "rb") as file:
                 content = file.read()
-            return of_bytes(str(name), content, stated)
-        if hasattr(source, "to_csv"):
-            return of_bytes("data frame", source.to_csv(index=False).encode(), stated)
-        if hasattr(source, "write_csv"):
-            written = io.BytesIO()
-            source.write_csv(written)
-            return of_bytes("data frame", written.getvalue(), stated)
+            return runs_of_bytes(str(name), content, stated)
+        if hasattr(source, "to_csv") or hasattr(source, "write_csv"):
+            return runs_of_bytes(FRAME, frame_as_text(source), stated)
     except ValueError as error:
         raise ValueError(in_python(str(error))) from None
     raise TypeError(f"source = {shown(source)}: must be a path, a data frame, or times with their values beside them")

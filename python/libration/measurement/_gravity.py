@@ -1,11 +1,15 @@
 """g from one period by the exact law, and the normal g of a place."""
 
+import json
+import math
+import warnings
 from typing import Any
 
 from .. import _core
-from .._scalars import real
+from .._scalars import real, shown
 from ._columns import measure
-from ._estimate import Estimate
+from ._estimate import Estimate, estimate
+from ._known import Pair
 
 
 def gravity_of_period(period: Any, length: Any, *, swing: Any = 0.0) -> Estimate:
@@ -47,6 +51,71 @@ def gravity_of_period(period: Any, length: Any, *, swing: Any = 0.0) -> Estimate
         measure("period", period), measure("length", length), measure("swing", swing)
     )
     return Estimate(value, u, calibration=u)
+
+
+def gravity_of_pivots(periods: Any, distances: Any, *, between: Any = None, swings: Any = (0.0, 0.0)) -> Estimate:
+    """g of a reversible pendulum from its periods about two pivots, as Bessel evaluates Kater's.
+
+    8 pi**2/g = (T1**2 + T2**2)/(d1 + d2) + (T1**2 - T2**2)/(d1 - d2), where T are the periods of small swings.
+
+    Parameters
+    ----------
+    periods : (first, second)
+        In s, each a scalar or (value, u).
+    distances : (first, second)
+        Of the pivots from the centre of mass in m, each a scalar or (value, u).
+    between : scalar or (value, u), optional
+        The distance between the pivots in m, in place of the second of `distances`: it is measured better.
+    swings : (first, second), optional
+        Turning angles in rad, each a scalar or (value, u), by which the periods are reduced to those of small swings.
+
+    Returns
+    -------
+    Estimate
+        g in m/s**2; `statistical` is the part of the periods, `calibration` that of the distances.
+
+    Raises
+    ------
+    ValueError
+        In one line: the argument, its value and what is allowed.
+
+    Notes
+    -----
+    A g that is not of this Earth is a UserWarning. Source: F. W. Bessel, Untersuchungen ueber die Laenge des einfachen Secundenpendels (1828).
+
+    Examples
+    --------
+    >>> import libration
+    >>> periods = [(2.0061, 1e-4), (2.0063, 1e-4)]
+    >>> print(libration.gravity_of_pivots(periods, [(0.66, 0.002)], between=(1.0001, 1e-5)))
+    9.8127 ± 0.0023
+    """
+    found, grades = _core.gravity_of_pivots(*pivots_of(periods, distances, between, swings), between is not None)
+    told = json.loads(found)
+    for sentence, _ in zip(told["verdicts"], grades, strict=True):
+        warnings.warn(sentence, UserWarning, stacklevel=2)
+    made = estimate(told["g"])
+    assert made is not None
+    return made
+
+
+def pivots_of(periods: Any, distances: Any, between: Any, swings: Any) -> tuple[list[Pair], list[Pair]]:
+    """The periods of small swings, and the distances, as pairs."""
+    wanted = 1 if between is not None else 2
+    lengths = {"periods": 2, "distances": wanted, "swings": 2}
+    for name, given in (("periods", periods), ("distances", distances), ("swings", swings)):
+        if not hasattr(given, "__len__") or len(given) not in (lengths[name], 2):
+            raise ValueError(f"{name} = {shown(given)}: must be two, of the first and of the second pivot")
+    reduced = [small_period(measure("periods", t), measure("swings", a)) for t, a in zip(periods, swings, strict=True)]
+    second = distances[1] if between is None else between
+    return reduced, [measure("distances", distances[0]), measure("distances" if between is None else "between", second)]
+
+
+def small_period(period: Pair, swing: Pair) -> Pair:
+    """The period of small swings of the same pendulum: that of g and length 1 is as 1/sqrt(g)."""
+    (large, u), _, small = _core.gravity_of_period(period, (1.0, 0.0), swing)
+    factor = math.sqrt(small / large)
+    return period[0] * factor, period[0] * factor * u / (2 * large)
 
 
 def normal_gravity(latitude: float, height: float = 0.0) -> float:

@@ -250,8 +250,13 @@ class Fit:
         plot_fit(self, path, form=form, title=title, dpi=dpi, lang=lang)
         return None
 
-    def report(self) -> str:
+    def report(self, lang: str = "en") -> str:
         """One HTML page that needs no other file: data with the curve, residuals, period against swing, budget, the sentence to quote.
+
+        Parameters
+        ----------
+        lang : {"en", "pt-BR", "es"}
+            Language and decimal sign.
 
         Returns
         -------
@@ -261,6 +266,8 @@ class Fit:
         ------
         ImportError
             Without matplotlib.
+        ValueError
+            For another language.
 
         Examples
         --------
@@ -271,7 +278,7 @@ class Fit:
         """
         from ._report import page
 
-        return page(self)
+        return page(self, lang)
 
     def sentence(self) -> str:
         """The result as a report quotes it, with its uncertainty and how it was found; why not, where it does not stand.

@@ -1,11 +1,16 @@
-"""A fit in plain lines: what was understood and left out, window, ladder, result, budget, verdicts, the sentence to quote."""
+"""A fit in plain lines: what was understood and left out, window, ladder, result, budget, verdicts, the sentence to quote.
+
+The parts that a page shows too are in three languages.
+"""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ._estimate import Estimate, rounded
+from ._words import Words
 
+ENGLISH = Words("en")
 # Name and unit of each friction term.
 TERMS = {
     "linear": ("linear friction", "1/s"),
@@ -13,23 +18,21 @@ TERMS = {
     "dry": ("dry friction", "rad/s^2"),
     "presliding": ("presliding angle", "rad"),
 }
-MODELS = {
-    "none": "no friction",
-    "linear": "linear friction",
-    "quadratic": "linear and quadratic friction",
-    "dry": "linear, quadratic and dry friction",
-    "presliding": "linear, quadratic, dry and presliding friction",
-}
 RMS_UNITS = {"angle": "deg", "velocity": "deg/s", "acceleration": "m/s^2"}
 # Words before the sentence of a verdict.
 GRADES = {"refuted": "DO NOT QUOTE", "warning": "warning", "note": "note"}
 
 
-def model_words(fit: Any) -> str:
-    """The friction model in words."""
+def model_words(fit: Any, say: Words = ENGLISH) -> str:
+    """The friction in words: the terms that act."""
     if fit._given.kind in ("gate", "swings") and fit.model == "none":
-        return "the exact period of each swing"
-    return MODELS[str(fit.model)]
+        return say.word("the exact period of each swing")
+    terms = [say.word(name) for name in fit.friction]
+    if not terms:
+        return say.word("no friction")
+    *first, last = terms
+    joined = say.word("{first} and {last}", first=", ".join(first), last=last) if first else last
+    return say.word("{terms} friction", terms=joined)
 
 
 def small(u: float, whole: float) -> str:
@@ -39,7 +42,11 @@ def small(u: float, whole: float) -> str:
 
 def text(fit: Any) -> str:
     """The whole text, a line for each thing."""
-    lines = pairs(fit)
+    return in_columns(pairs(fit))
+
+
+def in_columns(lines: Sequence[tuple[str, str]]) -> str:
+    """Labels, and texts in a second column."""
     width = max(len(label) for label, _ in lines)
     return "\n".join(f"{label:{width}}  {each}".rstrip() for label, each in lines)
 
@@ -47,12 +54,20 @@ def text(fit: Any) -> str:
 def pairs(fit: Any) -> list[tuple[str, str]]:
     """Labels and texts; a text that goes on has no label."""
     blank = [("", "")]
+    lines = [*read(fit), *blank, *ladder(fit), *blank, *result(fit), *corrections(fit), *blank, *budget(fit)]
+    found = verdict_lines(fit)
+    return [*lines, *([*blank, *found] if found else []), *blank, ("to quote", sentence(fit))]
+
+
+def read(fit: Any) -> list[tuple[str, str]]:
+    """What was read, left out and fitted."""
     lines = [("file", fit._given.name), *labelled("understood", fit.understood), *labelled("dropped", left_out(fit))]
-    lines += [("window", window(fit)), *blank, *ladder(fit), *blank, *result(fit), *blank, *budget(fit)]
-    found = [(GRADES[grade], each) for grade, each in zip(fit._grades, fit.verdicts, strict=True)]
-    if found:
-        lines += [*blank, *found]
-    return [*lines, *blank, ("to quote", sentence(fit))]
+    return [*lines, ("window", window(fit))]
+
+
+def verdict_lines(fit: Any) -> list[tuple[str, str]]:
+    """What speaks against the result."""
+    return [(GRADES[grade], each) for grade, each in zip(fit._grades, fit.verdicts, strict=True)]
 
 
 def labelled(label: str, texts: Sequence[str]) -> list[tuple[str, str]]:
@@ -60,25 +75,31 @@ def labelled(label: str, texts: Sequence[str]) -> list[tuple[str, str]]:
     return [(label if number == 0 else "", each) for number, each in enumerate(texts)]
 
 
-def left_out(fit: Any) -> list[str]:
+def left_out(fit: Any, say: Words = ENGLISH) -> list[str]:
     """What the reader and the fit left out, a sentence each."""
-    told = [each["sentence"] for each in fit._given.dropped]
+    told = [say.told(each["sentence"]) for each in fit._given.dropped]
     for each in fit.dropped:
         if "rows" in each:
             count, rows = each["count"], ", ".join(str(row + 1) for row in each["rows"][:5])
-            word = "row" if count == 1 else "rows"
-            told.append(f"{count} {word}: {each['reason']} ({word} {rows}{', ...' if count > 5 else ''})")
-    return told or ["nothing"]
+            form = "{count} row: {reason} (row {rows})" if count == 1 else "{count} rows: {reason} (rows {rows})"
+            more = ", ..." if count > 5 else ""
+            told.append(say.word(form, count=str(count), reason=say.told(each["reason"]), rows=rows + more))
+    return told or [say.word("nothing")]
 
 
-def window(fit: Any) -> str:
+def window(fit: Any, say: Words = ENGLISH) -> str:
     """What was fitted."""
     found = fit._found
-    swing = f"; the largest swing is {math.degrees(fit.swing):.1f} deg" if math.isfinite(fit.swing) else ""
+    known = math.isfinite(fit.swing)
+    degrees = say.decimal(f"{math.degrees(fit.swing):.1f}")
+    swing = say.word("; the largest swing is {swing} deg", swing=degrees) if known else ""
+    count = str(found["samples"])
     if fit._given.kind in ("gate", "swings"):
-        return f"all {found['samples']} periods{swing}"
-    first, last = fit.window
-    return f"{first:.4g} s to {last:.4g} s, {found['window_reason']}: {found['samples']} samples{swing}"
+        return say.word("all {count} periods{swing}", count=count, swing=swing)
+    first, last = (say.decimal(f"{each:.4g}") for each in fit.window)
+    reason = say.word(str(found["window_reason"]))
+    form = "{first} s to {last} s, {reason}: {count} samples{swing}"
+    return say.word(form, first=first, last=last, reason=reason, count=count, swing=swing)
 
 
 def rms(fit: Any, value: float) -> str:
@@ -98,75 +119,155 @@ def ladder(fit: Any) -> list[tuple[str, str]]:
     rows = [("with", "rms", "omega0 in rad/s")]
     for each in steps:
         mark = " <- chosen" if each["model"] == fit.model else ""
-        held = f" (held at 0: {', '.join(each['wanted_negative'])})" if each["wanted_negative"] else ""
+        held = f" (held at 0: {', '.join(map(str, each['wanted_negative']))})" if each["wanted_negative"] else ""
         rows.append((str(each["model"]), rms(fit, each["rms"]), f"{each['omega0']:.6f}{held}{mark}"))
     wide = [max(len(row[column]) for row in rows) for column in (0, 1)]
     table = [f"{name:{wide[0]}}  {left:>{wide[1]}}  {right}" for name, left, right in rows]
     return [chosen, *labelled("tried", table)]
 
 
-def result(fit: Any) -> list[tuple[str, str]]:
+def result(fit: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """The numbers."""
-    lines = [("omega0", f"{fit.omega0} rad/s")]
-    given = fit._found["length_given"]
-    if fit.g is not None and fit.length is not None:
-        g, length = f"{fit.g} m/s^2", f"{fit.length} m"
-        lines += [("length", f"{length} (given)"), ("g", g)] if given else [("g", f"{g} (given)"), ("length", length)]
+    lines = [("omega0", f"{fit.omega0} rad/s"), *quantities(fit, fit._found["length_given"], say)]
     for name, each in fit.friction.items():
         label, unit = TERMS[name]
-        lines.append((label, f"{each} {unit}"))
+        lines.append((say.word(label), f"{each} {unit}"))
     if fit._found["offset_deg"] is not None and fit._given.kind == "angle":
         offset = fit._found["offset_deg"]
-        lines.append(("rest at", f"{rounded(offset['value'], offset['u'])} deg"))
+        lines.append((say.word("rest at"), f"{rounded(offset['value'], offset['u'])} deg"))
     if fit.scale is not None:
         sensor = fit._given.kind == "acceleration"
-        lines.append(("sensor at", f"{fit.scale} m from the pivot") if sensor else ("scale of angle", str(fit.scale)))
-    return [*lines, ("rms residual", rms(fit, fit.rms))]
+        at = say.word("{value} m from the pivot", value=str(fit.scale))
+        lines.append((say.word("sensor at"), at) if sensor else (say.word("scale of angle"), str(fit.scale)))
+    return [(label, say.decimal(each)) for label, each in [*lines, (say.word("rms residual"), rms(fit, fit.rms))]]
 
 
-def quoted(fit: Any) -> tuple[str, Estimate, str]:
+def quantities(found: Any, length_given: bool, say: Words = ENGLISH) -> list[tuple[str, str]]:
+    """g and the length of a result, the given one first; and what Monte Carlo says."""
+    lines = []
+    if found.g is not None and found.length is not None:
+        g, length = f"{found.g} m/s^2", f"{found.length} m"
+        given = say.word("{value} (given)", value=length if length_given else g)
+        both = [("g", given), (say.word("length"), length)]
+        lines = [(say.word("length"), given), ("g", g)] if length_given else both
+    drawn = found._found.get("monte_carlo")
+    if drawn is not None:
+        _, value, unit = quoted(found)
+        low, high = (like(each, value.u) for each in drawn)
+        lines.append((say.word("Monte Carlo, 95 %"), say.word("{low} to {high} {unit}", low=low, high=high, unit=unit)))
+    return lines
+
+
+def like(value: float, u: float) -> str:
+    """A value to the digits that an uncertainty leaves."""
+    return rounded(value, u).partition(" ±")[0].removeprefix("(") if u > 0 else f"{value:.6g}"
+
+
+def corrections(found: Any) -> list[tuple[str, str]]:
+    """What bob, wire and air do to the period."""
+    rows = correction_rows(found)
+    if not rows:
+        return []
+    wide = max(len(name) for name, _, _ in rows)
+    table = [f"{name:{wide}}  {change:>9} of the period, corrected: {made}" for name, change, made in rows]
+    return [("", ""), *labelled("corrections", table)]
+
+
+def correction_rows(found: Any, say: Words = ENGLISH) -> list[tuple[str, str, str]]:
+    """Name, relative change of the period, and whether it was corrected."""
+    made = {True: "yes", False: "no"}
+    of_none = "no: neither g nor the length is quoted"
+    return [
+        (
+            say.word(str(row["name"])),
+            say.decimal(f"{row['relative_period']:+.2g}"),
+            say.word(made[bool(row["made"])] if found.g is not None else of_none),
+        )
+        for row in found._found.get("corrections") or ()
+    ]
+
+
+def quoted(found: Any) -> tuple[str, Estimate, str]:
     """Name, value and unit of what the record was measured for."""
-    if fit.g is None or fit.length is None:
-        return "omega0", fit.omega0, "rad/s"
-    return ("g", fit.g, "m/s^2") if fit._found["length_given"] else ("length", fit.length, "m")
+    if found.g is None:
+        return "omega0", found.omega0, "rad/s"
+    if found._found.get("length_given", found._found.get("length") is None) or found.length is None:
+        return "g", found.g, "m/s^2"
+    return "length", found.length, "m"
 
 
-def budget_rows(fit: Any) -> list[tuple[str, float]]:
+def budget_rows(found: Any) -> list[tuple[str, float]]:
     """The parts of the uncertainty of what is quoted; without what is only for comparison."""
-    rows = [(str(row["source"]), row["u"]) for row in fit._found["budget"]]
+    rows = [(str(row["source"]), row["u"]) for row in found._found["budget"]]
     kept = [(source, u) for source, u in rows if not source.startswith("as if") and (source != "corrections" or u)]
     return [(source, math.nan if u is None else float(u)) for source, u in kept]
 
 
-def naive(fit: Any) -> float | None:
+def naive(found: Any) -> float | None:
     """The uncertainty as if residuals were independent."""
-    found = [row["u"] for row in fit._found["budget"] if str(row["source"]).startswith("as if")]
-    return float(found[0]) if found and found[0] is not None else None
+    rows = [row["u"] for row in found._found["budget"] if str(row["source"]).startswith("as if")]
+    return float(rows[0]) if rows and rows[0] is not None else None
 
 
-def budget(fit: Any) -> list[tuple[str, str]]:
+def budget(found: Any) -> list[tuple[str, str]]:
     """The budget of uncertainty."""
-    name, value, unit = quoted(fit)
+    name, value, unit = quoted(found)
     lines = [(f"u of {name}", f"{value.u:.2g} {unit}, of which")]
-    lines += [("", f"{small(u, value.u)}  {source}") for source, u in budget_rows(fit)]
-    alone = naive(fit)
+    lines += [("", f"{small(u, value.u)}  {source}") for source, u in budget_rows(found)]
+    alone = naive(found)
     if alone is not None:
         lines.append(("", f"({alone:.2g}  {unit}, if the residuals were independent; they are not taken so)"))
-    exact = {"g": "length", "length": "gravity"}.get(name)
-    if exact and any(source == exact and u == 0 for source, u in budget_rows(fit)):
-        lines.append(("", f"The {exact} was given without an uncertainty and is taken as exact."))
-    return lines
+    exact = taken_as_exact(found)
+    return [*lines, ("", exact)] if exact else lines
 
 
-def sentence(fit: Any) -> str:
+def taken_as_exact(found: Any, say: Words = ENGLISH) -> str:
+    """The sentence about a length or a g that was given without an uncertainty, or none."""
+    other = {"g": "length", "length": "gravity"}.get(quoted(found)[0], "")
+    if any(source == other and u == 0 for source, u in budget_rows(found)):
+        return say.word(f"The {other} was given without an uncertainty and is taken as exact.")
+    return ""
+
+
+def sentence(fit: Any, say: Words = ENGLISH) -> str:
     """What a report quotes."""
     if not fit.stands:
-        return f"nothing: {fit.verdicts[0]}"
-    name, value, unit = quoted(fit)
-    found: Any = fit._found
-    record = "periods" if fit._given.kind in ("gate", "swings") else "samples"
-    swing = f" of swings up to {math.degrees(fit.swing):.0f} deg" if math.isfinite(fit.swing) else ""
-    periods = fit._given.kind in ("gate", "swings") and fit.model == "none"
-    equation = model_words(fit) if periods else f"the pendulum equation with {model_words(fit)}"
-    how = f"from {found['samples']} {record}{swing}, fitted by {equation}"
-    return f"{name} = {value} {unit} (standard uncertainty, k = 1; {value.expanded:.2g} {unit} at k = 2), {how}."
+        return say.word("nothing: {verdict}", verdict=say.told(fit.verdicts[0]))
+    periods = fit._given.kind in ("gate", "swings")
+    swings = (
+        say.word(" of swings up to {swing} deg", swing=f"{math.degrees(fit.swing):.0f}")
+        if math.isfinite(fit.swing)
+        else ""
+    )
+    form = (
+        "from {count} periods{swings}, fitted by {equation}"
+        if periods
+        else "from {count} samples{swings}, fitted by {equation}"
+    )
+    equation = {"equation": equation_words(fit, say), "swings": swings}
+    return quoting(fit, say.word(form, count=str(fit._found["samples"]), **equation), say)
+
+
+def equation_words(fit: Any, say: Words = ENGLISH) -> str:
+    """The equation that was fitted."""
+    if fit._given.kind in ("gate", "swings") and fit.model == "none":
+        return model_words(fit, say)
+    if not fit.friction:
+        return say.word("the pendulum equation without friction")
+    return say.word("the pendulum equation with {friction}", friction=model_words(fit, say))
+
+
+def quoting(found: Any, how: str, say: Words = ENGLISH) -> str:
+    """The quantity with its uncertainties, and how it was found."""
+    name, value, unit = quoted(found)
+    parts: Mapping[str, str] = {
+        "quantity": say.word(name),
+        "value": say.decimal(str(value)),
+        "unit": unit,
+        "expanded": say.decimal(f"{value.expanded:.2g}"),
+    }
+    return say.word(
+        "{quantity} = {value} {unit} (standard uncertainty, k = 1; {expanded} {unit} at k = 2), {how}.",
+        how=how,
+        **parts,
+    )

@@ -18,6 +18,7 @@ from ._linear import linear_theta
 from ._motion import plot_motion
 from ._periods import plot_period, plot_periods
 from ._springs import plot_oscillator
+from ._together import plot_together
 
 __all__ = [
     "linear_theta",
@@ -27,6 +28,7 @@ __all__ = [
     "plot_oscillator",
     "plot_period",
     "plot_periods",
+    "plot_together",
 ]
 
 

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 PERIODS = 12.0
 # More dots than these are one raster in an SVG.
 MANY_DOTS = 2500
+# More dots than these, of twelve periods, hide the curve below them.
+DENSE = 400
 # Fewer samples in a period do not show its turns.
 LEAST_SAMPLES = 8.0
 # The curve between the samples must pass them within this part of the swing.
@@ -151,7 +153,9 @@ def draw_data(axes: Any, fit: Any, say: Language) -> None:
         x[part], measured[part], color=SEPARATRIX, alpha=0.75, label=say.word("measured"), rasterized=part.sum() > MANY_DOTS, **dots
     )  # fmt: skip
     at, curve = between(fit, x[part], fitted[part], unit)
-    axes.plot(at, curve, color=EXACT, lw=1.4, label=say.word("fitted"), zorder=2)
+    # Dots that touch each other would hide it.
+    dense = part.sum() > DENSE
+    axes.plot(at, curve, color=EXACT, lw=1.0 if dense else 1.4, label=say.word("fitted"), zorder=4 if dense else 2)
     if is_table(fit):
         axes.set_xlabel(say.word("turning angle θmax [degrees]"))
         axes.set_ylabel(say.word("period [s]"))

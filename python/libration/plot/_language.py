@@ -18,6 +18,13 @@ CATALOGUE = {
     "this motion": ("este movimento", "este movimiento"),
     "other energies": ("outras energias", "otras energías"),
     "separatrix": ("separatriz", "separatriz"),
+    "without friction": ("sem atrito", "sin rozamiento"),
+    "envelope in the mean": ("envoltória em média", "envolvente en promedio"),
+    "held by dry friction": ("parado pelo atrito seco", "detenido por el rozamiento seco"),
+    "energy per unit inertia [rad²/s²]": (
+        "energia por unidade de inércia [rad²/s²]",
+        "energía por unidad de inercia [rad²/s²]",
+    ),
     "enlarged": ("ampliado", "ampliado"),
     "{axis}, the first {shown} of {all} s": (
         "{axis}, os primeiros {shown} de {all} s",
@@ -92,6 +99,10 @@ CATALOGUE = {
     "acceleration [m/s²]": ("aceleração [m/s²]", "aceleración [m/s²]"),
     "period [s]": ("período [s]", "periodo [s]"),
     "residual [{unit}]": ("resíduo [{unit}]", "residuo [{unit}]"),
+    "together": ("em conjunto", "en conjunto"),
+    "record": ("registro", "registro"),
+    "slope 4π²/g": ("inclinação 4π²/g", "pendiente 4π²/g"),
+    "length ℓ [m]": ("comprimento ℓ [m]", "longitud ℓ [m]"),
     "Not a result: a verdict speaks against it": (
         "Não é um resultado: um veredito o contradiz",
         "No es un resultado: un veredicto lo contradice",

@@ -1,19 +1,21 @@
-"""The picture of a pendulum's motion: theta(t) with the linear solution, and the phase portrait with the separatrix."""
+"""The picture of a pendulum's motion: theta(t) beside another solution, and the phase portrait with the separatrix."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from .._scalars import shown
+from ..damped import DampedPendulum
 from ..pendulum import Pendulum
 from ._angle import degrees_text, draw_angle, state_text
+from ._damped import damped_headline, draw_damped_angle, draw_damped_portrait
 from ._language import ENGLISH, Language
 from ._portrait import draw_portrait
 from ._style import finite, save
 
 
 def plot_motion(
-    pendulum: Pendulum,
+    pendulum: Pendulum | DampedPendulum,
     t: Any,
     path: Any,
     *,
@@ -29,9 +31,12 @@ def plot_motion(
     orbit (thin), the part of it that the range of `t` covers (strong), and orbits of other energies (faint). Into axes of
     your own: `Pendulum.plot` and `Pendulum.plot_phase`.
 
+    Of a `DampedPendulum`, left: the angle, the same motion without friction, the envelope in the mean and the rests; right: the path,
+    which spirals.
+
     Parameters
     ----------
-    pendulum : Pendulum
+    pendulum : Pendulum or DampedPendulum
         The motion.
     t : array_like
         Instants, s, in any order; at least one.
@@ -40,7 +45,7 @@ def plot_motion(
     form : str, optional
         `png` or `svg`; by default the ending of `path`. The text of an SVG is text.
     title : str, optional
-        The line above the picture; by default it says the state, the regime and the period. An empty one leaves it out.
+        The line above the picture; by default it says the state, the regime and the period, or friction and torque. An empty one leaves it out.
     dpi : scalar, default 100
         Dots per inch of a PNG of 12 by 5 inches, from 20 to 1200.
     lang : str, default "en"
@@ -67,8 +72,12 @@ def plot_motion(
     if not hasattr(pendulum, "theta0"):
         raise ValueError(f"pendulum = {shown(pendulum)}: must be a Pendulum")
     t, say = finite(t), Language(lang)
-    panels = (lambda axes: draw_angle(axes, pendulum, t, say)), (lambda axes: draw_portrait(axes, pendulum, t, say))
-    save(path, form, headline(pendulum, say) if title is None else title, *panels, dpi=dpi)
+    kinds: Any = (headline, draw_angle, draw_portrait)
+    if isinstance(pendulum, DampedPendulum):
+        kinds = (damped_headline, draw_damped_angle, draw_damped_portrait)
+    line, left, right = kinds
+    panels = (lambda axes: left(axes, pendulum, t, say)), (lambda axes: right(axes, pendulum, t, say))
+    save(path, form, line(pendulum, say) if title is None else title, *panels, dpi=dpi)
 
 
 def headline(pendulum: Pendulum, say: Language = ENGLISH) -> str:
