@@ -53,12 +53,17 @@ export function symmetricLogScale(unit: number, domain: Ends, pixels: Ends): Sca
   return scaleBy(`asinh ${unit}`, through, (value) => unit * Math.sinh(value), domain, pixels)
 }
 
-/** Multiples of a step from low to high, each the double nearest to its decimal. */
+const SLACK = 1e-9
+
+/** How many multiples of a step there are from low to high. */
+function count(step: number, low: number, high: number): number {
+  return Math.max(0, Math.floor(high / step + SLACK) - Math.ceil(low / step - SLACK) + 1)
+}
+
+/** They themselves, each the double nearest to its decimal. */
 function multiples(step: number, low: number, high: number): number[] {
-  const slack = 1e-9
-  const first = Math.ceil(low / step - slack)
-  const last = Math.floor(high / step + slack)
-  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => Number(((first + i) * step).toPrecision(12)))
+  const first = Math.ceil(low / step - SLACK)
+  return Array.from({ length: count(step, low, high) }, (_, i) => Number(((first + i) * step).toPrecision(12)))
 }
 
 /** At most so many round numbers from low to high: multiples of 1, 2 or 5 times a power of ten. */
@@ -67,8 +72,7 @@ export function roundTicks(low: number, high: number, most: number): number[] {
   let power = 10 ** Math.floor(Math.log10((high - low) / most))
   for (;;) {
     for (const digit of [1, 2, 5]) {
-      const found = multiples(digit * power, low, high)
-      if (found.length <= most) return found
+      if (count(digit * power, low, high) <= most) return multiples(digit * power, low, high)
     }
     power *= 10
   }
@@ -78,7 +82,7 @@ export function roundTicks(low: number, high: number, most: number): number[] {
 export function degreeTicks(low: number, high: number, most: number): number[] {
   const steps = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360]
   for (let step = 720; steps.length < 40; step *= 2) steps.push(step)
-  const step = steps.find((each) => multiples(each, low, high).length <= most) ?? high - low
+  const step = steps.find((each) => count(each, low, high) <= most) ?? high - low
   return multiples(step, low, high)
 }
 
