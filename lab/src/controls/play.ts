@@ -8,6 +8,8 @@ import { afterKey, dragging, partAlong } from './slide'
 export interface PlaySpec {
   readonly playing: boolean
   readonly t: number
+  /** The time at this moment. */
+  readonly current: () => number
   readonly from: number
   readonly to: number
   readonly ticks: readonly number[]
@@ -46,7 +48,7 @@ export function playBar(spec: PlaySpec): TemplateResult {
       <b class="handle" role="slider" tabindex="0" aria-label=${names.bar} aria-valuemin=${from} aria-valuemax=${to} aria-valuenow=${playing ? from : Number(t.toFixed(3))}
         aria-valuetext=${playing ? nothing : spec.spoken} style="left:${at}%"
         @keydown=${(event: KeyboardEvent) => {
-          const next = afterKey(event, { value: t, least: from, most: to, step: 0.1 })
+          const next = afterKey(event, { value: spec.current(), least: from, most: to, step: 0.1 })
           if (next === null) return
           event.preventDefault()
           event.stopPropagation()

@@ -13,6 +13,8 @@ export interface ValueSpec {
   readonly unit: string
   /** Of the slider, in the unit of the field. */
   readonly value: number
+  /** The value at this moment: keys may come faster than pictures. */
+  readonly current?: () => number
   readonly least: number
   readonly most: number
   readonly step: number
@@ -51,7 +53,7 @@ export function field(spec: ValueSpec, name: string): TemplateResult {
       @keydown=${(event: KeyboardEvent) => {
         if (event.key === 'Enter') spec.onDone()
         if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
-          const next = afterKey(event, spec)
+          const next = afterKey(event, { ...spec, value: spec.current?.() ?? spec.value })
           event.preventDefault()
           if (next !== null) spec.onSlide(next)
         }
@@ -82,7 +84,7 @@ function slider(spec: ValueSpec): TemplateResult {
     <b class="handle" role="slider" tabindex=${locked ? -1 : 0} aria-label=${name} aria-valuemin=${least} aria-valuemax=${most}
       aria-valuenow=${value} aria-valuetext=${spec.spoken} aria-disabled=${locked ? 'true' : nothing} style="left:${at}%"
       @keydown=${(event: KeyboardEvent) => {
-        const next = locked ? null : afterKey(event, spec)
+        const next = locked ? null : afterKey(event, { ...spec, value: spec.current?.() ?? spec.value })
         if (next === null) return
         event.preventDefault()
         event.stopPropagation()

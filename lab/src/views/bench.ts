@@ -39,7 +39,7 @@ function bob(page: Live, angle: number): TemplateResult {
     },
   })
   const keys = (event: KeyboardEvent) => {
-    const next = afterKey(event, { value: release, least: -180, most: 180, step: 1 })
+    const next = afterKey(event, { value: degrees(store.state.theta0), least: -180, most: 180, step: 1 })
     if (next === null) return
     event.preventDefault()
     event.stopPropagation()

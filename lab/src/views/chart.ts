@@ -86,7 +86,7 @@ function area(page: Page, spec: ChartSpec): TemplateResult {
     aria-valuenow=${store.clock.playing ? window.from : Number(t.toFixed(3))} aria-valuetext=${store.clock.playing ? nothing : (spec.spoken ?? nothing)}
     @keydown=${(event: KeyboardEvent) => {
       const next = afterKey(event, {
-        value: t,
+        value: store.clock.t,
         least: window.from,
         most: window.to,
         step: (window.to - window.from) / 100,

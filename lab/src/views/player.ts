@@ -18,9 +18,9 @@ export function togglePlay({ store }: Pick<Page, 'store'>): void {
   else store.play()
 }
 
-export function stepFrame({ store, t }: Pick<Page, 'store' | 't'>, frames: number): void {
+export function stepFrame({ store }: Pick<Page, 'store'>, frames: number): void {
   store.clock.pause()
-  store.seek(Math.max(0, t + frames * FRAME * store.clock.speed))
+  store.seek(Math.max(0, store.clock.t + frames * FRAME * store.clock.speed))
 }
 
 function timeField(page: Page, where: 'bar' | 'short'): TemplateResult {
@@ -110,6 +110,7 @@ export function player(page: Page, window: Window, ticks: readonly number[], las
   return playBar({
     playing: store.clock.playing,
     t,
+    current: () => store.clock.t,
     from: window.from,
     to: window.to,
     ticks: ticks.filter((tick) => tick > window.from && tick < window.to),

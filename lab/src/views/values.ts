@@ -83,6 +83,7 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
     symbol: said.symbol,
     unit: angle ? '°' : words.say.units[unit],
     value: shown,
+    current: () => (angle ? degrees(store.state[name]) : store.state[name]),
     ...slideOf(page, name),
     text: words.typed(shown),
     spoken: quantityText(words, name, number),
