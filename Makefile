@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -132,7 +132,20 @@ docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and 
 wasm: $(MODULES:%=module-%) $(NPM)/node_modules/.package-lock.json ## the npm package, for browsers and Node: wasm/npm/dist (a minute)
 	@cd $(NPM) && npx tsc -p tsconfig.json
 
-wheel: $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
+# npm's packages are those of the lock file; the core is built by `wasm`.
+lab/node_modules/.needed: lab/package-lock.json
+	@cd lab && npm ci --silent --no-audit --no-fund
+	@touch $@
+
+page: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/dist/offline.html, and into the package (a minute)
+	@mkdir -p $(LOGS)
+	@cd lab && npm run build >../$(LOGS)/page.log 2>&1 || { tail -n 40 ../$(LOGS)/page.log; exit 1; }
+	@rm -rf python/libration/page && cp -r lab/dist python/libration/page
+
+lab: page ## build the page and serve it at 127.0.0.1
+	@cd lab && npm run --silent serve
+
+wheel: page $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
 	@maturin build --release --locked --out dist
 
 format: $(VENV)/.packages $(VENV)/.components ## write every file the way the formatters do (2 s)
@@ -149,7 +162,7 @@ clean: ## remove what the targets above have made
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench clean-install
+STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab clean-install
 
 test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
 	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
@@ -190,6 +203,10 @@ test/truth: $(TOOLS)
 # The code that is shipped, on every instruction set of this processor.
 test/rust: kernels
 	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
+
+# The page: its lint and its tests without a browser; its types and budgets are checked by its build.
+test/lab: page
+	$(call step,cd lab && npm run --silent lint && npm test --silent)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:

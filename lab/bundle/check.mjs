@@ -1,0 +1,62 @@
+// What the page weighs, and that it asks for nothing from elsewhere. Fails the build when a budget is broken.
+
+import { readdirSync, readFileSync, statSync } from 'node:fs'
+import { join } from 'node:path'
+import { gzipSync } from 'node:zlib'
+
+const DIST = new URL('../dist/', import.meta.url).pathname
+/** Bytes: all that is loaded first, gzipped; the offline file as it is. */
+const FIRST_LOAD = 150_000
+const OFFLINE = 600_000
+
+/** @param {string} folder @returns {string[]} */
+function files(folder) {
+  return readdirSync(folder).flatMap((name) => {
+    const path = join(folder, name)
+    return statSync(path).isDirectory() ? files(path) : [path]
+  })
+}
+
+const all = files(DIST).map((path) => {
+  const bytes = readFileSync(path)
+  return {
+    name: path.slice(DIST.length),
+    bytes: bytes.length,
+    gzipped: /\.woff2$/.test(path) ? bytes.length : gzipSync(bytes, { level: 9 }).length,
+  }
+})
+/** @type {string[]} */
+const failures = []
+
+// One of two modules of the core is needed to begin: the larger counts. The second comes when the page works.
+const cores = all.filter(({ name }) => /libration-(simd|scalar)[^/]*\.wasm$/.test(name))
+const first = all.filter(({ name }) => name !== 'offline.html' && !name.endsWith('.wasm'))
+const core = Math.max(...cores.map(({ gzipped }) => gzipped))
+const load = first.reduce((sum, { gzipped }) => sum + gzipped, 0) + core
+for (const { name, bytes, gzipped } of all)
+  console.log(`${name.padEnd(48)} ${String(bytes).padStart(8)} ${String(gzipped).padStart(8)}`)
+console.log(`first load ${load} bytes of ${FIRST_LOAD}`)
+if (cores.length !== 2) failures.push(`two modules of the core are expected, there are ${cores.length}`)
+if (!(load <= FIRST_LOAD)) failures.push(`the first load is ${load} bytes gzipped, allowed are ${FIRST_LOAD}`)
+
+const offline = all.find(({ name }) => name === 'offline.html')
+if (!offline) failures.push('there is no offline.html')
+else {
+  console.log(`offline.html ${offline.bytes} bytes of ${OFFLINE}`)
+  if (offline.bytes > OFFLINE) failures.push(`offline.html is ${offline.bytes} bytes, allowed are ${OFFLINE}`)
+}
+
+for (const { name } of all.filter((each) => /\.(html|css)$/.test(each.name))) {
+  const text = readFileSync(join(DIST, name), 'utf8').replace(/(<script[^>]*>)[\s\S]*?(<\/script>)/g, '$1$2')
+  const asked = [...text.matchAll(/(?:src|href)="(?!data:|#)([^"]*)"|url\((?!["']?(?:data:|#))([^)]*)\)/g)].map(
+    (match) => match[1] ?? match[2] ?? '',
+  )
+  for (const address of asked) {
+    const outside = /^(?:https?:)?\/\//.test(address) || address.startsWith('/')
+    const own = name === 'offline.html' && address !== 'offline.html'
+    if (outside || own) failures.push(`${name} asks for ${address}`)
+  }
+}
+
+for (const failure of failures) console.error(failure)
+process.exit(failures.length === 0 ? 0 : 1)

@@ -1,0 +1,53 @@
+// Puts script, style and every file of the page into its HTML: a page that is one file and works from disk.
+//
+// Vite makes the fonts into `data:` addresses (assetsInlineLimit), this plugin the modules of the core, compressed; script
+// and style follow. A classic script: a module cannot be loaded from file:// in every browser.
+
+import { readFileSync } from 'node:fs'
+import { gzipSync } from 'node:zlib'
+import type { Plugin } from 'vite'
+
+const escaped = (script: string): string => script.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--')
+
+export function oneFile(name: string): Plugin {
+  return {
+    name: 'one-file',
+    enforce: 'pre',
+    load(id) {
+      if (!id.endsWith('.wasm?url')) return null
+      const packed = gzipSync(readFileSync(id.slice(0, -'?url'.length)), { level: 9 })
+      return `export default 'data:application/gzip;base64,${packed.toString('base64')}'`
+    },
+    transformIndexHtml: {
+      order: 'pre',
+      // A font that is inside needs no early request.
+      handler: (html) => html.replace(/\s*<link rel="preload"[^>]*>/g, ''),
+    },
+    generateBundle: {
+      order: 'post',
+      handler(_, bundle) {
+        const files = Object.values(bundle)
+        const page = files.find((each) => each.fileName.endsWith('.html'))
+        if (page?.type !== 'asset') throw new Error('the page is not in the bundle')
+        let html = String(page.source)
+        for (const file of files) {
+          if (file === page) continue
+          if (file.type === 'chunk') {
+            const tag = new RegExp(`\\s*<script[^>]*src="[^"]*${file.fileName}"[^>]*></script>`)
+            if (!tag.test(html)) throw new Error(`${file.fileName} is not asked for by the page`)
+            html = html.replace(tag, '')
+            html = html.replace('</body>', () => `<script>${escaped(file.code)}</script>\n</body>`)
+          } else if (file.fileName.endsWith('.css')) {
+            const tag = new RegExp(`<link[^>]*href="[^"]*${file.fileName}"[^>]*>`)
+            html = html.replace(tag, () => `<style>${String(file.source)}</style>`)
+          } else {
+            throw new Error(`${file.fileName} is not in the page`)
+          }
+          delete bundle[file.fileName]
+        }
+        page.source = html
+        page.fileName = name
+      },
+    },
+  }
+}

@@ -1,0 +1,111 @@
+// The page at work: state and clock in, one render for each frame that needs one; link, theme, language and keys beside it.
+
+import { render } from 'lit-html'
+import { onResize, remPixels } from './controls/size'
+import { nearestLanguage, Words } from './language'
+import { type Opened, writeLink } from './link'
+import { remember } from './memory'
+import type { Model, Motion } from './model'
+import type { State } from './state'
+import { Store } from './store'
+import { onKey } from './views/keyboard'
+import { isLive, type Page } from './views/page'
+import { shell, type View, type Waiting } from './views/shell'
+
+export class App {
+  readonly store: Store
+  #model: Model | null = null
+  #waiting: Waiting = { slow: false, failed: null }
+  #scheduled = false
+  #spoken = ''
+  #speech: ReturnType<typeof setTimeout> | undefined
+  #address: ReturnType<typeof setTimeout> | undefined
+  #rem = 16
+  readonly #words = remember((language: State['language']) => {
+    return new Words(language === 'auto' ? nearestLanguage(navigator.languages) : language)
+  })
+  readonly #motion = remember((model: Model, theta0: number, velocity0: number, length: number, gravity: number) =>
+    model.motion({ theta0, velocity0, length, gravity }),
+  )
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly views: readonly View[],
+    opened: Opened,
+  ) {
+    this.store = new Store(opened)
+    if (opened.faults.length > 0) this.store.setSession({ messages: [{ key: 'link', faults: opened.faults }] })
+    this.store.listen(() => this.schedule())
+    this.store.listen(() => this.#remember())
+    onResize(() => this.schedule())
+    window.addEventListener('resize', () => this.schedule())
+    window.addEventListener('keydown', (event) => onKey(event, this.page(), views))
+    this.schedule()
+  }
+
+  begin(model: Model): void {
+    this.#model = model
+    this.schedule()
+  }
+
+  wait(waiting: Waiting): void {
+    this.#waiting = waiting
+    this.schedule()
+  }
+
+  page(): Page {
+    const { store } = this
+    const { state, session } = store
+    const motion: Motion | null =
+      this.#model && this.#motion(this.#model, state.theta0, state.velocity0, state.length, state.gravity)
+    return {
+      store,
+      state,
+      session,
+      words: this.#words(state.language),
+      model: this.#model,
+      motion,
+      t: store.clock.t,
+      rem: this.#rem,
+    }
+  }
+
+  schedule(): void {
+    if (this.#scheduled) return
+    this.#scheduled = true
+    requestAnimationFrame(() => this.#frame())
+  }
+
+  #frame(): void {
+    this.#scheduled = false
+    this.#rem = remPixels()
+    const page = this.page()
+    const { documentElement } = document
+    documentElement.lang = page.words.language
+    if (page.state.theme === 'auto') delete documentElement.dataset.theme
+    else documentElement.dataset.theme = page.state.theme
+    document.title = page.words.say.shell.title
+    render(shell(page, this.views, this.#waiting, this.#spoken), this.root)
+    if (this.store.clock.playing) this.schedule()
+  }
+
+  /** What changed goes to the address of the page and to the screen reader, a little later and not while playing. */
+  #remember(): void {
+    clearTimeout(this.#address)
+    this.#address = setTimeout(() => {
+      const { store } = this
+      const state = store.clock.playing ? { ...store.moment, t: store.state.t } : store.moment
+      history.replaceState(null, '', writeLink(state, store.kept))
+    }, 300)
+    clearTimeout(this.#speech)
+    this.#speech = setTimeout(() => {
+      const page = this.page()
+      if (this.store.clock.playing || !isLive(page)) return
+      const view = this.views.find(({ name }) => name === page.state.view)
+      const next = view ? `${view.sentence(page)} ${view.alarm?.(page) ?? ''}`.trim() : ''
+      if (next === this.#spoken) return
+      this.#spoken = next
+      this.schedule()
+    }, 1000)
+  }
+}

@@ -1,0 +1,101 @@
+// A curve as an SVG path: broken where it has no value, cut at the frame, with marks where it leaves it.
+//
+// Coordinates are whole tenths of a pixel, for a group scaled by 0.1: whole numbers make short text fast.
+
+import type { Scale } from './scale'
+
+/** Points of the same index belong together. */
+export interface Points {
+  readonly x: Float64Array
+  readonly y: Float64Array
+}
+
+interface Drawn {
+  readonly key: string
+  readonly d: string
+}
+const drawn = new WeakMap<Float64Array, Drawn>()
+
+/** The path; drawn once for the same numbers and the same scales. `factor` turns the data into the axis' unit. */
+export function pathOf({ x, y }: Points, sx: Scale, sy: Scale, factor = 1): string {
+  const key = `${sx.key}|${sy.key}|${factor}`
+  const before = drawn.get(y)
+  if (before?.key === key) return before.d
+  const d = written(x, y, sx, sy, factor)
+  drawn.set(y, { key, d })
+  return d
+}
+
+/** Far beyond the frame, so that a steep line keeps its slope and no number grows long. */
+const FAR = 20_000
+
+function written(x: Float64Array, y: Float64Array, sx: Scale, sy: Scale, factor: number): string {
+  let d = ''
+  let pen = false
+  let before = Number.NaN
+  for (let i = 0; i < y.length; i++) {
+    const value = (y[i] as number) * factor
+    const px = Math.round(10 * sx(x[i] as number))
+    const py = Math.round(10 * sy(value))
+    if (!(Number.isFinite(value) && Number.isFinite(py))) {
+      pen = false
+      continue
+    }
+    const kept = Math.min(Math.max(py, -FAR), FAR)
+    // Both ends far on the same side: nothing of the line is in the frame.
+    if (pen && Math.abs(kept) === FAR && kept === before) {
+      pen = false
+      continue
+    }
+    d += `${pen ? 'L' : 'M'}${px} ${kept}`
+    pen = true
+    before = kept
+  }
+  return d
+}
+
+export interface Leaving {
+  readonly x: number
+  readonly up: boolean
+}
+
+/** Where a curve leaves the frame through its top or bottom, on the way out; at most so many. */
+export function leavings({ x, y }: Points, low: number, high: number, factor = 1, most = 12): Leaving[] {
+  const out: Leaving[] = []
+  let inside = true
+  for (let i = 0; i < y.length && out.length < most; i++) {
+    const value = (y[i] as number) * factor
+    if (!Number.isFinite(value)) continue
+    const within = value >= low && value <= high
+    if (inside && !within) out.push({ x: x[i] as number, up: value > high })
+    inside = within
+  }
+  return out
+}
+
+/** Stretches of x without a value: [from, to]. */
+export function gaps({ x, y }: Points): [number, number][] {
+  const out: [number, number][] = []
+  let from = -1
+  for (let i = 0; i <= y.length; i++) {
+    const none = i < y.length && Number.isNaN(y[i] as number)
+    if (none && from < 0) from = i
+    if (!none && from >= 0) {
+      out.push([x[from] as number, x[Math.min(i, y.length - 1)] as number])
+      from = -1
+    }
+  }
+  return out
+}
+
+/** Least and greatest number that is finite. */
+export function extent(values: Float64Array): [number, number] {
+  let low = Number.POSITIVE_INFINITY
+  let high = Number.NEGATIVE_INFINITY
+  for (const value of values) {
+    if (!Number.isFinite(value)) continue
+    if (value < low) low = value
+    if (value > high) high = value
+  }
+  return [low, high]
+}

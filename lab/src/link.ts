@@ -1,0 +1,205 @@
+// The state as the hash of a link, and back: readable, edited by hand, and each bad value is named and replaced.
+//
+// `#v=1&th0=150deg&L=1m&g=9.81&curves=linear,harmonic,fourier:4,rk45&t=2.4s`. What is as by default is left out, but for
+// what makes the picture. Keys that are not known are reported, and kept in the link that is written next.
+
+import { type Curve, curveKey, isCurveName, kindOf, usualCurve } from './curves'
+import { angleText, parseNumber, parseQuantity, type Unit } from './number'
+import {
+  curveFault,
+  DEFAULTS,
+  type Fault,
+  inRange,
+  LANGUAGES,
+  MOST_CURVES,
+  MOST_ORBITS,
+  RANGES,
+  type RangeName,
+  type Start,
+  type State,
+  THEMES,
+  VIEWS,
+} from './state'
+
+export const VERSION = '1'
+
+export interface Opened {
+  readonly state: State
+  readonly faults: readonly Fault[]
+  /** Pairs that are not ours, as they were. */
+  readonly kept: readonly (readonly [string, string])[]
+  /** Keys that the link gave and that hold. */
+  readonly given: ReadonlySet<string>
+}
+
+type Value<K extends keyof State> = State[K] | Fault
+interface Key<K extends keyof State> {
+  readonly of: K
+  readonly read: (text: string, name: string) => Value<K>
+  readonly write: (value: State[K]) => string
+  /** Written even if it is the default. */
+  readonly always?: boolean
+}
+
+const isFault = (value: unknown): value is Fault => typeof value === 'object' && value !== null && 'kind' in value
+
+function quantity<K extends RangeName>(of: K, write: (value: number) => string, always = false) {
+  const read = (text: string, name: string): number | Fault => {
+    const value = parseQuantity(text, RANGES[of].unit satisfies Unit)
+    if (Number.isNaN(value)) return { kind: 'not-a-number', name, value: text }
+    return inRange(of, value) ? value : { kind: 'out-of-range', name: of, value: text }
+  }
+  return { of, read, write, always }
+}
+
+function choice<K extends keyof State, const V extends string>(of: K, allowed: readonly V[]) {
+  const read = (text: string, name: string): V | Fault => {
+    const found = allowed.find((each) => each.toLowerCase() === text.toLowerCase())
+    return found ?? { kind: 'not-one-of', name, value: text, allowed }
+  }
+  return { of, read, write: (value: unknown) => String(value) }
+}
+
+/** A curve as it is written, or what is wrong with it. */
+export function readCurve(text: string, on: boolean): Curve | Fault {
+  const [name = '', given, ...rest] = text.split(':')
+  const known = name === 'solve_ivp' ? 'rk45' : name
+  if (!isCurveName(known) || rest.length > 0) return { kind: 'unknown', name: 'curves', value: text }
+  const usual = { ...usualCurve(known), on }
+  if (given === undefined) return usual
+  if (!kindOf(known).argument) return { kind: 'unknown', name: 'curves', value: text }
+  const argument = parseNumber(given)
+  if (Number.isNaN(argument)) return { kind: 'not-a-number', name: known, value: given }
+  const curve = { ...usual, argument }
+  return curveFault(curve) ?? curve
+}
+
+function readCurves(text: string): State['curves'] | Fault {
+  const curves: Curve[] = []
+  for (const part of text.split(',').filter((each) => each !== '')) {
+    const curve = readCurve(part.replace(/^!/, ''), !part.startsWith('!'))
+    if (isFault(curve)) return curve
+    if (curves.some((each) => curveKey(each) === curveKey(curve))) return { kind: 'twice', name: 'curves', value: part }
+    curves.push(curve)
+  }
+  const drawn = curves.filter((each) => each.on).length
+  return drawn > MOST_CURVES ? { kind: 'too-many', name: 'curves', value: String(drawn), most: MOST_CURVES } : curves
+}
+
+const writeCurves = (curves: State['curves']): string =>
+  curves.map((curve) => (curve.on ? '' : '!') + curveKey(curve)).join(',')
+
+/** `60deg` or `0deg;7.5`: angle, then velocity. */
+function readOrbits(text: string): State['orbits'] | Fault {
+  const orbits: Start[] = []
+  for (const part of text.split(',').filter((each) => each !== '')) {
+    const [angle = '', velocity = '0'] = part.split(';')
+    const theta0 = parseQuantity(angle, 'deg')
+    const velocity0 = parseQuantity(velocity, 'rad/s')
+    if (Number.isNaN(theta0) || Number.isNaN(velocity0)) return { kind: 'not-a-number', name: 'orbits', value: part }
+    if (!inRange('theta0', theta0)) return { kind: 'out-of-range', name: 'theta0', value: angle }
+    if (!inRange('velocity0', velocity0)) return { kind: 'out-of-range', name: 'velocity0', value: velocity }
+    orbits.push({ theta0, velocity0 })
+  }
+  const most = MOST_ORBITS - 1
+  return orbits.length > most ? { kind: 'too-many', name: 'orbits', value: String(orbits.length), most } : orbits
+}
+
+const writeOrbits = (orbits: State['orbits']): string =>
+  orbits.map(({ theta0, velocity0 }) => angleText(theta0) + (velocity0 === 0 ? '' : `;${velocity0}`)).join(',')
+
+function readSpan(text: string): State['span'] | Fault {
+  if (text === 'T' || text === '1T') return 'T'
+  const value = parseQuantity(text, 's')
+  if (Number.isNaN(value)) return { kind: 'not-a-number', name: 'span', value: text }
+  return inRange('span', value) ? value : { kind: 'out-of-range', name: 'span', value: text }
+}
+
+const KEYS = {
+  view: choice('view', VIEWS),
+  th0: quantity('theta0', angleText, true),
+  w0: quantity('velocity0', String),
+  L: quantity('length', (value) => `${value}m`, true),
+  g: quantity('gravity', String, true),
+  curves: { of: 'curves', read: readCurves, write: writeCurves, always: true },
+  t: quantity('t', (value) => `${value}s`),
+  span: { of: 'span', read: readSpan, write: (value: State['span']) => (value === 'T' ? 'T' : `${value}s`) },
+  speed: quantity('speed', String),
+  show: choice('quantity', ['angle', 'velocity']),
+  error: choice('errorAxis', ['auto', 'log', 'linear']),
+  unit: choice('errorUnit', ['percent', 'degrees']),
+  energy: choice('energy', ['auto', 'total', 'parts']),
+  orbits: { of: 'orbits', read: readOrbits, write: writeOrbits },
+  periods: {
+    of: 'periods',
+    read: (text: string): State['periods'] => (text === 'none' ? [] : text.split(',').filter((each) => each !== '')),
+    write: (value: State['periods']) => (value === null ? '' : value.join(',') || 'none'),
+  },
+  axis: choice('periodAxis', ['log', 'linear']),
+  lang: choice('language', ['auto', ...LANGUAGES]),
+  theme: choice('theme', THEMES),
+} as const
+
+export type KeyName = keyof typeof KEYS
+export const KEY_NAMES = Object.keys(KEYS) as KeyName[]
+
+const keyOf = (name: KeyName) => KEYS[name] as unknown as Key<keyof State>
+
+/** What a link says; never throws. */
+export function readLink(hash: string): Opened {
+  const values: Partial<Record<keyof State, unknown>> = {}
+  const faults: Fault[] = []
+  const kept: (readonly [string, string])[] = []
+  const given = new Set<string>()
+  const seen = new Set<string>()
+  for (const pair of hash.replace(/^#/, '').split('&')) {
+    if (pair === '') continue
+    const at = pair.indexOf('=')
+    const name = decoded(at < 0 ? pair : pair.slice(0, at))
+    const text = decoded(at < 0 ? '' : pair.slice(at + 1))
+    if (seen.has(name)) {
+      faults.push({ kind: 'twice', name, value: text })
+      continue
+    }
+    seen.add(name)
+    if (name === 'v') {
+      if (text !== VERSION) faults.push({ kind: 'not-one-of', name, value: text, allowed: [VERSION] })
+    } else if (!Object.hasOwn(KEYS, name)) {
+      faults.push({ kind: 'unknown', name, value: text })
+      kept.push([name, text])
+    } else {
+      const key = keyOf(name as KeyName)
+      const value = key.read(text, name)
+      if (isFault(value)) faults.push(value)
+      else {
+        values[key.of] = value
+        given.add(name)
+      }
+    }
+  }
+  return { state: { ...DEFAULTS, ...values } as State, faults, kept, given }
+}
+
+/** The hash of a state; what is not ours is put behind it as it was. */
+export function writeLink(state: State, kept: Opened['kept'] = []): string {
+  const pairs: [string, string][] = [['v', VERSION]]
+  for (const name of KEY_NAMES) {
+    const key = keyOf(name)
+    const text = key.write(state[key.of])
+    if (key.always || text !== key.write(DEFAULTS[key.of])) pairs.push([name, text])
+  }
+  return `#${[...pairs, ...kept].map(([name, text]) => `${encoded(name)}=${encoded(text)}`).join('&')}`
+}
+
+/** Only what a hash cannot hold is escaped, so that a person can read it. */
+function encoded(text: string): string {
+  return encodeURIComponent(text).replace(/%2C|%3A|%3B|%2F|%C2%B0/g, decodeURIComponent)
+}
+
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text)
+  } catch {
+    return text
+  }
+}

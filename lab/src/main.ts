@@ -1,0 +1,56 @@
+// Where the page begins: the state from the link, the frame at once, the exact core as soon as it is there.
+
+import './style/fonts.css'
+import './style/tokens.css'
+import './style/base.css'
+import './style/layout.css'
+import './style/charts.css'
+import './style/controls.css'
+import { App } from './app'
+import { readLink } from './link'
+import { completedModel, openModel } from './model'
+import { keepForLater } from './second-visit'
+import { SECOND, SOURCES } from './sources'
+import { VIEWS } from './views'
+
+/** The formulas that the page can begin without; if they do not come, their rows say so. */
+async function completed(app: App): Promise<void> {
+  try {
+    app.begin(await completedModel(SECOND))
+  } finally {
+    await keepForLater()
+  }
+}
+
+async function begin(): Promise<void> {
+  const root = document.getElementById('page')
+  if (!root) return
+  document.getElementById('still')?.setAttribute('hidden', '')
+  const opened = readLink(location.hash)
+  const app = new App(root, VIEWS, opened)
+  window.addEventListener('hashchange', () => {
+    const { state, faults } = readLink(location.hash)
+    app.store.clock.pause()
+    app.store.set(state)
+    if (faults.length > 0) app.store.setSession({ messages: [{ key: 'link', faults }] })
+  })
+  const slow = setTimeout(() => app.wait({ slow: true, failed: null }), 300)
+  try {
+    if (typeof WebAssembly !== 'object') throw new Error('no-wasm')
+    app.begin(await openModel(SOURCES))
+    void completed(app)
+  } catch (error) {
+    // The part that needs no core stands below what is said of it.
+    document.getElementById('still')?.removeAttribute('hidden')
+    document.documentElement.classList.add('failed')
+    app.wait({ slow: false, failed: error instanceof Error ? error.message : String(error) })
+    return
+  } finally {
+    clearTimeout(slow)
+  }
+  const reduced = matchMedia('(prefers-reduced-motion: reduce)').matches
+  if (reduced) app.store.setSession({ reduced: true })
+  else if (!opened.given.has('t')) app.store.play()
+}
+
+void begin()

@@ -1,0 +1,324 @@
+// The only file that knows the core: exact motions, curves and functions in the terms of the page. No formula of its own.
+//
+// Two things the core does not have: the upright balance, which the double nearest to π is not, and the velocity of a
+// formula for the angle, which is the slope of what it draws.
+
+import { approx, DomainError, elliptic, load, loadSecond, Pendulum, type Regime } from 'libration'
+import { type Curve, curveKey, kindOf } from './curves'
+
+export type { Regime } from 'libration'
+
+export interface Setup {
+  readonly theta0: number
+  readonly velocity0: number
+  readonly length: number
+  readonly gravity: number
+}
+
+export interface Track {
+  readonly theta: Float64Array
+  readonly velocity: Float64Array
+}
+
+/** A curve beside the exact motion, and how far it is from it, in rad. */
+export interface Compared extends Track {
+  readonly error: Float64Array
+}
+
+/** Parts of the energy at the top. */
+export interface Energy {
+  readonly kinetic: Float64Array
+  readonly potential: Float64Array
+  readonly total: Float64Array
+}
+
+/** Largest error over some periods from the start, in rad. */
+export interface Largest {
+  readonly value: number
+  readonly t: number
+  /** First time without a value; NaN if there is always one. */
+  readonly gone: number
+}
+
+/** Why a curve is not drawn for a motion. */
+export type Refusal = 'rotation' | 'separatrix' | 'start' | 'steps' | 'loading'
+
+/** Formulas of the second module of the core. */
+const SECOND: readonly string[] = ['cubic', 'cubic-quintic']
+let secondLoaded = false
+
+/** A curve beside the exact motion. */
+export interface Solution {
+  readonly curve: Curve
+  theta(t: number): number
+  velocity(t: number): number
+  /** At the times of the exact motion. The error is without cancellation, or a plain difference where it must be quick. */
+  compared(times: Float64Array, exact: Track, quick: boolean): Compared
+  /** Over so many periods from the start, where the core searches for it; else null. */
+  largest(periods: number): Largest | null
+  /** Time in s at which it goes over the top though the exact motion does not; NaN if it does not. */
+  readonly overTop: number
+}
+
+/** Most steps of a numerical solution: a tenth of a second of work. */
+export const MOST_STEPS = 1_000_000
+
+/** Times to either side at which the slope of a formula is taken, in s at a small-swing period of 2π s. */
+const SLOPE = 1e-5
+
+export class Motion {
+  readonly #pendulum: Pendulum
+  /** At rest on the top: π is between two doubles, so the core cannot be asked for it. */
+  readonly balanced: boolean
+  readonly regime: Regime
+  readonly omega0: number
+  readonly period: number
+  readonly smallPeriod: number
+  /** π where it turns over. */
+  readonly thetaMax: number
+  /** Energy over the energy at the top: the parameter m of the elliptic functions. */
+  readonly energyRatio: number
+  readonly #top: number
+
+  constructor(readonly setup: Setup) {
+    const { theta0, velocity0, length, gravity } = setup
+    this.balanced = Math.abs(theta0) === Math.PI && velocity0 === 0
+    const pendulum = new Pendulum(setup)
+    this.#pendulum = pendulum
+    this.regime = this.balanced ? 'rest' : pendulum.regime
+    this.omega0 = pendulum.omega0
+    this.period = this.balanced ? Number.POSITIVE_INFINITY : pendulum.period
+    this.smallPeriod = new Pendulum({ theta0: 0, length, gravity }).period
+    this.thetaMax = pendulum.regime === 'rotation' || pendulum.regime === 'separatrix' ? Math.PI : pendulum.thetaMax
+    this.energyRatio = this.balanced ? 1 : pendulum.energyRatio
+    this.#top = pendulum.energies({ theta: Math.PI, velocity: 0 }).potential
+  }
+
+  theta(t: number): number {
+    return this.balanced ? this.setup.theta0 : this.#pendulum.theta(t)
+  }
+
+  velocity(t: number): number {
+    return this.balanced ? 0 : this.#pendulum.velocity(t)
+  }
+
+  sample(times: Float64Array): Track {
+    if (!this.balanced) return this.#pendulum.motion(times)
+    return { theta: times.map(() => this.setup.theta0), velocity: times.map(() => 0) }
+  }
+
+  energy({ theta, velocity }: Track): Energy {
+    const { kinetic, potential } = this.#pendulum.energies({ theta, velocity })
+    const part = (values: Float64Array) => values.map((value) => value / this.#top)
+    return {
+      kinetic: part(kinetic),
+      potential: part(potential),
+      total: kinetic.map((value, i) => (value + (potential[i] as number)) / this.#top),
+    }
+  }
+
+  energyAt(theta: number, velocity: number): { readonly kinetic: number; readonly potential: number } {
+    const { kinetic, potential } = this.#pendulum.energies({ theta, velocity })
+    return { kinetic: kinetic / this.#top, potential: potential / this.#top }
+  }
+
+  /** Velocity with which it would just reach the top from an angle. */
+  separatrixVelocity(theta: number): number {
+    return this.#pendulum.separatrixVelocity(theta)
+  }
+
+  /** Velocity upwards at each angle on the level of an energy, as a part of that at the top; 0 beyond its turning angle. */
+  levelVelocity(theta: Float64Array, energyRatio: number): Float64Array {
+    const { potential } = this.#pendulum.energies({ theta, velocity: new Float64Array(theta.length) })
+    return potential.map((at) => Math.sqrt(Math.max(0, 2 * (energyRatio * this.#top - at))))
+  }
+
+  /** The same pendulum started elsewhere. */
+  from(theta0: number, velocity0: number): Motion {
+    return new Motion({ ...this.setup, theta0, velocity0 })
+  }
+
+  /** Whole turns, and the angle left in [−π, π). */
+  turns(t: number): { readonly n: number; readonly angle: number } {
+    return this.#pendulum.turns(t)
+  }
+
+  solution(curve: Curve, until: number): Solution | { readonly refused: Refusal } {
+    const step = curve.argument ?? 0
+    if (kindOf(curve.name).numerical) {
+      if (step > 0 && until / step > MOST_STEPS) return { refused: 'steps' }
+      return new Stepped(this, this.#pendulum, curve, until)
+    }
+    if (SECOND.includes(curve.name) && !secondLoaded) return { refused: 'loading' }
+    try {
+      return new Formula(this, this.#pendulum, curve)
+    } catch (error) {
+      if (!(error instanceof DomainError)) throw error
+      return {
+        refused: this.regime === 'separatrix' ? 'separatrix' : error.argument === 'regime' ? 'rotation' : 'start',
+      }
+    }
+  }
+}
+
+class Formula implements Solution {
+  readonly overTop = Number.NaN
+  readonly #of: approx.AngleApproximation
+  readonly #slope: number
+
+  constructor(
+    private readonly exact: Motion,
+    pendulum: Pendulum,
+    readonly curve: Curve,
+  ) {
+    this.#of = approx.angle(curveKey(curve)).of(pendulum)
+    this.#slope = SLOPE / exact.omega0
+  }
+
+  theta(t: number): number {
+    return this.#of.theta(t)
+  }
+
+  velocity(t: number): number {
+    const h = this.#slope
+    return (this.#of.theta(t + h) - this.#of.theta(t - h)) / (2 * h)
+  }
+
+  compared(times: Float64Array, exact: Track, quick: boolean): Compared {
+    const approximation = this.#of
+    const h = this.#slope
+    let velocity: Float64Array | null = null
+    return {
+      ...this.#both(times, exact.theta, quick || this.exact.balanced),
+      // Asked for only where velocities are drawn.
+      get velocity() {
+        if (velocity) return velocity
+        const after = approximation.theta(times.map((t) => t + h))
+        const before = approximation.theta(times.map((t) => t - h))
+        velocity = after.map((theta, i) => (theta - (before[i] as number)) / (2 * h))
+        return velocity
+      },
+    }
+  }
+
+  /** Angle and error by one evaluation of the formula. */
+  #both(times: Float64Array, exact: Float64Array, plain: boolean): { theta: Float64Array; error: Float64Array } {
+    if (plain) {
+      const theta = this.#of.theta(times)
+      return { theta, error: theta.map((value, i) => value - (exact[i] as number)) }
+    }
+    const error = this.#of.difference(times)
+    return { theta: error.map((value, i) => value + (exact[i] as number)), error }
+  }
+
+  largest(periods: number): Largest | null {
+    if (this.exact.balanced) return null
+    const { difference, t, undefinedFrom } = this.#of.error(periods)
+    return { value: difference, t, gone: undefinedFrom }
+  }
+}
+
+class Stepped implements Solution {
+  readonly #of: approx.NumericalSolution
+
+  constructor(
+    private readonly exact: Motion,
+    pendulum: Pendulum,
+    readonly curve: Curve,
+    until: number,
+  ) {
+    this.#of = approx.numerical(curveKey(curve)).of(pendulum, until)
+  }
+
+  get overTop(): number {
+    return this.exact.regime === 'libration' || this.exact.balanced ? this.#of.overTheTop : Number.NaN
+  }
+
+  theta(t: number): number {
+    return this.#of.theta(t)
+  }
+
+  velocity(t: number): number {
+    return this.#of.motion(t).velocity
+  }
+
+  compared(times: Float64Array, exact: Track): Compared {
+    const { theta, velocity } = this.#of.motion(times)
+    return { theta, velocity, error: theta.map((value, i) => value - (exact.theta[i] as number)) }
+  }
+
+  largest(): null {
+    return null
+  }
+}
+
+/** What is known of a formula before it is asked anything. */
+export interface Known {
+  readonly name: string
+  readonly formula: string
+  readonly source: string
+  readonly stated: string
+  /** In rad; null where its author states none. */
+  readonly statedRange: readonly [number, number] | null
+  readonly orders: { readonly least: number; readonly most: number; readonly step: number } | null
+}
+
+function known(entries: readonly approx.Entry[]): Known[] {
+  return entries.map((entry) => ({
+    name: entry.name,
+    formula: entry.formula,
+    source: entry.source,
+    stated: entry.stated,
+    statedRange: entry.statedRange ?? null,
+    orders: entry.orders ?? null,
+  }))
+}
+
+export class Model {
+  /** Formulas of the angle and of the period, in the order of the registry. */
+  readonly angles: readonly Known[] = known(approx.angle.entries)
+  readonly periods: readonly Known[] = known(approx.period.entries)
+
+  motion(setup: Setup): Motion {
+    return new Motion(setup)
+  }
+
+  /** Largest angle for which the author offers the formula; null if none is stated. */
+  statedMost(name: string): number | null {
+    return this.angles.find((each) => each.name === name)?.statedRange?.[1] ?? null
+  }
+
+  /** T/T₀ by a formula of the period, at turning angles in rad. */
+  periodRatio(name: string, thetaMax: Float64Array): Float64Array {
+    return approx.period(name).ratio({ thetaMax })
+  }
+
+  /** Its relative error, without cancellation. */
+  periodError(name: string, thetaMax: Float64Array): Float64Array {
+    return approx.period(name).error({ thetaMax })
+  }
+
+  jacobi(
+    u: Float64Array,
+    m: number,
+  ): { readonly sn: Float64Array; readonly cn: Float64Array; readonly dn: Float64Array; readonly am: Float64Array } {
+    return elliptic.jacobi(u, { m })
+  }
+
+  completeK(m: number): number {
+    return elliptic.completeK({ m })
+  }
+}
+
+/** Loads the core: the module with vectors where the browser has them, else the scalar one. */
+export async function openModel(sources?: Parameters<typeof load>[0]): Promise<Model> {
+  await load(sources)
+  return new Model()
+}
+
+/** The model with the formulas of the second module. */
+export async function completedModel(source?: Parameters<typeof loadSecond>[0]): Promise<Model> {
+  await loadSecond(source)
+  secondLoaded = true
+  return new Model()
+}

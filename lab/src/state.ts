@@ -1,0 +1,133 @@
+// The state of the page: one plain object, its defaults, and what each value may be. SI units and radians.
+//
+// Everything that a link carries stands here and nothing else; what passes with the visit is the session's (store.ts).
+
+import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
+import { radians } from './number'
+
+export const VIEWS = ['lab', 'phase', 'period', 'functions'] as const
+export type ViewName = (typeof VIEWS)[number]
+export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
+export type Language = (typeof LANGUAGES)[number]
+export const THEMES = ['auto', 'light', 'dark'] as const
+export type Theme = (typeof THEMES)[number]
+
+/** Where a motion begins. */
+export interface Start {
+  readonly theta0: number
+  readonly velocity0: number
+}
+
+export interface State extends Start {
+  readonly view: ViewName
+  readonly length: number
+  readonly gravity: number
+  readonly curves: readonly Curve[]
+  /** Time shown, in s. */
+  readonly t: number
+  readonly speed: number
+  /** What the plots show: one period, or as many seconds. */
+  readonly span: number | 'T'
+  readonly quantity: 'angle' | 'velocity'
+  readonly errorAxis: 'auto' | 'log' | 'linear'
+  readonly errorUnit: 'percent' | 'degrees'
+  readonly energy: 'auto' | 'total' | 'parts'
+  /** Orbits of the portrait beside the first, which is that of theta0 and velocity0. */
+  readonly orbits: readonly Start[]
+  /** Formulas of the period that are drawn, by their names in the registry; null is the usual choice. */
+  readonly periods: readonly string[] | null
+  readonly periodAxis: 'log' | 'linear'
+  readonly language: Language | 'auto'
+  readonly theme: Theme
+}
+
+export const DEFAULTS: State = {
+  view: 'lab',
+  theta0: radians(150),
+  velocity0: 0,
+  length: 1,
+  gravity: 9.81,
+  curves: [
+    { name: 'linear', on: true },
+    { name: 'harmonic', on: true },
+    { name: 'fourier', argument: 4, on: true },
+    { name: 'rk45', on: true },
+  ],
+  t: 0,
+  speed: 1,
+  span: 8,
+  quantity: 'angle',
+  errorAxis: 'auto',
+  errorUnit: 'percent',
+  energy: 'auto',
+  orbits: [
+    { theta0: radians(60), velocity0: 0 },
+    { theta0: 0, velocity0: 7.5 },
+  ],
+  periods: null,
+  periodAxis: 'log',
+  language: 'auto',
+  theme: 'auto',
+}
+
+export const SPEEDS = [0.25, 0.5, 1, 2] as const
+/** Curves drawn at once, the exact one apart. */
+export const MOST_CURVES = 6
+export const MOST_ORBITS = 6
+
+/** A number of the state, its unit, and what it may be. */
+export interface Range {
+  readonly unit: 'deg' | 'rad/s' | 'm' | 'm/s2' | 's' | ''
+  readonly least: number
+  readonly most: number
+}
+
+export const RANGES = {
+  theta0: { unit: 'deg', least: -Math.PI, most: Math.PI },
+  velocity0: { unit: 'rad/s', least: -100, most: 100 },
+  length: { unit: 'm', least: 0.001, most: 1000 },
+  gravity: { unit: 'm/s2', least: 0.001, most: 1000 },
+  t: { unit: 's', least: 0, most: 100_000 },
+  speed: { unit: '', least: 0.01, most: 10 },
+  span: { unit: 's', least: 0.1, most: 600 },
+} as const satisfies Record<string, Range>
+
+export type RangeName = keyof typeof RANGES
+
+/** What is wrong with a value; the words are the language's. */
+export type Fault =
+  | { readonly kind: 'not-a-number'; readonly name: string; readonly value: string }
+  | { readonly kind: 'out-of-range'; readonly name: RangeName; readonly value: string }
+  | { readonly kind: 'not-one-of'; readonly name: string; readonly value: string; readonly allowed: readonly string[] }
+  | { readonly kind: 'argument'; readonly value: string; readonly least: number; readonly most: number }
+  | { readonly kind: 'too-many'; readonly name: 'curves' | 'orbits'; readonly value: string; readonly most: number }
+  | { readonly kind: 'unknown'; readonly name: string; readonly value: string }
+  | { readonly kind: 'twice'; readonly name: string; readonly value: string }
+
+/** Whether a number may stand in the state; a millionth of a degree beyond the top is the top itself. */
+export function inRange(name: RangeName, value: number): boolean {
+  const range = RANGES[name]
+  return value >= range.least && value <= range.most
+}
+
+/** What is wrong with a curve's argument. */
+export function curveFault(curve: Curve): Fault | null {
+  const { argument } = kindOf(curve.name)
+  const given = curve.argument
+  if (!argument || given === undefined) return null
+  const whole = argument.of === 'step' || Number.isInteger(given)
+  if (whole && given >= argument.least && given <= argument.most) return null
+  return { kind: 'argument', value: curveKey(curve), least: argument.least, most: argument.most }
+}
+
+/** The list with one more curve, on while there is room. */
+export function withCurve(curves: readonly Curve[], curve: Curve): readonly Curve[] {
+  if (curves.some((each) => curveKey(each) === curveKey(curve))) return curves
+  const room = curves.filter((each) => each.on).length < MOST_CURVES
+  return [...curves, { ...curve, on: curve.on && room }]
+}
+
+/** Curves that the list lacks: a kind with an argument may stand there again with another one. */
+export function missingCurves(curves: readonly Curve[]): typeof CURVE_NAMES {
+  return CURVE_NAMES.filter((name) => kindOf(name).argument || !curves.some((each) => each.name === name))
+}

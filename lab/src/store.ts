@@ -1,0 +1,133 @@
+// The one state of the page, what passes with the visit, and the redrawing of the page when either changes.
+
+import { Clock } from './clock'
+import type { Opened } from './link'
+import type { Fault, State } from './state'
+
+/** A bar below the tabs. */
+export interface Message {
+  readonly key: string
+  readonly faults?: readonly Fault[]
+  readonly text?: string
+  /** Goes back to the state before. */
+  readonly undo?: State
+}
+
+/** What is not in a link: drafts of fields, what is open, what is held. */
+export interface Session {
+  /** Text being typed, by field, while it is not a value or has the focus. */
+  readonly drafts: Readonly<Record<string, string>>
+  readonly messages: readonly Message[]
+  readonly dialog: 'share' | 'keys' | null
+  readonly menu: string | null
+  /** The control that is being dragged. */
+  readonly held: string | null
+  /** Key of the curve that is pointed at. */
+  readonly pointed: string | null
+  readonly tables: readonly string[]
+  readonly wholeTables: readonly string[]
+  readonly sounding: string | null
+  readonly copied: boolean
+  readonly copyFailed: boolean
+  readonly singleKeys: boolean
+  readonly hint: string | null
+  /** Whether play stopped because the system asks for reduced motion. */
+  readonly reduced: boolean
+}
+
+const SESSION: Session = {
+  drafts: {},
+  messages: [],
+  dialog: null,
+  menu: null,
+  held: null,
+  pointed: null,
+  tables: [],
+  wholeTables: [],
+  sounding: null,
+  copied: false,
+  copyFailed: false,
+  singleKeys: true,
+  hint: null,
+  reduced: false,
+}
+
+export class Store {
+  #state: State
+  #session: Session = SESSION
+  readonly clock: Clock
+  readonly kept: Opened['kept']
+  readonly #listeners = new Set<() => void>()
+
+  constructor(opened: Opened, read?: () => number) {
+    this.#state = opened.state
+    this.kept = opened.kept
+    this.clock = new Clock(opened.state.t, opened.state.speed, read)
+  }
+
+  get state(): State {
+    return this.#state
+  }
+
+  get session(): Session {
+    return this.#session
+  }
+
+  /** The state as it is now, with the time of the clock: what a link says. */
+  get moment(): State {
+    return { ...this.#state, t: Number(this.clock.t.toFixed(3)), speed: this.clock.speed }
+  }
+
+  set(patch: Partial<State>): void {
+    this.#state = { ...this.#state, ...patch }
+    if (patch.t !== undefined) this.clock.seek(patch.t)
+    if (patch.speed !== undefined) this.clock.speed = patch.speed
+    this.changed()
+  }
+
+  setSession(patch: Partial<Session>): void {
+    this.#session = { ...this.#session, ...patch }
+    this.changed()
+  }
+
+  /** Another picture, with one line to go back. */
+  replace(state: State, message: Message): void {
+    const undo = this.moment
+    const messages = [...this.#session.messages.filter((each) => each.key !== message.key), { ...message, undo }]
+    this.#session = { ...this.#session, drafts: {}, messages }
+    this.clock.pause()
+    this.set(state)
+  }
+
+  draft(field: string, text: string | null): void {
+    const { [field]: _, ...others } = this.#session.drafts
+    this.setSession({ drafts: text === null ? others : { ...others, [field]: text } })
+  }
+
+  dismiss(key: string): void {
+    this.setSession({ messages: this.#session.messages.filter((each) => each.key !== key) })
+  }
+
+  seek(t: number): void {
+    this.clock.seek(t)
+    this.changed()
+  }
+
+  play(): void {
+    this.clock.play()
+    this.setSession({ reduced: false })
+  }
+
+  pause(): void {
+    this.clock.pause()
+    this.changed()
+  }
+
+  listen(listener: () => void): void {
+    this.#listeners.add(listener)
+  }
+
+  changed(): void {
+    for (const listener of this.#listeners) listener()
+  }
+}

@@ -1,0 +1,215 @@
+// What the Lab shows of a state, as plain numbers: the exact motion and the curves over the window, their errors and energies.
+//
+// The window is a page of time: at its end the next one follows. Everything comes from the model; here it is put in order.
+
+import { type Curve, curveKey, kindOf } from './curves'
+import { clothesOf } from './draw/clothes'
+import type { Points } from './draw/curve'
+import { remember } from './memory'
+import type { Compared, Energy, Motion, Refusal, Setup, Solution, Track } from './model'
+import type { State } from './state'
+
+/** Steps of a curve in a window; while a hand is on a control, one to a pixel of a laptop's plot is enough. */
+export const POINTS = 1200
+export const QUICK_POINTS = 600
+
+export interface Window {
+  readonly from: number
+  readonly to: number
+}
+
+export interface Drawn {
+  readonly key: string
+  readonly curve: Curve
+  readonly clothes: string
+  /** Whether it goes step by step. */
+  readonly numerical: boolean
+  readonly solution: Solution
+  readonly track: Compared
+  /** Solution − exact, in rad. */
+  readonly error: Float64Array
+  /** Parts of the energy at the top; empty for a formula, which is not a motion. */
+  readonly energy: Points
+  readonly largest: { readonly value: number; readonly t: number } | null
+  /** First time in the window without a value. */
+  readonly gone: number
+}
+
+export interface Row {
+  readonly key: string
+  readonly curve: Curve
+  readonly clothes: string
+  readonly drawn: Drawn | null
+  readonly refused: Refusal | null
+}
+
+export interface Study {
+  readonly motion: Motion
+  readonly window: Window
+  readonly times: Float64Array
+  readonly exact: Track
+  /** Total of the exact motion, which does not change. */
+  readonly total: Float64Array
+  /** Its parts, computed when they are asked for. */
+  readonly parts: () => Energy
+  readonly rows: readonly Row[]
+  /** Those of the rows that are on and have values. */
+  readonly shown: readonly Drawn[]
+}
+
+export function setupOf({ theta0, velocity0, length, gravity }: Setup): Setup {
+  return { theta0, velocity0, length, gravity }
+}
+
+/** Length of the window in s. */
+export function spanOf(state: Pick<State, 'span'>, motion: Motion): number {
+  if (state.span !== 'T') return state.span
+  const { period, smallPeriod } = motion
+  return Number.isFinite(period) && period > 0 ? period : 4 * smallPeriod
+}
+
+/** The page of time that holds t. The end of one page is the beginning of the next. */
+export function windowOf(span: number, t: number): Window {
+  const page = Math.floor(t / span + 1e-9)
+  return { from: page * span, to: (page + 1) * span }
+}
+
+export function evenTimes({ from, to }: Window, points: number): Float64Array {
+  return Float64Array.from({ length: points + 1 }, (_, i) => from + ((to - from) * i) / points)
+}
+
+/** Largest size of the numbers, sharpened by the parabola through it and its neighbours, and when. */
+export function largestOf(values: Float64Array, times: Float64Array): { value: number; t: number } | null {
+  let at = -1
+  for (let i = 0; i < values.length; i++) {
+    const size = Math.abs(values[i] as number)
+    if (Number.isNaN(size)) continue
+    if (at < 0 || size > Math.abs(values[at] as number)) at = i
+  }
+  if (at < 0) return null
+  const b = Math.abs(values[at] as number)
+  const a = Math.abs(values[at - 1] ?? Number.NaN)
+  const c = Math.abs(values[at + 1] ?? Number.NaN)
+  const bend = a - 2 * b + c
+  if (!(bend < 0)) return { value: b, t: times[at] as number }
+  const shift = (a - c) / (2 * bend)
+  const stride = (times[at + 1] as number) - (times[at] as number)
+  return { value: b - ((a - c) * shift) / 4, t: (times[at] as number) + shift * stride }
+}
+
+/** The largest error of the window: searched for by the core where the window is one period from the start. */
+function largestIn(solution: Solution, motion: Motion, { from, to }: Window, error: Float64Array, times: Float64Array) {
+  const onePeriod = from === 0 && to === motion.period
+  return (onePeriod && solution.largest(1)) || largestOf(error, times)
+}
+
+/** Every so many of the numbers. */
+function thinned(values: Float64Array, stride: number): Float64Array {
+  return Float64Array.from(
+    { length: Math.floor((values.length - 1) / stride) + 1 },
+    (_, i) => values[i * stride] as number,
+  )
+}
+
+/** And energies have half of them. */
+const QUICK_STRIDE = 2
+
+function energyOf(motion: Motion, times: Float64Array, track: Track, quick: boolean): Points {
+  if (!quick) return { x: times, y: motion.energy(track).total }
+  const theta = thinned(track.theta, QUICK_STRIDE)
+  const velocity = thinned(track.velocity, QUICK_STRIDE)
+  return { x: thinned(times, QUICK_STRIDE), y: motion.energy({ theta, velocity }).total }
+}
+
+const NOTHING: Points = { x: new Float64Array(0), y: new Float64Array(0) }
+
+interface Frame {
+  readonly motion: Motion
+  readonly window: Window
+  readonly times: Float64Array
+  readonly exact: Track
+  readonly quick: boolean
+}
+
+function drawn(
+  { motion, window, times, exact, quick }: Frame,
+  curve: Curve,
+  clothes: string,
+  solution: Solution,
+): Drawn {
+  const { numerical } = kindOf(curve.name)
+  const track = solution.compared(times, exact, quick)
+  const { error } = track
+  const gone = track.theta.findIndex(Number.isNaN)
+  return {
+    key: curveKey(curve),
+    curve,
+    clothes,
+    numerical,
+    solution,
+    track,
+    error,
+    energy: numerical ? energyOf(motion, times, track, quick) : NOTHING,
+    largest: quick ? largestOf(error, times) : largestIn(solution, motion, window, error, times),
+    gone: gone < 0 ? Number.NaN : (times[gone] as number),
+  }
+}
+
+/**
+ * All that the Lab draws, but for the time shown. While a control is held it is `quick`: fewer points, errors as
+ * plain differences, and what is switched off is not computed.
+ */
+export function study(motion: Motion, curves: readonly Curve[], from: number, to: number, quick = false): Study {
+  const window = { from, to }
+  const times = evenTimes(window, quick ? QUICK_POINTS : POINTS)
+  const exact = motion.sample(times)
+  const frame = { motion, window, times, exact, quick }
+  const clothes = clothesOf(curves)
+  const rows = curves.map((curve, i): Row => {
+    const row = { key: curveKey(curve), curve, clothes: clothes[i] as string }
+    if (quick && !curve.on) return { ...row, drawn: null, refused: null }
+    const solution = motion.solution(curve, window.to)
+    if ('refused' in solution) return { ...row, drawn: null, refused: solution.refused }
+    return { ...row, drawn: drawn(frame, curve, row.clothes, solution), refused: null }
+  })
+  const shown = rows.flatMap((row) => (row.drawn && row.curve.on ? [row.drawn] : []))
+  let parts: Energy | null = null
+  return {
+    motion,
+    window,
+    times,
+    exact,
+    total: times.map(() => motion.energyRatio),
+    parts: () => {
+      parts ??= motion.energy(exact)
+      return parts
+    },
+    rows,
+    shown,
+  }
+}
+
+export const rememberedStudy = remember(study)
+
+/** Whether total energy is shown: when some curve goes step by step, unless the reader chose. */
+export function showsTotal(state: Pick<State, 'energy'>, { shown }: Study): boolean {
+  if (state.energy !== 'auto') return state.energy === 'total'
+  return shown.some(({ numerical }) => numerical)
+}
+
+/** Errors are in degrees where there is no amplitude to compare with. */
+export function inPercent(state: Pick<State, 'errorUnit'>, { motion }: Study): boolean {
+  return state.errorUnit === 'percent' && motion.regime === 'libration'
+}
+
+/** From rad to per cent of the turning angle, or to degrees. */
+export function errorFactor(percent: boolean, motion: Motion): number {
+  return percent ? 100 / motion.thetaMax : 180 / Math.PI
+}
+
+/** Log by itself where the largest errors differ by more than 20. */
+export function isLog(state: Pick<State, 'errorAxis'>, { shown }: Study): boolean {
+  if (state.errorAxis !== 'auto') return state.errorAxis === 'log'
+  const sizes = shown.map(({ largest }) => largest?.value ?? 0).filter((size) => size > 0)
+  return sizes.length > 1 && Math.max(...sizes) > 20 * Math.min(...sizes)
+}

@@ -1,0 +1,48 @@
+// Pictures to begin with: figures of the three papers and the edges of the motion. Each replaces the state; one line undoes it.
+
+import { html, type TemplateResult } from 'lit-html'
+import { menu } from '../controls/parts'
+import { icon } from '../draw/icons'
+import { readLink } from '../link'
+import { DEFAULTS, type State } from '../state'
+import type { Page } from './page'
+
+/** As links, so that an example is nothing that a reader could not make. */
+export const EXAMPLES = {
+  lima2: 'th0=60deg&L=1m&g=9.8&curves=harmonic,fourier:1,fourier:2&span=T&error=linear',
+  lima3: 'th0=90deg&L=1m&g=9.8&curves=harmonic,fourier:2&span=T&error=linear',
+  lima4: 'th0=157.5deg&L=1m&g=9.8&curves=harmonic,fourier:4&span=T&error=linear',
+  horsley: 'th0=3rad&L=1m&g=9.8&curves=linear,rk45,rk4:0.025&span=12s',
+  // The data of Salas' example 2 are not in the text; chosen with m = 1.419 and ω0 = 1/s: 5.1116 rad at t = 2.1 s.
+  salas: 'th0=1.8882906rad&w0=1.7468904&L=9.81m&g=9.81&curves=rk4:0.025,small-m&span=8s&t=2.1s',
+  over: 'th0=0deg&w0=7.5&L=1m&g=9.81&curves=linear,rk45&span=8s',
+  balance: 'th0=180deg&L=1m&g=9.81&curves=linear,rk4:0.025&span=8s',
+} as const
+
+export type ExampleName = keyof typeof EXAMPLES
+
+/** The state of an example; language and theme stay the reader's. */
+export function exampleState(name: ExampleName, { language, theme }: Pick<State, 'language' | 'theme'>): State {
+  return { ...DEFAULTS, ...readLink(EXAMPLES[name]).state, language, theme }
+}
+
+export function examples(page: Page): TemplateResult {
+  const { store, state, session, words } = page
+  const names = Object.keys(EXAMPLES) as ExampleName[]
+  return menu({
+    key: 'examples',
+    label: html`${words.say.compare.examples}${icon('down')}`,
+    name: words.say.compare.examples,
+    open: session.menu === 'examples',
+    toggle: (open) => store.setSession({ menu: open ? 'examples' : null }),
+    className: 'right',
+    up: state.curves.length > 4,
+    items: names.map((name) => ({
+      text: words.say.examples[name],
+      act: () => {
+        const said = words.fill(words.say.shell.replaced, { name: words.say.examples[name] })
+        store.replace(exampleState(name, state), { key: 'example', text: said })
+      },
+    })),
+  })
+}

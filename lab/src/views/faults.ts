@@ -1,0 +1,66 @@
+// What is wrong with a link, in the words of the language: key, value, range, what is used instead.
+
+import type { Words } from '../language'
+import { DEFAULTS, type Fault, RANGES, type RangeName } from '../state'
+import { quantityText } from './page'
+
+/** Keys of the link by the names of the state. */
+const KEYS: Readonly<Record<string, string>> = { theta0: 'th0', velocity0: 'w0', length: 'L', gravity: 'g' }
+
+/** Names of the state by the keys of the link. */
+const NAMES: Readonly<Record<string, RangeName>> = {
+  th0: 'theta0',
+  w0: 'velocity0',
+  L: 'length',
+  g: 'gravity',
+  t: 't',
+  span: 'span',
+  speed: 'speed',
+}
+
+export function faultText(words: Words, fault: Fault): string {
+  const say = words.say.linkFaults
+  const usual = say.usual
+  switch (fault.kind) {
+    case 'out-of-range': {
+      const { least, most } = RANGES[fault.name]
+      return words.fill(say['out-of-range'], {
+        name: KEYS[fault.name] ?? fault.name,
+        value: fault.value,
+        least: quantityText(words, fault.name, least),
+        most: quantityText(words, fault.name, most),
+        kept:
+          typeof DEFAULTS[fault.name] === 'number'
+            ? quantityText(words, fault.name, Number(DEFAULTS[fault.name]))
+            : usual,
+      })
+    }
+    case 'not-one-of':
+      return words.fill(say['not-one-of'], {
+        name: fault.name,
+        value: fault.value,
+        allowed: fault.allowed.join(', '),
+        kept: usual,
+      })
+    case 'argument':
+      return words.fill(say.argument, {
+        value: fault.value,
+        least: words.given(fault.least),
+        most: words.given(fault.most),
+      })
+    case 'too-many':
+      return words.fill(say['too-many'], { name: fault.name, value: fault.value, most: fault.most, kept: usual })
+    case 'unknown':
+      return words.fill(fault.name === 'curves' ? say['unknown-curve'] : say.unknown, {
+        name: fault.name,
+        value: fault.value,
+      })
+    case 'not-a-number': {
+      const name = NAMES[fault.name]
+      const kept = name ? quantityText(words, name, Number(DEFAULTS[name])) : usual
+      return words.fill(say['not-a-number'], { name: fault.name, value: fault.value, kept })
+    }
+    default:
+      return words.fill(say[fault.kind], { name: fault.name, value: fault.value, kept: usual })
+  }
+}

@@ -1,0 +1,7 @@
+// The views that there are, in the order of their tabs. A view that does not exist yet has no tab.
+
+import { motionSentence } from './bench'
+import { lab, labAlarm } from './lab'
+import type { View } from './shell'
+
+export const VIEWS: readonly View[] = [{ name: 'lab', sentence: motionSentence, alarm: labAlarm, body: lab }]

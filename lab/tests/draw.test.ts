@@ -1,0 +1,135 @@
+// Drawing: scales and their inverses, ticks, paths with gaps, marks where a curve leaves the frame, clothes.
+
+import { describe, expect, it } from 'vitest'
+import { usualCurve } from '../src/curves'
+import { clothesOf } from '../src/draw/clothes'
+import { extent, gaps, leavings, pathOf } from '../src/draw/curve'
+import { angleAt, spot } from '../src/draw/pendulum'
+import { hatchedRegions } from '../src/draw/plot'
+import {
+  degreeTicks,
+  linearScale,
+  logScale,
+  roundTicks,
+  symmetricLogScale,
+  symmetricLogTicks,
+  tickDecimals,
+} from '../src/draw/scale'
+
+const numbers = (...values: number[]) => Float64Array.from(values)
+
+describe('a scale', () => {
+  it.each([
+    ['linear', linearScale([-3, 5], [0, 400]), [-3, 0.1, 5]],
+    ['log', logScale([1e-5, 200], [300, 0]), [1e-5, 1, 200]],
+    ['symmetric log', symmetricLogScale(0.1, [-300, 300], [130, 0]), [-300, -0.05, 0, 200]],
+  ] as const)('%s goes there and back', (_, scale, values) => {
+    for (const value of values) expect(scale.invert(scale(value))).toBeCloseTo(value, 9)
+  })
+
+  it('has its ends at the ends', () => {
+    const scale = symmetricLogScale(0.1, [-300, 300], [130, 0])
+    expect([scale(-300), scale(0), scale(300)].map((each) => Number(each.toFixed(9)))).toEqual([130, 65, 0])
+  })
+})
+
+describe('ticks', () => {
+  it('are round and not too many', () => {
+    expect(roundTicks(0, 8, 9)).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8])
+    expect(roundTicks(0, 8, 5)).toEqual([0, 2, 4, 6, 8])
+    for (let most = 2; most < 10; most++) expect(roundTicks(-190.3, 77, most).length).toBeLessThanOrEqual(most)
+  })
+
+  it('of angles are those of a protractor', () => {
+    expect(degreeTicks(-190, 190, 7)).toEqual([-180, -90, 0, 90, 180])
+    expect(degreeTicks(-570, 215, 7)).toEqual([-540, -360, -180, 0, 180])
+    expect(degreeTicks(-50, 50, 7)).toEqual([-45, -30, -15, 0, 15, 30, 45])
+  })
+
+  it('of an error are powers of ten on both sides of zero', () => {
+    expect(symmetricLogTicks(0.1, 300, 7)).toEqual([-100, -10, -1, 0, 1, 10, 100])
+    expect(symmetricLogTicks(1e-9, 300, 7)).toHaveLength(7)
+  })
+
+  it('have as many decimals as they differ in', () => {
+    expect(
+      [
+        [1, 2],
+        [0.5, 1],
+        [0.25, 0.5],
+      ].map(tickDecimals),
+    ).toEqual([0, 1, 2])
+  })
+})
+
+describe('a path', () => {
+  const sx = linearScale([0, 3], [0, 300])
+  const sy = linearScale([0, 1], [100, 0])
+
+  it('goes through the points in tenths of a pixel', () => {
+    expect(pathOf({ x: numbers(0, 1, 2), y: numbers(0, 0.5, 1) }, sx, sy)).toBe('M0 1000L1000 500L2000 0')
+  })
+
+  it('is broken where there is no value', () => {
+    expect(pathOf({ x: numbers(0, 1, 2, 3), y: numbers(0, Number.NaN, 1, 1) }, sx, sy)).toBe('M0 1000M2000 0L3000 0')
+  })
+
+  it('is drawn again for another scale', () => {
+    const points = { x: numbers(0, 1), y: numbers(0, 1) }
+    const first = pathOf(points, sx, sy)
+    expect(pathOf(points, sx, linearScale([0, 2], [100, 0]))).not.toBe(first)
+    expect(pathOf(points, sx, sy, 0.5)).not.toBe(first)
+    expect(pathOf(points, sx, sy)).toBe(first)
+  })
+
+  it('keeps infinite and enormous values out of the text', () => {
+    const d = pathOf({ x: numbers(0, 1, 2, 3), y: numbers(0, 1e300, Number.POSITIVE_INFINITY, 0) }, sx, sy)
+    expect(d).not.toMatch(/NaN|Infinity|e/)
+  })
+})
+
+describe('a curve that leaves the frame', () => {
+  it('is marked on its way out, at each side', () => {
+    const points = { x: numbers(0, 1, 2, 3, 4, 5), y: numbers(0, 2, 0, -2, -3, 0) }
+    expect(leavings(points, -1, 1)).toEqual([
+      { x: 1, up: true },
+      { x: 3, up: false },
+    ])
+  })
+
+  it('is not marked while it stays', () => expect(leavings({ x: numbers(0, 1), y: numbers(0, 1) }, -1, 1)).toEqual([]))
+})
+
+describe('where there is no value', () => {
+  const x = numbers(0, 1, 2, 3, 4)
+  it('a region begins and ends', () => {
+    expect(gaps({ x, y: numbers(Number.NaN, 1, 1, Number.NaN, Number.NaN) })).toEqual([
+      [0, 1],
+      [3, 4],
+    ])
+  })
+  it('regions of two curves are one where they touch', () => {
+    const a = { x, y: numbers(1, Number.NaN, 1, 1, 1) }
+    const b = { x, y: numbers(1, 1, Number.NaN, 1, 1) }
+    expect(hatchedRegions([a, b])).toEqual([[1, 3]])
+  })
+  it('does not count for the extent', () =>
+    expect(extent(numbers(1, Number.NaN, -2, Number.POSITIVE_INFINITY))).toEqual([-2, 1]))
+})
+
+it('two of a family differ by their dash', () => {
+  expect(clothesOf([usualCurve('rk45'), usualCurve('euler'), usualCurve('rk4'), usualCurve('verlet')])).toEqual([
+    'c-integrator',
+    'c-euler',
+    'c-integrator second',
+    'c-integrator third',
+  ])
+})
+
+it('the bob is where its angle is', () => {
+  for (let degrees = -179; degrees < 180; degrees += 7) {
+    const angle = (degrees * Math.PI) / 180
+    const { x, y } = spot(angle)
+    expect(angleAt(x, y)).toBeCloseTo(angle, 12)
+  }
+})

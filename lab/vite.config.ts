@@ -1,0 +1,32 @@
+// Two builds of one page: dist/ for a server, with relative paths, and dist/offline.html, one file that works from disk.
+
+import { createRequire } from 'node:module'
+import { dirname } from 'node:path'
+import { defineConfig } from 'vitest/config'
+import { browserCore } from './bundle/browser-core.ts'
+import { oneFile } from './bundle/one-file.ts'
+import { stillPage } from './bundle/still.ts'
+
+/** Vite does not find files of a package's `exports` by a pattern once they have a query. */
+const core = dirname(createRequire(import.meta.url).resolve('libration/libration-simd.wasm'))
+
+export default defineConfig(({ mode, command }) => {
+  const offline = mode === 'offline'
+  return {
+    base: './',
+    publicDir: offline ? false : 'public',
+    resolve: { alias: [{ find: /^libration\/(.*\.wasm)/, replacement: `${core}/$1` }] },
+    server: { fs: { allow: ['..'] } },
+    plugins: [browserCore(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
+    build: {
+      target: 'es2022',
+      modulePreload: false,
+      emptyOutDir: !offline,
+      assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
+      cssCodeSplit: !offline,
+      reportCompressedSize: false,
+      rolldownOptions: { output: offline ? { format: 'iife' } : {} },
+    },
+    test: { include: ['tests/**/*.test.ts'] },
+  }
+})
