@@ -11,6 +11,7 @@ import {
   type Fault,
   inRange,
   LANGUAGES,
+  LETTERS,
   MOST_CURVES,
   MOST_ORBITS,
   RANGES,
@@ -108,6 +109,11 @@ function readOrbits(text: string): State['orbits'] | Fault {
 const writeOrbits = (orbits: State['orbits']): string =>
   orbits.map(({ theta0, velocity0 }) => angleText(theta0) + (velocity0 === 0 ? '' : `;${velocity0}`)).join(',')
 
+function readLetter(text: string, name: string): number | Fault {
+  const at = LETTERS.indexOf(text.toUpperCase())
+  return text.length === 1 && at >= 0 ? at : { kind: 'not-one-of', name, value: text, allowed: [...LETTERS] }
+}
+
 function readSpan(text: string): State['span'] | Fault {
   if (text === 'T' || text === '1T') return 'T'
   const value = parseQuantity(text, 's')
@@ -130,6 +136,7 @@ const KEYS = {
   unit: choice('errorUnit', ['percent', 'degrees']),
   energy: choice('energy', ['auto', 'total', 'parts']),
   orbits: { of: 'orbits', read: readOrbits, write: writeOrbits },
+  orbit: { of: 'orbit', read: readLetter, write: (value: number) => LETTERS[value] ?? 'A' },
   periods: {
     of: 'periods',
     read: (text: string): State['periods'] => (text === 'none' ? [] : text.split(',').filter((each) => each !== '')),

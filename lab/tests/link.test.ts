@@ -22,6 +22,7 @@ const plainStates: Partial<State>[] = [
   },
   { orbits: [], periods: [], periodAxis: 'linear' },
   { orbits: [{ theta0: radians(60), velocity0: -3.25 }], periods: ['bernoulli', 'series:4'] },
+  { orbit: 2, view: 'phase' },
   { language: 'pt-BR', theme: 'dark' },
 ]
 
