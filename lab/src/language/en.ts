@@ -148,6 +148,47 @@ export const en = {
     caption: 'Velocity against angle: the orbit of this motion, and the separatrix between swinging and turning over.',
   },
 
+  phase: {
+    title: 'Phase portrait',
+    unit: "velocity _θ'_ in rad/s against angle _θ_",
+    swings: 'swings',
+    over: 'turns over',
+    forwards: 'turns over, forwards',
+    backwards: 'turns over, backwards',
+    separatrix: 'separatrix',
+    orbits: 'Orbits',
+    start: 'start',
+    period: 'period',
+    regimes: { rest: 'at rest', libration: 'libration', separatrix: 'separatrix', rotation: 'rotation' },
+    energy: '{regime}, energy {energy}',
+    add: 'Add an orbit',
+    addLibration: 'Swings: libration',
+    addSeparatrix: 'On the separatrix',
+    addRotation: 'Turns over: rotation',
+    remove: 'Remove orbit {letter}',
+    help: 'Click or drag in the portrait to start orbit {letter} there. Arrow keys move its start. The {hint} parts swings from turns.',
+    startOf: 'Start of orbit {letter}',
+    onePeriod: 'over one period of {letter}',
+    angle: 'Angle',
+    angleUnit: '_θ_ over one period of {letter}',
+    angleUnitEndless: '_θ_ of {letter}: no period',
+    reading: '{letter} at {t}: *{degrees}* = *{radians}*',
+    captionAngle:
+      'The angle of the orbits from {from} to {to}, counted on through turns. {letter} is between {least} and {most}.',
+    caption: 'Velocity against angle, with the separatrix between swinging and turning over.',
+    captionOrbit: '{letter} starts at {start}: {regime}',
+    tableCaption: 'Velocity upwards at each angle; downwards it has the other sign',
+    inside:
+      'Orbit {letter} stays *inside the separatrix*: it swings to *{top}* and back, its energy *{energy}* short of the top’s.',
+    outside:
+      'Orbit {letter} is *outside the separatrix*: it turns over forwards once in *{period}*, its energy *{energy}* above the top’s.',
+    outsideBack:
+      'Orbit {letter} is *outside the separatrix*: it turns over backwards once in *{period}*, its energy *{energy}* above the top’s.',
+    onIt: 'Orbit {letter} is *on the separatrix*: it climbs to the top and *never arrives*. Its period is infinite.',
+    balance: 'Orbit {letter} is the point at *180°*, where both branches of the separatrix meet: unstable balance.',
+    rest: 'Orbit {letter} is the point at *0°*: the pendulum hangs at rest.',
+  },
+
   compare: {
     title: 'Compare',
     curve: 'curve',

@@ -150,6 +150,48 @@ export const es: Catalogue = {
     caption: 'Velocidad contra ángulo: la órbita de este movimiento y la separatriz entre oscilaciones y vueltas.',
   },
 
+  phase: {
+    title: 'Retrato de fase',
+    unit: "velocidad _θ'_ en rad/s contra ángulo _θ_",
+    swings: 'oscila',
+    over: 'da vueltas',
+    forwards: 'da vueltas, hacia adelante',
+    backwards: 'da vueltas, hacia atrás',
+    separatrix: 'separatriz',
+    orbits: 'Órbitas',
+    start: 'inicio',
+    period: 'periodo',
+    regimes: { rest: 'en reposo', libration: 'libración', separatrix: 'separatriz', rotation: 'rotación' },
+    energy: '{regime}, energía {energy}',
+    add: 'Añadir órbita',
+    addLibration: 'Oscila: libración',
+    addSeparatrix: 'En la separatriz',
+    addRotation: 'Da vueltas: rotación',
+    remove: 'Quitar la órbita {letter}',
+    help: 'Haga clic o arrastre en el retrato para iniciar allí la órbita {letter}. Las flechas mueven su inicio. La {hint} separa oscilaciones de vueltas.',
+    startOf: 'Inicio de la órbita {letter}',
+    onePeriod: 'en un periodo de {letter}',
+    angle: 'Ángulo',
+    angleUnit: '_θ_ en un periodo de {letter}',
+    angleUnitEndless: '_θ_ de {letter}: sin periodo',
+    reading: '{letter} en {t}: *{degrees}* = *{radians}*',
+    captionAngle:
+      'El ángulo de las órbitas de {from} a {to}, contado a través de las vueltas. {letter} queda entre {least} y {most}.',
+    caption: 'Velocidad contra ángulo, con la separatriz entre oscilaciones y vueltas.',
+    captionOrbit: '{letter} empieza en {start}: {regime}',
+    tableCaption: 'Velocidad hacia arriba en cada ángulo; hacia abajo tiene el otro signo',
+    inside:
+      'La órbita {letter} queda *dentro de la separatriz*: oscila hasta *{top}* y vuelve, con energía *{energy}* por debajo de la de lo alto.',
+    outside:
+      'La órbita {letter} está *fuera de la separatriz*: da una vuelta hacia adelante en *{period}*, con energía *{energy}* por encima de la de lo alto.',
+    outsideBack:
+      'La órbita {letter} está *fuera de la separatriz*: da una vuelta hacia atrás en *{period}*, con energía *{energy}* por encima de la de lo alto.',
+    onIt: 'La órbita {letter} está *en la separatriz*: sube a lo alto y *nunca llega*. Su periodo es infinito.',
+    balance:
+      'La órbita {letter} es el punto a *180°*, donde se juntan las dos ramas de la separatriz: equilibrio inestable.',
+    rest: 'La órbita {letter} es el punto a *0°*: el péndulo cuelga en reposo.',
+  },
+
   compare: {
     title: 'Comparar',
     curve: 'curva',

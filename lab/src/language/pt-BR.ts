@@ -150,6 +150,48 @@ export const ptBR: Catalogue = {
     caption: 'Velocidade contra ângulo: a órbita deste movimento e a separatriz entre oscilações e voltas.',
   },
 
+  phase: {
+    title: 'Retrato de fase',
+    unit: "velocidade _θ'_ em rad/s contra ângulo _θ_",
+    swings: 'oscila',
+    over: 'dá voltas',
+    forwards: 'dá voltas, para a frente',
+    backwards: 'dá voltas, para trás',
+    separatrix: 'separatriz',
+    orbits: 'Órbitas',
+    start: 'início',
+    period: 'período',
+    regimes: { rest: 'em repouso', libration: 'libração', separatrix: 'separatriz', rotation: 'rotação' },
+    energy: '{regime}, energia {energy}',
+    add: 'Adicionar órbita',
+    addLibration: 'Oscila: libração',
+    addSeparatrix: 'Na separatriz',
+    addRotation: 'Dá voltas: rotação',
+    remove: 'Remover a órbita {letter}',
+    help: 'Clique ou arraste no retrato para iniciar ali a órbita {letter}. As setas movem o início. A {hint} separa oscilações de voltas.',
+    startOf: 'Início da órbita {letter}',
+    onePeriod: 'em um período de {letter}',
+    angle: 'Ângulo',
+    angleUnit: '_θ_ em um período de {letter}',
+    angleUnitEndless: '_θ_ de {letter}: sem período',
+    reading: '{letter} em {t}: *{degrees}* = *{radians}*',
+    captionAngle:
+      'O ângulo das órbitas de {from} a {to}, contado através das voltas. {letter} fica entre {least} e {most}.',
+    caption: 'Velocidade contra ângulo, com a separatriz entre oscilações e voltas.',
+    captionOrbit: '{letter} começa em {start}: {regime}',
+    tableCaption: 'Velocidade para cima em cada ângulo; para baixo tem o outro sinal',
+    inside:
+      'A órbita {letter} fica *dentro da separatriz*: oscila até *{top}* e volta, com energia *{energy}* abaixo da do topo.',
+    outside:
+      'A órbita {letter} está *fora da separatriz*: dá uma volta para a frente em *{period}*, com energia *{energy}* acima da do topo.',
+    outsideBack:
+      'A órbita {letter} está *fora da separatriz*: dá uma volta para trás em *{period}*, com energia *{energy}* acima da do topo.',
+    onIt: 'A órbita {letter} está *na separatriz*: sobe ao topo e *nunca chega*. Seu período é infinito.',
+    balance:
+      'A órbita {letter} é o ponto a *180°*, onde os dois ramos da separatriz se encontram: equilíbrio instável.',
+    rest: 'A órbita {letter} é o ponto a *0°*: o pêndulo está em repouso.',
+  },
+
   compare: {
     title: 'Comparar',
     curve: 'curva',

@@ -2,6 +2,10 @@
 
 import { motionSentence } from './bench'
 import { lab, labAlarm } from './lab'
+import { phase, phaseSentence } from './phase'
 import type { View } from './shell'
 
-export const VIEWS: readonly View[] = [{ name: 'lab', sentence: motionSentence, alarm: labAlarm, body: lab }]
+export const VIEWS: readonly View[] = [
+  { name: 'lab', sentence: motionSentence, alarm: labAlarm, body: lab },
+  { name: 'phase', sentence: phaseSentence, body: phase },
+]
