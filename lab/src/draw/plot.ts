@@ -81,7 +81,7 @@ function tickLabels({ sx, sy, xs, ys, xLabels, width, height, rem }: PlotSpec): 
 function leavingMarks(line: Line, { sx, sy, height, rem }: PlotSpec): TemplateResult {
   const low = Math.min(sy.low, sy.high)
   const high = Math.max(sy.low, sy.high)
-  const slack = 1e-6 * (high - low)
+  const slack = 1e-6 * (low > 0 ? low : high - low)
   const half = 0.3125 * rem
   const tall = 0.4375 * rem
   return svg`${leavings(line, low - slack, high + slack, line.factor ?? 1).map(({ x, up }) => {
