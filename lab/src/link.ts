@@ -5,6 +5,7 @@
 
 import { type Curve, curveKey, isCurveName, kindOf, usualCurve } from './curves'
 import { angleText, parseNumber, parseQuantity, type Unit } from './number'
+import { baseOf, readPeriod } from './periods'
 import {
   curveFault,
   DEFAULTS,
@@ -114,6 +115,17 @@ function readLetter(text: string, name: string): number | Fault {
   return text.length === 1 && at >= 0 ? at : { kind: 'not-one-of', name, value: text, allowed: [...LETTERS] }
 }
 
+function readPeriods(text: string): State['periods'] | Fault {
+  const keys: string[] = []
+  for (const part of text === 'none' ? [] : text.split(',').filter((each) => each !== '')) {
+    const key = readPeriod(part)
+    if (isFault(key)) return key
+    if (keys.some((each) => baseOf(each) === baseOf(key))) return { kind: 'twice', name: 'periods', value: part }
+    keys.push(key)
+  }
+  return keys
+}
+
 function readSpan(text: string): State['span'] | Fault {
   if (text === 'T' || text === '1T') return 'T'
   const value = parseQuantity(text, 's')
@@ -139,10 +151,11 @@ const KEYS = {
   orbit: { of: 'orbit', read: readLetter, write: (value: number) => LETTERS[value] ?? 'A' },
   periods: {
     of: 'periods',
-    read: (text: string): State['periods'] => (text === 'none' ? [] : text.split(',').filter((each) => each !== '')),
+    read: readPeriods,
     write: (value: State['periods']) => (value === null ? '' : value.join(',') || 'none'),
   },
   axis: choice('periodAxis', ['log', 'linear']),
+  sort: choice('periodOrder', ['registry', 'error']),
   lang: choice('language', ['auto', ...LANGUAGES]),
   theme: choice('theme', THEMES),
 } as const

@@ -39,6 +39,8 @@ export interface State extends Start {
   /** Formulas of the period that are drawn, by their names in the registry; null is the usual choice. */
   readonly periods: readonly string[] | null
   readonly periodAxis: 'log' | 'linear'
+  /** How the list of formulas is sorted: as the registry, or by the error at the amplitude. */
+  readonly periodOrder: 'registry' | 'error'
   readonly language: Language | 'auto'
   readonly theme: Theme
 }
@@ -69,6 +71,7 @@ export const DEFAULTS: State = {
   orbit: 0,
   periods: null,
   periodAxis: 'log',
+  periodOrder: 'registry',
   language: 'auto',
   theme: 'auto',
 }
