@@ -2,10 +2,12 @@
 
 import { motionSentence } from './bench'
 import { lab, labAlarm } from './lab'
+import { period, periodSentence } from './period'
 import { phase, phaseSentence } from './phase'
 import type { View } from './shell'
 
 export const VIEWS: readonly View[] = [
   { name: 'lab', sentence: motionSentence, alarm: labAlarm, body: lab },
   { name: 'phase', sentence: phaseSentence, body: phase },
+  { name: 'period', sentence: periodSentence, body: period },
 ]
