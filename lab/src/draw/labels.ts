@@ -61,13 +61,14 @@ function through(curve: Float64Array, box: Box, width: number): boolean {
   return false
 }
 
-/** A place for each name, in the order given; those without one are left out. */
+/** A place for each name, in the order given; those without one are left out. A curve without a name is only kept clear of. */
 export function placedLabels(curves: readonly Named[], room: Room): Placed[] {
   const { width, height, letter, line } = room
   const all = curves.map((each) => heights(each, room))
   const boxes: Box[] = []
   const out: Placed[] = []
   curves.forEach(({ text }, k) => {
+    if (text === '') return
     const own = all[k] as Float64Array
     const half = (text.length * letter) / 2
     for (let step = 0; step < COLUMNS; step++) {

@@ -249,6 +249,38 @@ export const en = {
     },
   },
 
+  functions: {
+    ellipse: 'Ellipse',
+    equation: '_x_² + (1 − _m_) _y_² = 1',
+    shortened: 'y drawn 1 : {times}',
+    point: 'Point of the ellipse',
+    three: 'At u = {u}: sn {sn}, cn {cn}, dn {dn}.',
+    lengths: 'The point of the ellipse has x = {x}, y = {y} and r = {r}.',
+    difference: 'differs from the core’s sn, cn, dn by at most *{size}*',
+    pendulum: 'Pendulum',
+    chord: 'chord',
+    chordOver: 'chord/2_L_',
+    rest: 'chord − 2_L k x_ = *{rest}*',
+    chordCaption:
+      'The bob is at {angle}. Its chord to the lowest point is {chord} with its sign; chord less 2 L k x is {rest}.',
+    graph: 'Graph',
+    graphUnit: 'against _u_ = _ω_{0}_t_, quarter period _K_ = {quarter}; dashed grey: cosine',
+    caption: 'sn, cn, dn and x = cd over one period, for m = {m}; beside them the cosine of the same period.',
+    tableUnit: 'against _u_',
+    cosine: 'cosine',
+    onePeriod: 'over one period, 4_K_',
+    modulus: 'Modulus',
+    parameter: 'Parameter',
+    which: 'Which of them does my program ask for?',
+    sentence:
+      'The *chord* to the bob is the *ellipse’s _x_*, times 2_Lk_. For small swings the ellipse is a circle, and the chord the arc.',
+    circle:
+      'At _m_ = 0 the ellipse is a *circle*, sn and cn are *sine and cosine*, and dn is 1: the picture of small swings.',
+    rotation: 'This motion *turns over*: its _m_ is above 1 and there is no ellipse. Choose an amplitude below 180°.',
+    limit: 'At *180°* the ellipse has no end: _m_ is 1. Choose an amplitude below 180°.',
+    why: 'The ellipse is drawn for swings. Choose one:',
+  },
+
   compare: {
     title: 'Compare',
     curve: 'curve',

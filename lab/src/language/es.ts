@@ -252,6 +252,38 @@ export const es: Catalogue = {
     },
   },
 
+  functions: {
+    ellipse: 'Elipse',
+    equation: '_x_² + (1 − _m_) _y_² = 1',
+    shortened: 'y dibujado 1 : {times}',
+    point: 'Punto de la elipse',
+    three: 'En u = {u}: sn {sn}, cn {cn}, dn {dn}.',
+    lengths: 'El punto de la elipse tiene x = {x}, y = {y} y r = {r}.',
+    difference: 'difiere de sn, cn, dn del núcleo a lo sumo *{size}*',
+    pendulum: 'Péndulo',
+    chord: 'cuerda',
+    chordOver: 'cuerda/2_L_',
+    rest: 'cuerda − 2_L k x_ = *{rest}*',
+    chordCaption:
+      'La masa está en {angle}. Su cuerda al punto más bajo es {chord} con signo; la cuerda menos 2 L k x es {rest}.',
+    graph: 'Gráfico',
+    graphUnit: 'contra _u_ = _ω_{0}_t_, cuarto de periodo _K_ = {quarter}; gris a trazos: coseno',
+    caption: 'sn, cn, dn y x = cd en un periodo, para m = {m}; al lado el coseno del mismo periodo.',
+    tableUnit: 'contra _u_',
+    cosine: 'coseno',
+    onePeriod: 'en un periodo, 4_K_',
+    modulus: 'Módulo',
+    parameter: 'Parámetro',
+    which: '¿Cuál de ellos pide mi programa?',
+    sentence:
+      'La *cuerda* hasta la masa es el *_x_ de la elipse*, por 2_Lk_. En oscilaciones pequeñas la elipse es un círculo, y la cuerda el arco.',
+    circle:
+      'En _m_ = 0 la elipse es un *círculo*, sn y cn son *seno y coseno*, y dn es 1: la imagen de las oscilaciones pequeñas.',
+    rotation: 'Este movimiento *da vueltas*: su _m_ pasa de 1 y no hay elipse. Elija una amplitud menor que 180°.',
+    limit: 'A *180°* la elipse no tiene fin: _m_ es 1. Elija una amplitud menor que 180°.',
+    why: 'La elipse se dibuja para oscilaciones. Elija una:',
+  },
+
   compare: {
     title: 'Comparar',
     curve: 'curva',

@@ -252,6 +252,38 @@ export const ptBR: Catalogue = {
     },
   },
 
+  functions: {
+    ellipse: 'Elipse',
+    equation: '_x_² + (1 − _m_) _y_² = 1',
+    shortened: 'y desenhado 1 : {times}',
+    point: 'Ponto da elipse',
+    three: 'Em u = {u}: sn {sn}, cn {cn}, dn {dn}.',
+    lengths: 'O ponto da elipse tem x = {x}, y = {y} e r = {r}.',
+    difference: 'difere de sn, cn, dn do núcleo no máximo *{size}*',
+    pendulum: 'Pêndulo',
+    chord: 'corda',
+    chordOver: 'corda/2_L_',
+    rest: 'corda − 2_L k x_ = *{rest}*',
+    chordCaption:
+      'A massa está em {angle}. Sua corda ao ponto mais baixo é {chord} com sinal; a corda menos 2 L k x é {rest}.',
+    graph: 'Gráfico',
+    graphUnit: 'contra _u_ = _ω_{0}_t_, quarto de período _K_ = {quarter}; cinza tracejado: cosseno',
+    caption: 'sn, cn, dn e x = cd em um período, para m = {m}; ao lado o cosseno do mesmo período.',
+    tableUnit: 'contra _u_',
+    cosine: 'cosseno',
+    onePeriod: 'em um período, 4_K_',
+    modulus: 'Módulo',
+    parameter: 'Parâmetro',
+    which: 'Qual deles o meu programa pede?',
+    sentence:
+      'A *corda* até a massa é o *_x_ da elipse*, vezes 2_Lk_. Em oscilações pequenas a elipse é um círculo, e a corda o arco.',
+    circle:
+      'Em _m_ = 0 a elipse é um *círculo*, sn e cn são *seno e cosseno*, e dn é 1: a imagem das oscilações pequenas.',
+    rotation: 'Este movimento *dá voltas*: seu _m_ passa de 1 e não há elipse. Escolha uma amplitude abaixo de 180°.',
+    limit: 'A *180°* a elipse não tem fim: _m_ é 1. Escolha uma amplitude abaixo de 180°.',
+    why: 'A elipse é desenhada para oscilações. Escolha uma:',
+  },
+
   compare: {
     title: 'Comparar',
     curve: 'curva',

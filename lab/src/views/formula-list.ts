@@ -102,12 +102,12 @@ function row(page: Live, result: PeriodResult): TemplateResult {
   const point = (pointed: string | null) => store.setSession({ pointed })
   const percent = signedPercent(words, error)
   return html`<li class="row ${on ? '' : 'off'} ${session.pointed === name ? 'pointed' : ''}" @pointerenter=${() => point(name)} @pointerleave=${() => point(null)}>
-    <input type="checkbox" id="period-${name}" .checked=${on} aria-label="${said}: ${percent}. ${plain(text)}${stated ? `. ${plain(stated)}` : ''}"
+    <input type="checkbox" id="period-${name}" .checked=${on} aria-label="${said}: ${plain(percent)}. ${plain(text)}${stated ? `. ${plain(stated)}` : ''}"
       @change=${(event: Event) => store.set({ periods: withPeriod(state.periods, key, (event.target as HTMLInputElement).checked) })}
       @focus=${() => point(name)} @blur=${() => point(null)}>
     <svg class="key framed" viewBox="0 0 44 22" aria-hidden="true"><path class="c ${periodKind(name).clothes}" d="M4 11H40"/></svg>
     <span class="name"><span>${rich(formulaName(page, name, key))}</span>${stepper(page, result)}<small>${rich(text)}</small></span>
-    <span class="result">${percent}</span>
+    <span class="result">${rich(percent)}</span>
   </li>`
 }
 

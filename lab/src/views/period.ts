@@ -3,7 +3,6 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
 import { afterKey, partAlong } from '../controls/slide'
-import { value } from '../controls/value'
 import { pathOf } from '../draw/curve'
 import { placedLabels } from '../draw/labels'
 import { type Line, plot } from '../draw/plot'
@@ -11,7 +10,7 @@ import { linearScale, logScale, roundTicks, type Scale, type Tick } from '../dra
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Model } from '../model'
-import { degrees, parseQuantity, radians } from '../number'
+import { radians } from '../number'
 import {
   AMPLITUDES,
   nearestOf,
@@ -22,21 +21,11 @@ import {
   TABLE_ROWS,
 } from '../period-study'
 import { periodKind, periodRows } from '../periods'
+import { amplitudeOf, amplitudeValue, angleText, release } from './amplitude'
 import { type Cursor, chart, type PlotSize } from './chart'
 import { formulaList, formulaName, signedPercent } from './formula-list'
 import type { Live } from './page'
 import type { TableSpec } from './table'
-
-/** Turning angle of the motion in degrees; null where it does not turn back. */
-function amplitudeOf({ motion }: Live): number | null {
-  return motion.regime === 'rotation' ? null : degrees(motion.thetaMax)
-}
-
-/** A release from rest at an amplitude: what the cursor of this view does. */
-function release({ store }: Live, amplitude: number): void {
-  store.draft('amplitude', null)
-  store.set({ theta0: radians(amplitude), velocity0: 0 })
-}
 
 const resultsOf = remember(
   (model: Model, periods: readonly string[] | null, thetaMax: number, order: 'registry' | 'error') =>
@@ -271,8 +260,6 @@ function ratioText(page: Live): string {
     : words.fill(period.endless, { angle: angleText(page, amplitude) })
 }
 
-const angleText = ({ words }: Live, amplitude: number): string => `${words.given(Number(amplitude.toFixed(3)))}°`
-
 function errorsText(page: Live): string {
   const amplitude = amplitudeOf(page)
   const { words } = page
@@ -328,7 +315,7 @@ function errorChart(page: Live): TemplateResult {
     ),
     draw: (size) => drawError(page, size),
     caption: errorsText(page),
-    cursor: cursorOf(page, period.cursorError, errorsText(page)),
+    cursor: cursorOf(page, period.cursorError, plain(errorsText(page))),
     table: () => errorTable(page),
     ...(heard
       ? {
@@ -339,50 +326,6 @@ function errorChart(page: Live): TemplateResult {
         }
       : {}),
     note: rows.length === 0 ? html`<p class="plot-note">${period.empty}</p>` : nothing,
-  })
-}
-
-function amplitudeValue(page: Live): TemplateResult {
-  const { words, store, session } = page
-  const { period, faults } = words.say
-  const amplitude = amplitudeOf(page)
-  const draft = session.drafts.amplitude
-  const read = draft === undefined || draft.trim() === '' ? null : parseQuantity(draft, 'deg')
-  const valid = read === null || (read >= 0 && read <= Math.PI)
-  const shown = amplitude === null ? '–' : words.typed(Number(amplitude.toFixed(6)))
-  const fault = valid
-    ? null
-    : words.fill(faults[Number.isNaN(read) ? 'not-a-number' : 'out-of-range'], {
-        name: period.amplitude,
-        value: `${draft?.trim().replace(/\s*[a-z°].*$/i, '')}${Number.isNaN(read) ? '' : '°'}`,
-        kept: amplitude === null ? '–' : angleText(page, amplitude),
-        least: '0°',
-        most: '180°',
-      })
-  return value({
-    key: 'amplitude',
-    label: period.amplitude,
-    symbol: '_θ_{max}',
-    unit: '°',
-    value: amplitude ?? 180,
-    least: 0,
-    most: 180,
-    step: 1,
-    grain: 1,
-    origin: 0,
-    ticks: [0, 60, 120, 180],
-    text: shown,
-    spoken: amplitude === null ? plain(period.rotation) : angleText(page, amplitude),
-    draft,
-    fault,
-    onText: (text) => {
-      store.draft('amplitude', text)
-      const next = parseQuantity(text, 'deg')
-      if (next >= 0 && next <= Math.PI) store.set({ theta0: next, velocity0: 0 })
-    },
-    onDone: () => valid && store.draft('amplitude', null),
-    onSlide: (next) => release(page, next),
-    onHold: (held) => store.setSession({ held: held ? 'amplitude' : null }),
   })
 }
 
