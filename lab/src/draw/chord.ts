@@ -33,6 +33,9 @@ export function chordDrawing({ angle, reach, chord }: ChordSpec): TemplateResult
   const end = chordSpot(angle, 36)
   const named = chordSpot(angle / 2, 21)
   const away = angle >= 0 ? 10 : -10
+  // On the side of the rod where the chord is not.
+  const half = chordSpot(angle, LENGTH / 2)
+  const beside = { x: half.x + 1.3 * away * Math.cos(angle), y: half.y - 1.3 * away * Math.sin(angle) }
   return svg`<circle class="grid-line" cx=${CENTRE.x} cy=${CENTRE.y} r=${LENGTH}/>
     ${reach > 0.01 ? svg`<path class="reach" d="M${n(left.x)} ${n(left.y)}A${LENGTH} ${LENGTH} 0 ${reach > Math.PI / 2 ? 1 : 0} 0 ${n(right.x)} ${n(right.y)}"/>` : nothing}
     <circle class="release" cx=${n(right.x)} cy=${n(right.y)} r="10"/>
@@ -45,7 +48,7 @@ export function chordDrawing({ angle, reach, chord }: ChordSpec): TemplateResult
       <text class="symbol" x=${n(named.x)} y=${n(named.y + 5)} text-anchor="middle">θ</text>`
         : nothing
     }
-    <text class="symbol" x=${n((CENTRE.x + bob.x) / 2 - away * 0.4)} y=${n((CENTRE.y + bob.y) / 2 - 8)} text-anchor="middle">L</text>
+    <text class="symbol" x=${n(beside.x)} y=${n(beside.y + 5)} text-anchor="middle">L</text>
     <circle class="pivot" cx=${CENTRE.x} cy=${CENTRE.y} r="3.5"/>
     ${Math.abs(angle) > 0.5 ? svg`<text class="strong" x=${n(middle.x + away)} y=${n(middle.y + 14)} text-anchor=${angle > 0 ? 'start' : 'end'}>${chord}</text>` : nothing}`
 }

@@ -17,7 +17,8 @@ export interface EllipseSpec {
 
 export const ELLIPSE_BOX = { width: 240, height: 486 } as const
 const CENTRE = { x: 118, y: 244 }
-const UNIT = 58
+/** Greatest, where the ellipse is not tall. */
+const UNIT = 96
 const ROOM = 232
 
 /** Pixels of 1 along x and along y. */
@@ -64,7 +65,7 @@ export function ellipseDrawing(spec: EllipseSpec): TemplateResult {
   const aside = (outside ? 1 : -1) * (right ? -12 : 12)
   const named = { x: cx + part * (point.x - cx) + aside, y: cy + part * (point.y - cy) + (outside === above ? 0 : 8) }
   return svg`
-    <path class="zero-line" d="M34 ${cy}H206M${cx} 6V482"/>
+    <path class="zero-line" d="M${n(cx - unit.x - 22)} ${cy}H${n(cx + unit.x + 22)}M${cx} 6V482"/>
     <ellipse class="ellipse" cx=${cx} cy=${cy} rx=${n(unit.x)} ry=${n(tall)}/>
     <ellipse class="unit-circle" cx=${cx} cy=${cy} rx=${n(unit.x)} ry=${n(unit.y)}/>
     <path class="angle-arc" d=${arc}/>${turned > 0.5 ? svg`<text class="symbol" x=${n(cx + 24 * Math.cos(turned / 2))} y=${n(cy - 24 * Math.sin(turned / 2) + 5)} text-anchor="middle">φ</text>` : nothing}

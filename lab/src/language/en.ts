@@ -252,11 +252,11 @@ export const en = {
   functions: {
     ellipse: 'Ellipse',
     equation: '_x_² + (1 − _m_) _y_² = 1',
-    shortened: 'y drawn 1 : {times}',
+    shortened: '_y_ drawn 1 : {times}',
     point: 'Point of the ellipse',
     three: 'At u = {u}: sn {sn}, cn {cn}, dn {dn}.',
     lengths: 'The point of the ellipse has x = {x}, y = {y} and r = {r}.',
-    difference: 'differs from the core’s sn, cn, dn by at most *{size}*',
+    difference: 'differs from the core by *{size}*',
     pendulum: 'Pendulum',
     chord: 'chord',
     chordOver: 'chord/2_L_',

@@ -255,11 +255,11 @@ export const es: Catalogue = {
   functions: {
     ellipse: 'Elipse',
     equation: '_x_² + (1 − _m_) _y_² = 1',
-    shortened: 'y dibujado 1 : {times}',
+    shortened: '_y_ dibujado 1 : {times}',
     point: 'Punto de la elipse',
     three: 'En u = {u}: sn {sn}, cn {cn}, dn {dn}.',
     lengths: 'El punto de la elipse tiene x = {x}, y = {y} y r = {r}.',
-    difference: 'difiere de sn, cn, dn del núcleo a lo sumo *{size}*',
+    difference: 'difiere del núcleo en *{size}*',
     pendulum: 'Péndulo',
     chord: 'cuerda',
     chordOver: 'cuerda/2_L_',

@@ -255,11 +255,11 @@ export const ptBR: Catalogue = {
   functions: {
     ellipse: 'Elipse',
     equation: '_x_² + (1 − _m_) _y_² = 1',
-    shortened: 'y desenhado 1 : {times}',
+    shortened: '_y_ desenhado 1 : {times}',
     point: 'Ponto da elipse',
     three: 'Em u = {u}: sn {sn}, cn {cn}, dn {dn}.',
     lengths: 'O ponto da elipse tem x = {x}, y = {y} e r = {r}.',
-    difference: 'difere de sn, cn, dn do núcleo no máximo *{size}*',
+    difference: 'difere do núcleo em *{size}*',
     pendulum: 'Pêndulo',
     chord: 'corda',
     chordOver: 'corda/2_L_',

@@ -121,9 +121,9 @@ function ellipseFigure(page: Live, { swing, now, window, graph }: Shown): Templa
     set: (next) => seek(page, window, next),
     held: 'time',
   })
-  const unit = shortening === 1 ? '' : `; ${words.fill(functions.shortened, { times: words.given(shortening) })}`
+  const unit = shortening === 1 ? functions.equation : words.fill(functions.shortened, { times: words.given(shortening) })
   return html`<figure class="drawing ellipse-figure" aria-label=${plain(functions.ellipse)}>
-    <div class="head"><h2>${functions.ellipse} <span class="unit">${rich(functions.equation)}${unit}</span></h2></div>
+    <div class="head"><h2>${functions.ellipse} <span class="unit">${rich(unit)}</span></h2></div>
     <div class="drawing-box"><svg viewBox="0 0 ${ELLIPSE_BOX.width} ${ELLIPSE_BOX.height}" aria-hidden="true">${ellipseDrawing(spec)}</svg>${handle}</div>
     <div class="equations" aria-hidden="true"><span>${rich('sn _u_')}</span><span class="soft">${rich(words.formula('= sin _φ_ = _y_/_r_'))}</span>${figure(page, 'sn', place.y / place.r)}
       <span>${rich('cn _u_')}</span><span class="soft">${rich('= cos _φ_ = _x_/_r_')}</span>${figure(page, 'cn', place.x / place.r)}
