@@ -126,6 +126,8 @@ export const en = {
     stop: 'Stop the sound of {plot}',
     now: 'Time in the plot of {plot}',
     loading: 'Loading the exact core …',
+    loadingView: 'Loading the view …',
+    failedView: 'This view could not be loaded. The Lab works; load the page again for the others.',
     empty: 'Only the exact motion is drawn. {add} to see its error.',
     emptyAdd: 'Add a curve',
     leaves: '{name} leaves the plot',

@@ -128,6 +128,8 @@ export const es: Catalogue = {
     stop: 'Parar el sonido: {plot}',
     now: 'Tiempo en la gráfica: {plot}',
     loading: 'Cargando el núcleo exacto …',
+    loadingView: 'Cargando la vista …',
+    failedView: 'Esta vista no se pudo cargar. El Lab funciona; recargue la página para las otras.',
     empty: 'Solo está dibujado el movimiento exacto. {add} para ver su error.',
     emptyAdd: 'Añade una curva',
     leaves: '{name} sale de la gráfica',

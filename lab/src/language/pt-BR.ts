@@ -128,6 +128,8 @@ export const ptBR: Catalogue = {
     stop: 'Parar o som: {plot}',
     now: 'Tempo no gráfico: {plot}',
     loading: 'Carregando o núcleo exato …',
+    loadingView: 'Carregando a vista …',
+    failedView: 'Esta vista não pôde ser carregada. O Lab funciona; recarregue a página para as outras.',
     empty: 'Só o movimento exato está desenhado. {add} para ver o erro.',
     emptyAdd: 'Adicione uma curva',
     leaves: '{name} sai do gráfico',

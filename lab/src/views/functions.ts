@@ -121,7 +121,8 @@ function ellipseFigure(page: Live, { swing, now, window, graph }: Shown): Templa
     set: (next) => seek(page, window, next),
     held: 'time',
   })
-  const unit = shortening === 1 ? functions.equation : words.fill(functions.shortened, { times: words.given(shortening) })
+  const unit =
+    shortening === 1 ? functions.equation : words.fill(functions.shortened, { times: words.given(shortening) })
   return html`<figure class="drawing ellipse-figure" aria-label=${plain(functions.ellipse)}>
     <div class="head"><h2>${functions.ellipse} <span class="unit">${rich(unit)}</span></h2></div>
     <div class="drawing-box"><svg viewBox="0 0 ${ELLIPSE_BOX.width} ${ELLIPSE_BOX.height}" aria-hidden="true">${ellipseDrawing(spec)}</svg>${handle}</div>
