@@ -229,7 +229,7 @@ export const en = {
       linear: 'small swings',
       series: 'Taylor series, degree {n}',
       seriesWhat: 'of 2_K_/π about 0',
-      agm: 'Gauss’s mean, {n} steps',
+      agm: 'Gauss’s mean, _N_ = {n}',
       agmWhat: 'of 1 and _a_',
       rational: 'rational in _m_',
     },

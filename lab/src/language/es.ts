@@ -153,7 +153,7 @@ export const es: Catalogue = {
   },
 
   phase: {
-    title: 'Retrato de fase',
+    title: 'Retrato de fases',
     unit: "velocidad _θ'_ en rad/s contra ángulo _θ_",
     swings: 'oscila',
     over: 'da vueltas',
@@ -208,9 +208,9 @@ export const es: Catalogue = {
     rotation:
       'Este movimiento *da vueltas*: no tiene amplitud. Elija una para comparar las fórmulas, que son para oscilaciones.',
     sentence: 'A *{angle}* el periodo es *{ratio}* veces el de una oscilación pequeña.',
-    nearestShort: 'La más cercana de estas fórmulas: *{name}*, {percent} de menos.',
-    nearestLong: 'La más cercana de estas fórmulas: *{name}*, {percent} de más.',
-    nearestSame: 'La más cercana de estas fórmulas: *{name}*, igual hasta el último dígito.',
+    nearestShort: 'Más cercana: *{name}*, {percent} de menos.',
+    nearestLong: 'Más cercana: *{name}*, {percent} de más.',
+    nearestSame: 'Más cercana: *{name}*, igual hasta el último dígito.',
     errorUnit: '% del exacto, sin signo; sombreado: intervalo declarado',
     errorUnitLinear: '% del exacto; sombreado: intervalo declarado',
     errorsAt: 'Errores a {angle}: {errors}.',
@@ -232,7 +232,7 @@ export const es: Catalogue = {
       linear: 'oscilaciones pequeñas',
       series: 'Serie de Taylor, grado {n}',
       seriesWhat: 'de 2_K_/π alrededor de 0',
-      agm: 'Media de Gauss, {n} pasos',
+      agm: 'Media de Gauss, _N_ = {n}',
       agmWhat: 'de 1 y _a_',
       rational: 'racional en _m_',
     },

@@ -34,7 +34,7 @@ function row(page: Live, motion: Motion, start: Start, place: number, count: num
   const chosen = place === placeOf(state)
   const remove = () => store.set({ ...withoutOrbit(state, place), t: 0 })
   const removeName = words.fill(phase.remove, { letter })
-  return html`<li class="row orbit-row ${chosen ? 'chosen' : ''}" data-orbit=${letter}>
+  return html`<div class="row orbit-row ${chosen ? 'chosen' : ''}" data-orbit=${letter}>
     <input type="radio" name="orbit" id="orbit-${letter}" .checked=${chosen} aria-label="${letter}: ${orbitWords(page, start)}, ${text}, ${phase.period} ${time}"
       @change=${() => store.set({ ...choose(state, place) })} @keydown=${(event: KeyboardEvent) => event.key === 'Delete' && remove()}>
     <b class="letter" aria-hidden="true">${letter}</b>
@@ -43,7 +43,7 @@ function row(page: Live, motion: Motion, start: Start, place: number, count: num
       count > 1
         ? html`<button type="button" class="icon remove" aria-label=${removeName} title=${removeName} @click=${remove}>${icon('close')}</button>`
         : nothing
-    }</li>`
+    }</div>`
 }
 
 const SWINGS = [90, 120, 30, 150, 60, 170]
@@ -87,7 +87,7 @@ export function orbitList(page: Live, motions: readonly Motion[]): TemplateResul
   )
   return html`<section class="compare orbits" aria-labelledby="orbits-title"><div class="head"><h2 id="orbits-title">${phase.orbits}</h2></div>
     <div class="caption"><span>${phase.start}</span><span>${phase.period}</span></div>
-    <ul class="rows" role="radiogroup" aria-labelledby="orbits-title">${motions.map((motion, place) => row(page, motion, all[place] as Start, place, all.length))}</ul>
+    <div class="rows" role="radiogroup" aria-labelledby="orbits-title">${motions.map((motion, place) => row(page, motion, all[place] as Start, place, all.length))}</div>
     <div class="foot">${addMenu(page)}</div>
     <p class="soft small orbits-help">${before}${word}${after}</p>
   </section>`

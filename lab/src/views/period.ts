@@ -10,7 +10,7 @@ import { linearScale, logScale, roundTicks, type Scale, type Tick } from '../dra
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Model } from '../model'
-import { radians } from '../number'
+import { degrees, radians } from '../number'
 import {
   AMPLITUDES,
   nearestOf,
@@ -52,7 +52,10 @@ function cursorOf(page: Live, label: string, text: string): Cursor {
     now: amplitude,
     text,
     key: (event) => {
-      const next = afterKey(event, { value: amplitude, least: 0, most: 180, step: 1 })
+      // As it is now: a second key may come before the page is drawn again.
+      const { theta0, velocity0 } = store.state
+      const value = velocity0 === 0 ? degrees(Math.abs(theta0)) : amplitude
+      const next = afterKey(event, { value, least: 0, most: 180, step: 1 })
       if (next !== null) release(page, next)
       return next !== null
     },

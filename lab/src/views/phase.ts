@@ -100,9 +100,11 @@ function startCursor(page: Live): Cursor {
   const { state, words, store, motion } = page
   const { theta0, velocity0 } = state
   const { phase } = words.say
+  // From the start as it is now: a second key may come before the page is drawn again.
   const move = (byAngle: number, byVelocity: number) => {
-    const angle = Math.min(180, Math.max(-180, Number((degrees(theta0) + byAngle).toPrecision(12))))
-    begin(page, { theta0: radians(angle), velocity0: Number((velocity0 + byVelocity).toPrecision(12)) })
+    const now = store.state
+    const angle = Math.min(180, Math.max(-180, Number((degrees(now.theta0) + byAngle).toPrecision(12))))
+    begin(page, { theta0: radians(angle), velocity0: Number((now.velocity0 + byVelocity).toPrecision(12)) })
   }
   return {
     label: words.fill(phase.startOf, { letter: letterOf(placeOf(state)) }),
