@@ -216,12 +216,13 @@ function draw(page: Live, { swing, now, window, graph }: Shown, size: PlotSize):
       ys: [-1, -0.5, 0, 0.5, 1].map((value) => ({ value, text: words.typed(value) })),
       xLabels: true,
       lines: curves,
-      labels: placedLabels(curves, { sx, sy, width, height, letter: 0.5 * rem, line: 0.95 * rem }).map((label) => ({
-        x: label.x,
-        y: label.y + 0.3 * rem,
-        text: label.text === 'x = cd' ? '_x_ = cd' : label.text,
-        ink: true,
-      })),
+      labels: () =>
+        placedLabels(curves, { sx, sy, width, height, letter: 0.5 * rem, line: 0.95 * rem }).map((label) => ({
+          x: label.x,
+          y: label.y + 0.3 * rem,
+          text: label.text === 'x = cd' ? '_x_ = cd' : label.text,
+          ink: true,
+        })),
       now: now.u,
       dots: [...NAMES.map((name) => ({ clothes: `c-${name}`, y: now[name] })), { clothes: 'c-exact', y: now.place.x }],
     },

@@ -167,14 +167,15 @@ function drawError(page: Live, size: PlotSize): TemplateResult {
     ...(lines[i] as Line),
     text: plain(formulaName(page, name, key)),
   }))
-  const labels = log
-    ? placedLabels(names, { sx, sy, width, height, letter: 0.46 * rem, line: 0.95 * rem }).map(({ x, y, text }) => ({
-        x,
-        y: y + 0.3 * rem,
-        text,
-        ink: true,
-      }))
-    : []
+  const labels = () =>
+    log
+      ? placedLabels(names, { sx, sy, width, height, letter: 0.46 * rem, line: 0.95 * rem }).map(({ x, y, text }) => ({
+          x,
+          y: y + 0.3 * rem,
+          text,
+          ink: true,
+        }))
+      : []
   const dots =
     amplitude === null
       ? []
