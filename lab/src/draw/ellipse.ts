@@ -55,6 +55,8 @@ export function ellipseDrawing(spec: EllipseSpec): TemplateResult {
   const arc = `M${cx + 15} ${cy}A15 15 0 ${turned > Math.PI ? 1 : 0} 0 ${n(cx + 15 * Math.cos(seen))} ${n(cy - 15 * Math.sin(seen))}`
   const right = cn >= 0
   const above = sn >= 0
+  // φ in the middle of its arc; below the axis on the other side of x, whose name is then above it.
+  const phiAt = above ? turned / 2 : right ? 2.4 : 0.75
   const tall = unit.y * height
   const wide = Math.abs(on.x - cx)
   const high = Math.abs(on.y - cy)
@@ -68,7 +70,7 @@ export function ellipseDrawing(spec: EllipseSpec): TemplateResult {
     <path class="zero-line" d="M${n(cx - unit.x - 22)} ${cy}H${n(cx + unit.x + 22)}M${cx} 6V482"/>
     <ellipse class="ellipse" cx=${cx} cy=${cy} rx=${n(unit.x)} ry=${n(tall)}/>
     <ellipse class="unit-circle" cx=${cx} cy=${cy} rx=${n(unit.x)} ry=${n(unit.y)}/>
-    <path class="angle-arc" d=${arc}/>${turned > 0.5 ? svg`<text class="symbol" x=${n(cx + 24 * Math.cos(turned / 2))} y=${n(cy - 24 * Math.sin(turned / 2) + 5)} text-anchor="middle">φ</text>` : nothing}
+    <path class="angle-arc" d=${arc}/>${turned > 0.5 ? svg`<text class="symbol" x=${n(cx + 24 * Math.cos(phiAt))} y=${n(cy - 24 * Math.sin(phiAt) + 5)} text-anchor="middle">φ</text>` : nothing}
     <path class="drop-line" d="M${n(point.x)} ${n(point.y)}V${cy}"/>
     <path class="c c-dn" d="M${cx} ${cy}L${n(point.x)} ${n(point.y)}"/>
     ${far > 45 ? svg`<text class="symbol" x=${n(named.x)} y=${n(named.y)} text-anchor="middle">r</text>` : nothing}
