@@ -25,7 +25,7 @@ export default defineConfig(({ mode, command }) => {
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
-      rolldownOptions: { output: offline ? { format: 'iife' } : {} },
+      rolldownOptions: { output: offline ? { format: 'iife', codeSplitting: false } : {} },
     },
     test: { include: ['tests/**/*.test.ts'] },
   }

@@ -5,12 +5,14 @@
 
 import { type Curve, curveKey, isCurveName, kindOf, usualCurve } from './curves'
 import { angleText, parseNumber, parseQuantity, type Unit } from './number'
+import { baseOf, readPeriod } from './periods'
 import {
   curveFault,
   DEFAULTS,
   type Fault,
   inRange,
   LANGUAGES,
+  LETTERS,
   MOST_CURVES,
   MOST_ORBITS,
   RANGES,
@@ -108,6 +110,22 @@ function readOrbits(text: string): State['orbits'] | Fault {
 const writeOrbits = (orbits: State['orbits']): string =>
   orbits.map(({ theta0, velocity0 }) => angleText(theta0) + (velocity0 === 0 ? '' : `;${velocity0}`)).join(',')
 
+function readLetter(text: string, name: string): number | Fault {
+  const at = LETTERS.indexOf(text.toUpperCase())
+  return text.length === 1 && at >= 0 ? at : { kind: 'not-one-of', name, value: text, allowed: [...LETTERS] }
+}
+
+function readPeriods(text: string): State['periods'] | Fault {
+  const keys: string[] = []
+  for (const part of text === 'none' ? [] : text.split(',').filter((each) => each !== '')) {
+    const key = readPeriod(part)
+    if (isFault(key)) return key
+    if (keys.some((each) => baseOf(each) === baseOf(key))) return { kind: 'twice', name: 'periods', value: part }
+    keys.push(key)
+  }
+  return keys
+}
+
 function readSpan(text: string): State['span'] | Fault {
   if (text === 'T' || text === '1T') return 'T'
   const value = parseQuantity(text, 's')
@@ -130,12 +148,14 @@ const KEYS = {
   unit: choice('errorUnit', ['percent', 'degrees']),
   energy: choice('energy', ['auto', 'total', 'parts']),
   orbits: { of: 'orbits', read: readOrbits, write: writeOrbits },
+  orbit: { of: 'orbit', read: readLetter, write: (value: number) => LETTERS[value] ?? 'A' },
   periods: {
     of: 'periods',
-    read: (text: string): State['periods'] => (text === 'none' ? [] : text.split(',').filter((each) => each !== '')),
+    read: readPeriods,
     write: (value: State['periods']) => (value === null ? '' : value.join(',') || 'none'),
   },
   axis: choice('periodAxis', ['log', 'linear']),
+  sort: choice('periodOrder', ['registry', 'error']),
   lang: choice('language', ['auto', ...LANGUAGES]),
   theme: choice('theme', THEMES),
 } as const

@@ -6,16 +6,21 @@ import './style/base.css'
 import './style/layout.css'
 import './style/charts.css'
 import './style/controls.css'
+import './style/functions.css'
+import './style/period.css'
+import './style/phase.css'
 import { App } from './app'
 import { readLink } from './link'
 import { completedModel, openModel } from './model'
 import { keepForLater } from './second-visit'
 import { SECOND, SOURCES } from './sources'
-import { VIEWS } from './views'
+import { loadViews, VIEWS } from './views'
 
-/** The formulas that the page can begin without; if they do not come, their rows say so. */
-async function completed(app: App): Promise<void> {
+/** The views and formulas that the page can begin without; if they do not come, the page says so in their place. */
+async function completed(app: App, views: Promise<void>): Promise<void> {
   try {
+    await views
+    app.schedule()
     app.begin(await completedModel(SECOND))
   } finally {
     await keepForLater()
@@ -28,6 +33,7 @@ async function begin(): Promise<void> {
   document.getElementById('still')?.setAttribute('hidden', '')
   const opened = readLink(location.hash)
   const app = new App(root, VIEWS, opened)
+  const views = loadViews()
   window.addEventListener('hashchange', () => {
     const { state, faults } = readLink(location.hash)
     app.store.clock.pause()
@@ -37,8 +43,10 @@ async function begin(): Promise<void> {
   const slow = setTimeout(() => app.wait({ slow: true, failed: null }), 300)
   try {
     if (typeof WebAssembly !== 'object') throw new Error('no-wasm')
-    app.begin(await openModel(SOURCES))
-    void completed(app)
+    const model = await openModel(SOURCES)
+    if (opened.state.view !== 'lab') await views
+    app.begin(model)
+    void completed(app, views)
   } catch (error) {
     // The part that needs no core stands below what is said of it.
     document.getElementById('still')?.removeAttribute('hidden')

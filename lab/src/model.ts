@@ -1,7 +1,7 @@
 // The only file that knows the core: exact motions, curves and functions in the terms of the page. No formula of its own.
 //
-// Two things the core does not have: the upright balance, which the double nearest to π is not, and the velocity of a
-// formula for the angle, which is the slope of what it draws.
+// Three things the core does not have: the upright balance, which the double nearest to π is not; the separatrix, on which
+// almost no pair of doubles lies; and the velocity of a formula for the angle, which is the slope of what it draws.
 
 import { approx, DomainError, elliptic, load, loadSecond, Pendulum, type Regime } from 'libration'
 import { type Curve, curveKey, kindOf } from './curves'
@@ -66,8 +66,52 @@ export const MOST_STEPS = 1_000_000
 /** Times to either side at which the slope of a formula is taken, in s at a small-swing period of 2π s. */
 const SLOPE = 1e-5
 
+/** Angle and velocity of an exact motion. */
+interface Exact {
+  theta(t: number): number
+  velocity(t: number): number
+  motion(times: Float64Array): Track
+}
+
+function still(theta: number): Exact {
+  return {
+    theta: () => theta,
+    velocity: () => 0,
+    motion: (times) => ({ theta: times.map(() => theta), velocity: times.map(() => 0) }),
+  }
+}
+
+/** How near to the velocity of the separatrix a start is taken to mean it: what rounding does to that velocity. */
+const ROUNDING = 4 * Number.EPSILON
+/** Longer than a unit pendulum takes between any two doubles of the angle, to either side. */
+const LONG = 50
+
+/**
+ * The separatrix through a start whose velocity is that of the separatrix as a double has it. The unit pendulum with velocity 2
+ * at the bottom is on it exactly; this one is the same motion in another unit of time, begun when it passes the start.
+ */
+function separatrix(pendulum: Pendulum): Exact | null {
+  const { theta0, velocity0, omega0 } = pendulum
+  const there = pendulum.separatrixVelocity(theta0)
+  if (velocity0 === 0 || !(Math.abs(Math.abs(velocity0) - there) <= ROUNDING * there)) return null
+  const unit = new Pendulum({ theta0: 0, velocity0: 2 * Math.sign(velocity0) })
+  const [start] = unit.times(theta0, -LONG, LONG)
+  if (start === undefined) return null
+  return {
+    theta: (t) => unit.theta(start + omega0 * t),
+    velocity: (t) => omega0 * unit.velocity(start + omega0 * t),
+    motion: (times) => {
+      const { theta, velocity } = unit.motion(times.map((t) => start + omega0 * t))
+      return { theta, velocity: velocity.map((value) => omega0 * value) }
+    },
+  }
+}
+
 export class Motion {
   readonly #pendulum: Pendulum
+  readonly #exact: Exact
+  /** Whether the motion shown is that of the core for the doubles of the start: neither balance nor rounded separatrix. */
+  readonly asGiven: boolean
   /** At rest on the top: π is between two doubles, so the core cannot be asked for it. */
   readonly balanced: boolean
   readonly regime: Regime
@@ -78,6 +122,8 @@ export class Motion {
   readonly thetaMax: number
   /** Energy over the energy at the top: the parameter m of the elliptic functions. */
   readonly energyRatio: number
+  /** 1 − energyRatio, with all its digits. */
+  readonly energyRatioC: number
   readonly #top: number
 
   constructor(readonly setup: Setup) {
@@ -85,26 +131,29 @@ export class Motion {
     this.balanced = Math.abs(theta0) === Math.PI && velocity0 === 0
     const pendulum = new Pendulum(setup)
     this.#pendulum = pendulum
-    this.regime = this.balanced ? 'rest' : pendulum.regime
+    const limit = this.balanced ? still(theta0) : separatrix(pendulum)
+    this.#exact = limit ?? pendulum
+    this.asGiven = limit === null
+    this.regime = this.balanced ? 'rest' : limit ? 'separatrix' : pendulum.regime
     this.omega0 = pendulum.omega0
-    this.period = this.balanced ? Number.POSITIVE_INFINITY : pendulum.period
+    this.period = limit ? Number.POSITIVE_INFINITY : pendulum.period
     this.smallPeriod = new Pendulum({ theta0: 0, length, gravity }).period
-    this.thetaMax = pendulum.regime === 'rotation' || pendulum.regime === 'separatrix' ? Math.PI : pendulum.thetaMax
-    this.energyRatio = this.balanced ? 1 : pendulum.energyRatio
+    this.thetaMax = limit || this.regime === 'rotation' || this.regime === 'separatrix' ? Math.PI : pendulum.thetaMax
+    this.energyRatio = limit ? 1 : pendulum.energyRatio
+    this.energyRatioC = limit ? 0 : pendulum.energyRatioC
     this.#top = pendulum.energies({ theta: Math.PI, velocity: 0 }).potential
   }
 
   theta(t: number): number {
-    return this.balanced ? this.setup.theta0 : this.#pendulum.theta(t)
+    return this.#exact.theta(t)
   }
 
   velocity(t: number): number {
-    return this.balanced ? 0 : this.#pendulum.velocity(t)
+    return this.#exact.velocity(t)
   }
 
   sample(times: Float64Array): Track {
-    if (!this.balanced) return this.#pendulum.motion(times)
-    return { theta: times.map(() => this.setup.theta0), velocity: times.map(() => 0) }
+    return this.#exact.motion(times)
   }
 
   energy({ theta, velocity }: Track): Energy {
@@ -133,6 +182,13 @@ export class Motion {
     return potential.map((at) => Math.sqrt(Math.max(0, 2 * (energyRatio * this.#top - at))))
   }
 
+  /** The last time up to the start at which it turned back on the right; 0 at rest, NaN where it does not turn back. */
+  get turned(): number {
+    if (this.regime === 'rest') return 0
+    if (this.regime !== 'libration') return Number.NaN
+    return this.#pendulum.times(this.thetaMax, -this.period, 0).at(-1) ?? Number.NaN
+  }
+
   /** The same pendulum started elsewhere. */
   from(theta0: number, velocity0: number): Motion {
     return new Motion({ ...this.setup, theta0, velocity0 })
@@ -151,6 +207,8 @@ export class Motion {
     }
     if (SECOND.includes(curve.name) && !secondLoaded) return { refused: 'loading' }
     try {
+      // Asked of a motion that is the separatrix beyond doubt, so that what needs a period says so.
+      if (this.regime === 'separatrix') approx.angle(curveKey(curve)).of(new Pendulum({ theta0: 0, velocity0: 2 }))
       return new Formula(this, this.#pendulum, curve)
     } catch (error) {
       if (!(error instanceof DomainError)) throw error
@@ -189,7 +247,7 @@ class Formula implements Solution {
     const h = this.#slope
     let velocity: Float64Array | null = null
     return {
-      ...this.#both(times, exact.theta, quick || this.exact.balanced),
+      ...this.#both(times, exact.theta, quick || !this.exact.asGiven),
       // Asked for only where velocities are drawn.
       get velocity() {
         if (velocity) return velocity
@@ -212,7 +270,7 @@ class Formula implements Solution {
   }
 
   largest(periods: number): Largest | null {
-    if (this.exact.balanced) return null
+    if (!this.exact.asGiven) return null
     const { difference, t, undefinedFrom } = this.#of.error(periods)
     return { value: difference, t, gone: undefinedFrom }
   }
@@ -274,6 +332,14 @@ function known(entries: readonly approx.Entry[]): Known[] {
   }))
 }
 
+/** The parameter of the elliptic functions and its complement 1 − m. */
+export interface Parameter {
+  readonly m: number
+  readonly mc: number
+}
+
+const smaller = ({ m, mc }: Parameter): { m: number } | { mc: number } => (mc < m ? { mc } : { m })
+
 export class Model {
   /** Formulas of the angle and of the period, in the order of the registry. */
   readonly angles: readonly Known[] = known(approx.angle.entries)
@@ -300,13 +366,13 @@ export class Model {
 
   jacobi(
     u: Float64Array,
-    m: number,
+    parameter: Parameter,
   ): { readonly sn: Float64Array; readonly cn: Float64Array; readonly dn: Float64Array; readonly am: Float64Array } {
-    return elliptic.jacobi(u, { m })
+    return elliptic.jacobi(u, smaller(parameter))
   }
 
-  completeK(m: number): number {
-    return elliptic.completeK({ m })
+  completeK(parameter: Parameter): number {
+    return elliptic.completeK(smaller(parameter))
   }
 }
 

@@ -32,11 +32,15 @@ export interface State extends Start {
   readonly errorAxis: 'auto' | 'log' | 'linear'
   readonly errorUnit: 'percent' | 'degrees'
   readonly energy: 'auto' | 'total' | 'parts'
-  /** Orbits of the portrait beside the first, which is that of theta0 and velocity0. */
+  /** Orbits of the portrait beside that of theta0 and velocity0. */
   readonly orbits: readonly Start[]
+  /** Place of theta0 and velocity0 among the letters of the portrait: 0 is A. */
+  readonly orbit: number
   /** Formulas of the period that are drawn, by their names in the registry; null is the usual choice. */
   readonly periods: readonly string[] | null
   readonly periodAxis: 'log' | 'linear'
+  /** How the list of formulas is sorted: as the registry, or by the error at the amplitude. */
+  readonly periodOrder: 'registry' | 'error'
   readonly language: Language | 'auto'
   readonly theme: Theme
 }
@@ -64,8 +68,10 @@ export const DEFAULTS: State = {
     { theta0: radians(60), velocity0: 0 },
     { theta0: 0, velocity0: 7.5 },
   ],
+  orbit: 0,
   periods: null,
   periodAxis: 'log',
+  periodOrder: 'registry',
   language: 'auto',
   theme: 'auto',
 }
@@ -74,6 +80,8 @@ export const SPEEDS = [0.25, 0.5, 1, 2] as const
 /** Curves drawn at once, the exact one apart. */
 export const MOST_CURVES = 6
 export const MOST_ORBITS = 6
+/** What the orbits of the portrait are called. */
+export const LETTERS = 'ABCDEF'
 
 /** A number of the state, its unit, and what it may be. */
 export interface Range {

@@ -97,6 +97,14 @@ describe('a curve that leaves the frame', () => {
     ])
   })
 
+  it('is marked where it comes in if it begins outside, or at its beginning if it does not', () => {
+    expect(leavings({ x: numbers(0, 1, 2, 3), y: numbers(-5, -3, 0, 4) }, -1, 1)).toEqual([
+      { x: 2, up: false },
+      { x: 3, up: true },
+    ])
+    expect(leavings({ x: numbers(0, 1), y: numbers(5, 4) }, -1, 1)).toEqual([{ x: 0, up: true }])
+  })
+
   it('is not marked while it stays', () => expect(leavings({ x: numbers(0, 1), y: numbers(0, 1) }, -1, 1)).toEqual([]))
 })
 

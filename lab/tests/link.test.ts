@@ -22,6 +22,8 @@ const plainStates: Partial<State>[] = [
   },
   { orbits: [], periods: [], periodAxis: 'linear' },
   { orbits: [{ theta0: radians(60), velocity0: -3.25 }], periods: ['bernoulli', 'series:4'] },
+  { orbit: 2, view: 'phase' },
+  { periodOrder: 'error', periods: ['agm:3', 'salas-28'], view: 'period' },
   { language: 'pt-BR', theme: 'dark' },
 ]
 
@@ -118,6 +120,12 @@ describe('a bad value', () => {
     ['curves=linear,harmonic,trigonometric,small-m,cubic,rk4,verlet', 'too-many', 'curves'],
     ['orbits=1,2,3,4,5,6,7', 'too-many', 'orbits'],
     ['orbits=400', 'out-of-range', 'orbits'],
+    ['orbit=G', 'not-one-of', 'orbit'],
+    ['periods=bernoulli,newton', 'not-one-of', 'periods'],
+    ['periods=agm:9', 'argument', 'periods'],
+    ['periods=series:3', 'argument', 'periods'],
+    ['periods=linear:2', 'not-one-of', 'periods'],
+    ['periods=agm:1,agm:2', 'twice', 'periods'],
     ['span=0', 'out-of-range', 'span'],
   ])('%s is named and replaced by the usual one', (pair, kind, name) => {
     const { state, faults } = readLink(`#v=1&${pair}&L=0.5m`.replace('&L=0.5m', pair.startsWith('L=') ? '' : '&L=0.5m'))

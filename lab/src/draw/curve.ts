@@ -59,18 +59,28 @@ export interface Leaving {
   readonly up: boolean
 }
 
-/** Where a curve leaves the frame through its top or bottom, on the way out; at most so many. */
+/**
+ * Where a curve leaves the frame through its top or bottom, on the way out; at most so many. One that begins outside is marked
+ * where it comes in, and at its beginning if it never does.
+ */
 export function leavings({ x, y }: Points, low: number, high: number, factor = 1, most = 12): Leaving[] {
   const out: Leaving[] = []
-  let inside = true
+  let inside: boolean | null = null
+  let begun: Leaving | null = null
   for (let i = 0; i < y.length && out.length < most; i++) {
     const value = (y[i] as number) * factor
     if (!Number.isFinite(value)) continue
     const within = value >= low && value <= high
-    if (inside && !within) out.push({ x: x[i] as number, up: value > high })
+    const here = { x: x[i] as number, up: value > high }
+    if (inside === null && !within) begun = here
+    else if (inside && !within) out.push(here)
+    else if (begun && within) {
+      out.push({ x: here.x, up: begun.up })
+      begun = null
+    }
     inside = within
   }
-  return out
+  return begun ? [begun] : out
 }
 
 /** Stretches of x without a value: [from, to]. */

@@ -49,7 +49,8 @@ export interface PlotSpec {
   readonly verticals?: readonly { readonly x: number; readonly text: string }[]
   /** Dashed horizontals. */
   readonly levels?: readonly number[]
-  readonly labels?: readonly Label[]
+  /** A function where finding their places takes time: it is asked only when the still part is drawn. */
+  readonly labels?: readonly Label[] | (() => readonly Label[])
   readonly rings?: readonly { readonly x: number; readonly y: number }[]
   /** The line at the time shown, and the curves' points on it. */
   readonly now?: number
@@ -81,7 +82,7 @@ function tickLabels({ sx, sy, xs, ys, xLabels, width, height, rem }: PlotSpec): 
 function leavingMarks(line: Line, { sx, sy, height, rem }: PlotSpec): TemplateResult {
   const low = Math.min(sy.low, sy.high)
   const high = Math.max(sy.low, sy.high)
-  const slack = 1e-6 * (high - low)
+  const slack = 1e-6 * (low > 0 ? low : high - low)
   const half = 0.3125 * rem
   const tall = 0.4375 * rem
   return svg`${leavings(line, low - slack, high + slack, line.factor ?? 1).map(({ x, up }) => {
@@ -114,7 +115,7 @@ function still(spec: PlotSpec): TemplateResult {
     </svg>
     ${lines.map((line) => leavingMarks(line, spec))}
     ${(spec.verticals ?? []).map(({ x, text }) => (sx(x) < width - 1.5 * rem ? label({ x: sx(x) + 0.25 * rem, y: 0.9 * rem, text, anchor: 'start' }) : nothing))}
-    ${(spec.labels ?? []).map(label)}
+    ${(typeof spec.labels === 'function' ? spec.labels() : (spec.labels ?? [])).map(label)}
     ${(spec.rings ?? []).map(({ x, y }) => svg`<circle class="ring" cx=${sx(x).toFixed(1)} cy=${sy(y).toFixed(1)} r=${0.5 * rem}/>`)}
     ${tickLabels(spec)}`
 }

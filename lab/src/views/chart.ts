@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { iconButton } from '../controls/parts'
 import { measured, sizeOf } from '../controls/size'
-import { afterKey, dragging, partAlong } from '../controls/slide'
+import { afterKey, type Drag, dragging, partAlong } from '../controls/slide'
 import { plain, rich } from '../language/rich'
 import type { Window } from '../study'
 import type { Page } from './page'
@@ -14,6 +14,19 @@ export interface PlotSize {
   readonly width: number
   readonly height: number
   readonly rem: number
+}
+
+/** What a plot lets one move: the time, an amplitude, a start. */
+export interface Cursor {
+  readonly label: string
+  readonly least: number
+  readonly most: number
+  readonly now: number
+  /** As a screen reader says it; null while it moves by itself. */
+  readonly text: string | null
+  /** Whether the key was one of its own. */
+  readonly key: (event: KeyboardEvent) => boolean
+  readonly drag: Drag
 }
 
 export interface ChartSpec {
@@ -35,6 +48,8 @@ export interface ChartSpec {
   /** What an arrow key on the plot says. */
   readonly spoken?: string
   readonly window?: Window
+  /** Instead of the time of `window`. */
+  readonly cursor?: Cursor
   readonly table?: () => TableSpec
   readonly sound?: () => SoundSpec
   /** Below the plot: reasons of hatching, what to do when it is empty. */
@@ -67,36 +82,47 @@ export function toggleTable({ store, session }: Page, key: string): void {
   store.setSession({ tables: open ? session.tables.filter((each) => each !== key) : [...session.tables, key] })
 }
 
-function area(page: Page, spec: ChartSpec): TemplateResult {
-  const { store, rem, t, words } = page
-  const size = sizeOf(spec.key)
-  const drawn = size && size.width > 0 ? spec.draw({ width: size.width, height: size.height, rem }) : nothing
-  const { window } = spec
-  const style = `--plot-height:${spec.height}rem`
-  const className = `plot ${spec.xLabels ? 'with-x' : 'without-x'}`
-  if (!window || spec.waiting) {
-    return html`<div class=${className} style=${style} ${measured(spec.key)}>${drawn}${spec.waiting ? html`<p class="waiting">${spec.waiting}</p>` : nothing}${spec.over ?? nothing}</div>`
-  }
+/** The time of a window as what is moved. */
+function timeCursor({ store, t, words }: Page, { name, spoken }: ChartSpec, { from, to }: Window): Cursor {
   const seek = (time: number) => {
     store.clock.pause()
-    store.seek(Math.min(Math.max(time, 0), window.to - 1e-6 * (window.to - window.from)))
+    store.seek(Math.min(Math.max(time, 0), to - 1e-6 * (to - from)))
+  }
+  const { playing } = store.clock
+  return {
+    label: words.fill(words.say.plots.now, { plot: name }),
+    least: from,
+    most: to,
+    now: playing ? from : Number(t.toFixed(3)),
+    text: playing ? null : (spoken ?? null),
+    key: (event) => {
+      const next = afterKey(event, { value: store.clock.t, least: from, most: to, step: (to - from) / 100 })
+      if (next !== null) seek(next)
+      return next !== null
+    },
+    drag: { at: (x, _, element) => seek(from + (to - from) * partAlong(x, element)) },
+  }
+}
+
+function area(page: Page, spec: ChartSpec): TemplateResult {
+  const { rem } = page
+  const size = sizeOf(spec.key)
+  const drawn = size && size.width > 0 ? spec.draw({ width: size.width, height: size.height, rem }) : nothing
+  const style = `--plot-height:${spec.height}rem`
+  const className = `plot ${spec.xLabels ? 'with-x' : 'without-x'}`
+  const cursor = spec.cursor ?? (spec.window && timeCursor(page, spec, spec.window))
+  if (!cursor || spec.waiting) {
+    return html`<div class=${className} style=${style} ${measured(spec.key)}>${drawn}${spec.waiting ? html`<p class="waiting">${spec.waiting}</p>` : nothing}${spec.over ?? nothing}</div>`
   }
   return html`<div class=${className} style=${style} ${measured(spec.key)} role="slider" tabindex="0" data-plot=${spec.key}
-    aria-label=${words.fill(words.say.plots.now, { plot: spec.name })} aria-valuemin=${window.from} aria-valuemax=${window.to}
-    aria-valuenow=${store.clock.playing ? window.from : Number(t.toFixed(3))} aria-valuetext=${store.clock.playing ? nothing : (spec.spoken ?? nothing)}
+    aria-label=${cursor.label} aria-valuemin=${cursor.least} aria-valuemax=${cursor.most}
+    aria-valuenow=${cursor.now} aria-valuetext=${cursor.text ?? nothing}
     @keydown=${(event: KeyboardEvent) => {
-      const next = afterKey(event, {
-        value: store.clock.t,
-        least: window.from,
-        most: window.to,
-        step: (window.to - window.from) / 100,
-      })
-      if (next === null) return
+      if (!cursor.key(event)) return
       event.preventDefault()
       event.stopPropagation()
-      seek(next)
     }}
-    @pointerdown=${dragging({ at: (x, _, element) => seek(window.from + (window.to - window.from) * partAlong(x, element)) })}>${drawn}${spec.over ?? nothing}</div>`
+    @pointerdown=${dragging(cursor.drag)}>${drawn}${spec.over ?? nothing}</div>`
 }
 
 export function chart(page: Page, spec: ChartSpec): TemplateResult {

@@ -13,8 +13,8 @@ export const EXAMPLES = {
   lima3: 'th0=90deg&L=1m&g=9.8&curves=harmonic,fourier:2&span=T&error=linear',
   lima4: 'th0=157.5deg&L=1m&g=9.8&curves=harmonic,fourier:4&span=T&error=linear',
   horsley: 'th0=3rad&L=1m&g=9.8&curves=linear,rk45,rk4:0.025&span=12s',
-  // The data of Salas' example 2 are not in the text; chosen with m = 1.419 and ω0 = 1/s: 5.1116 rad at t = 2.1 s.
-  salas: 'th0=1.8882906rad&w0=1.7468904&L=9.81m&g=9.81&curves=rk4:0.025,small-m&span=8s&t=2.1s',
+  // Salas' m = 1.419: 0.6 rad with 3 rad/s and ω0 = 1.3/s turns over, and is at 5.1116 rad at 2.1 s. His data are not in the text.
+  salas: 'th0=0.6rad&w0=3&L=1m&g=1.69&curves=rk4:0.025,small-m&span=8s&t=2.1s',
   over: 'th0=0deg&w0=7.5&L=1m&g=9.81&curves=linear,rk45&span=8s',
   balance: 'th0=180deg&L=1m&g=9.81&curves=linear,rk4:0.025&span=8s',
 } as const

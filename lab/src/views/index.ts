@@ -1,7 +1,37 @@
 // The views that there are, in the order of their tabs. A view that does not exist yet has no tab.
 
+import { html } from 'lit-html'
 import { motionSentence } from './bench'
 import { lab, labAlarm } from './lab'
 import type { View } from './shell'
 
-export const VIEWS: readonly View[] = [{ name: 'lab', sentence: motionSentence, alarm: labAlarm, body: lab }]
+type Later = typeof import('./later')
+let later: Later | null = null
+let failed = false
+
+/** Loads all views but the Lab; begun with the page, so that no request is left for a tab. Never rejects: the Lab works alone. */
+export async function loadViews(): Promise<void> {
+  try {
+    later = await import('./later')
+  } catch {
+    failed = true
+  }
+}
+
+function view(name: 'phase' | 'period' | 'functions'): View {
+  return {
+    name,
+    sentence: (page) => later?.[`${name}Sentence`](page) ?? page.words.say.sentence.waiting,
+    body: (page) => {
+      const { loadingView, failedView } = page.words.say.plots
+      return later?.[name](page) ?? html`<p class="waiting-line" role="status">${failed ? failedView : loadingView}</p>`
+    },
+  }
+}
+
+export const VIEWS: readonly View[] = [
+  { name: 'lab', sentence: motionSentence, alarm: labAlarm, body: lab },
+  view('phase'),
+  view('period'),
+  view('functions'),
+]

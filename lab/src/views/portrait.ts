@@ -6,7 +6,7 @@ import { measured, sizeOf } from '../controls/size'
 import { dragging } from '../controls/slide'
 import { pathOf } from '../draw/curve'
 import { plot } from '../draw/plot'
-import { linearScale, roundTicks } from '../draw/scale'
+import { linearScale, roundTicks, type Scale } from '../draw/scale'
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Motion } from '../model'
@@ -16,7 +16,7 @@ import type { Live } from './page'
 const DEGREES = 180 / Math.PI
 const POINTS = 181
 
-interface Loop {
+export interface Loop {
   readonly x: Float64Array
   readonly y: Float64Array
 }
@@ -55,7 +55,7 @@ interface Background {
 let last: Background | null = null
 
 /** Of one pendulum, whatever its start. */
-function background(motion: Motion): Background {
+export function background(motion: Motion): Background {
   const { omega0 } = motion
   if (last?.omega0 === omega0) return last
   const swings = SWINGS.map((degrees) =>
@@ -109,11 +109,8 @@ function starting(page: Live, width: number, height: number) {
   })
 }
 
-function draw(page: Live, width: number, height: number): TemplateResult {
-  const { motion, words, t, rem } = page
-  const reach = heldReach ?? velocityReach(motion)
-  const sx = linearScale([-180, 180], [0, width])
-  const sy = linearScale([-reach, reach], [height, 0])
+/** The tinted region of swings, faint level curves, and the separatrix. */
+export function portraitGround(motion: Motion, sx: Scale, sy: Scale): TemplateResult {
   const { faint, separatrix } = background(motion)
   const path = (each: Loop) => pathOf(each, sx, sy)
   const [above, below] = separatrix
@@ -121,9 +118,17 @@ function draw(page: Live, width: number, height: number): TemplateResult {
     above && below
       ? `${path(above)}${path({ x: below.x.toReversed(), y: below.y.toReversed() }).replace('M', 'L')}Z`
       : ''
-  const under = svg`<g transform="scale(0.1)"><path class="band" d=${band}/>
+  return svg`<g transform="scale(0.1)"><path class="band" d=${band}/>
     ${faint.map((each) => svg`<path class="faint" d=${path(each)}/>`)}
     ${separatrix.map((each) => svg`<path class="separatrix" d=${path(each)}/>`)}</g>`
+}
+
+function draw(page: Live, width: number, height: number): TemplateResult {
+  const { motion, words, t, rem } = page
+  const reach = heldReach ?? velocityReach(motion)
+  const sx = linearScale([-180, 180], [0, width])
+  const sy = linearScale([-reach, reach], [height, 0])
+  const under = portraitGround(motion, sx, sy)
   const { portrait } = words.say
   const labels = [
     { x: width / 2, y: height / 2 + 0.3 * rem, text: portrait.swings },

@@ -20,6 +20,8 @@ export interface TableSpec {
   readonly file: string
   readonly first: Column
   readonly columns: readonly Column[]
+  /** Rows of the short table; else some at even distances. */
+  readonly some?: readonly number[]
 }
 
 const SOME = 8
@@ -51,7 +53,8 @@ export function table(page: Page, key: string, spec: TableSpec): TemplateResult 
   const count = first.values.length
   const whole = session.wholeTables.includes(key)
   const stride = whole ? 1 : Math.max(1, Math.floor((count - 1) / SOME))
-  const rows = Array.from({ length: Math.floor((count - 1) / stride) + 1 }, (_, i) => i * stride)
+  const even = Array.from({ length: Math.floor((count - 1) / stride) + 1 }, (_, i) => i * stride)
+  const rows = whole ? even : (spec.some ?? even)
   const cell = ({ values, factor, decimals }: Column, i: number) => {
     const value = (values[i] as number) * factor
     return Number.isNaN(value) ? words.say.table.noValue : words.fixed(value, decimals)
