@@ -36,12 +36,16 @@ def damped_page(held: dict) -> str:
     tables = []
     for case in dict.fromkeys(record["case"] for record in records):
         mine = [record for record in records if record["case"] == case]
-        tables.append(f"## {case[0].upper()}{case[1:]}, {mine[0]['periods']:g} periods\n\n{damped_table(mine, few, many)}")
+        tables.append(
+            f"## {case[0].upper()}{case[1:]}, {mine[0]['periods']:g} periods\n\n{damped_table(mine, few, many)}"
+        )
     versions = held["versions"]
     parts = {
         **{name: held[name] for name in ("date", "command", "processor", "system")},
         "load": str(held["load at the start"]),
-        "versions": ", ".join(f"{name} {versions[name]}" for name in ("libration", "Python", "numpy", "scipy", "heyoka")),
+        "versions": ", ".join(
+            f"{name} {versions[name]}" for name in ("libration", "Python", "numpy", "scipy", "heyoka")
+        ),
         "horizon": f"{HORIZON:g} and more",
         "few": str(few),
         "many": f"{many:,}",
