@@ -1,6 +1,5 @@
 """`libration lab`: one folder, to this machine alone, until Ctrl-C."""
 
-import os
 import signal
 import subprocess
 import sys
@@ -88,7 +87,6 @@ def test_a_port_in_use_is_refused(
     assert "leave it out for a free one" in capsys.readouterr().err
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_ctrl_c_ends_it(folder: Path) -> None:
     program = f"""
 import sys

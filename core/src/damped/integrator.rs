@@ -7,7 +7,8 @@
 
 use super::circular::of_double;
 use super::equation::Equation;
-use super::jet::{Ahead, COSINE, Jet, SINE, SLIP, VELOCITY};
+use super::jet::{COSINE, Jet, SINE, SLIP, VELOCITY};
+use super::jet_sum::Ahead;
 use super::roots::{first_root, value_and_slope};
 use super::segment::{Event, Segment, Start, step_length};
 use super::taylor::ORDER;

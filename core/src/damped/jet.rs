@@ -1,4 +1,4 @@
-//! Taylor coefficients of the motion at one time, and the state that they give at another.
+//! Taylor coefficients of the motion at one time.
 //!
 //! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
 //! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
@@ -8,10 +8,10 @@
 //!
 //! Four numbers are side by side in a lane: c, -s, u, v times one v give the sums of s, c, u and of v^2. Where friction is linear or
 //! dry only c and -s are needed: then a lane holds two terms of the sum. One step is 31 32/2 - 15 = 481 products of a row with a v in
-//! double (half of the lanes where two terms share one) and 10 in double-double, then sums of 27 and 5 terms.
+//! double (half of the lanes where two terms share one) and 10 in double-double.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
-use super::taylor::{INVERSE, LONG, ORDER, Series, double, number, on_circle, places};
+use super::taylor::{INVERSE, LONG, ORDER, Series, double, places};
 use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
@@ -43,25 +43,14 @@ pub(super) struct Piece {
 #[derive(Clone, Debug)]
 pub(super) struct Jet {
     /// Of s, c, v, and of the powers 1, 2, ... in the angle; the low words of the first.
-    rows: [[f64; 4]; ORDER + 1],
-    low_rows: [[f64; 4]; LONG],
+    pub rows: [[f64; 4]; ORDER + 1],
+    pub low_rows: [[f64; 4]; LONG],
     /// Of u.
-    slip: Series,
-    low_slip: [f64; LONG],
+    pub slip: Series,
+    pub low_slip: [f64; LONG],
     /// The columns of v and of the angle.
     pub velocity: Series,
     pub slopes: Series,
-}
-
-/// The state some time after the place of a jet.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ahead {
-    /// s, c, u, v.
-    pub values: [Dd; 4],
-    /// Of the angle.
-    pub change: Dd,
-    /// How far the velocity may be from its chord in between.
-    pub bend: f64,
 }
 
 impl Jet {
@@ -82,18 +71,6 @@ impl Jet {
         } else {
             four(Recurrence::<false> { jet, start, piece, torque, at_limit })
         }
-    }
-
-    /// The state a time later, as far as the series converges; s and c on the circle.
-    pub fn at(&self, time: f64, slips: bool) -> Ahead {
-        four(Sum { jet: self, time, slips })
-    }
-
-    /// Whether the velocity is seen at once to have no root in (0, time], at whose end `ahead` is.
-    pub fn keeps_side(&self, time: f64, ahead: &Ahead) -> bool {
-        let [first, second, ..] = self.velocity;
-        let (start, end) = (if first == 0.0 { second * time } else { first }, ahead.values[VELOCITY].hi);
-        start * end > 0.0 && f64::min(start.abs(), end.abs()) > ahead.bend
     }
 
     /// The sizes of the coefficients of s, c, v and of u at one power.
@@ -379,101 +356,4 @@ fn latest<L: Lane>(k: usize, rows: &Rows<L>, others: L) -> L {
 fn exchanged<L: Lane>(row: L) -> L {
     let [a, b, c, d] = places(row);
     L::load(&[c, d, a, b])
-}
-
-struct Sum<'a> {
-    jet: &'a Jet,
-    time: f64,
-    slips: bool,
-}
-
-impl Kernel for Sum<'_> {
-    type Output = Ahead;
-    type Place = Jet;
-    #[inline(always)]
-    fn run<L: Lane>(self) -> Ahead {
-        let Sum { jet, time, slips } = self;
-        let t = L::splat(time);
-        let (square, fourth) = (t * t, (t * t) * (t * t));
-        // Every fourth power by itself, so that the sums need not wait for each other.
-        let mut k = ORDER + 1 - 4;
-        let mut sums = [L::splat(0.0); 4];
-        let mut i = 0;
-        while i < 4 {
-            sums[i] = L::load(&jet.rows[k + i]);
-            i += 1;
-        }
-        while k >= LONG + 4 {
-            k -= 4;
-            let mut i = 0;
-            while i < 4 {
-                sums[i] = sums[i].mul_add(fourth, L::load(&jet.rows[k + i]));
-                i += 1;
-            }
-        }
-        let mut tail = sums[3].mul_add(t, sums[2]).mul_add(square, sums[1].mul_add(t, sums[0]));
-        while k > LONG {
-            k -= 1;
-            tail = tail.mul_add(t, L::load(&jet.rows[k]));
-        }
-        let time = Unnormalised::from_double(t);
-        let mut sum = Unnormalised::from_double(tail);
-        while k > 0 {
-            k -= 1;
-            sum = sum * time + Unnormalised::new(L::load(&jet.rows[k]), L::load(&jet.low_rows[k]));
-        }
-        let mut u = Dd::new(jet.slip[0], jet.low_slip[0]);
-        if slips {
-            let mut tail = L::splat(jet.slip[ORDER]);
-            let mut k = ORDER;
-            while k > LONG {
-                k -= 1;
-                tail = tail.mul_add(t, L::splat(jet.slip[k]));
-            }
-            let mut sum = Unnormalised::from_double(tail);
-            while k > 0 {
-                k -= 1;
-                sum = sum * time + Unnormalised::new(L::splat(jet.slip[k]), L::splat(jet.low_slip[k]));
-            }
-            u = number(sum);
-        }
-        let bend = bend(&jet.velocity, t);
-        let (hi, lo) = (places(sum.hi), places(sum.lo));
-        let mut s = Unnormalised::<L>::new(L::splat(hi[0]), L::splat(lo[0]));
-        let mut c = Unnormalised::<L>::new(L::splat(hi[1]), L::splat(lo[1]));
-        on_circle(&mut s, &mut c);
-        let velocity = Unnormalised::<L>::new(L::splat(hi[2]), L::splat(lo[2]));
-        let change = Unnormalised::<L>::new(L::splat(hi[3]), L::splat(lo[3])) * time;
-        Ahead { values: [number(s), number(c), u, number(velocity)], change: number(change), bend }
-    }
-}
-
-/// (k - i) (k - 1 - i)/8 for i = 0 and 1.
-const BEND: [Series; 2] = {
-    let mut all = [[0.0; ORDER + 1]; 2];
-    let mut k = 1;
-    while k <= ORDER {
-        all[0][k] = (k * (k - 1)) as f64 * 0.125;
-        all[1][k] = ((k - 1) * (k - 1) - (k - 1)) as f64 * 0.125;
-        k += 1;
-    }
-    all
-};
-
-/// A polynomial is nowhere on an interval of length t farther from its chord than t^2/8 times its largest second derivative: at most
-/// the sum of k (k - 1)/8 |c_k| t^k. Where c_0 is 0 this is said of the polynomial over its argument, and the sum is t times that.
-#[inline(always)]
-fn bend<L: Lane>(c: &Series, t: L) -> f64 {
-    let weights = &BEND[usize::from(c[0] == 0.0)];
-    let square = t * t;
-    let fourth = square * square;
-    let mut sum = L::splat(0.0);
-    let mut k = ORDER + 1;
-    while k > 0 {
-        k -= 4;
-        sum = sum.mul_add(fourth, L::load(&c[k..]).abs() * L::load(&weights[k..]));
-    }
-    let [a, b, c, d] = places(sum);
-    let [t, square] = [t.first(), square.first()];
-    (a + b * t) + (c + d * t) * square
 }

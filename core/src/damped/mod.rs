@@ -11,6 +11,7 @@ mod friction;
 mod half_swing;
 mod integrator;
 mod jet;
+mod jet_sum;
 mod lazy_trajectory;
 mod roots;
 mod segment;
