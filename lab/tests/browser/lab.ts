@@ -51,6 +51,7 @@ export async function drawn(page: Page): Promise<void> {
 export async function show(page: Page, link: string): Promise<void> {
   // The same link twice is no change for a browser, so another one first.
   await page.evaluate((hash) => {
+    for (const close of document.querySelectorAll<HTMLElement>('.message [data-tool=close]')) close.click()
     history.replaceState(null, '', '#')
     location.hash = hash
   }, link)

@@ -1,4 +1,4 @@
-// Story 6: the period against the amplitude, with every formula, as printed tables of 30 digits have it.
+// Story 6: the period against the amplitude, with every formula; the table of errors was calculated with 30 digits.
 
 import { column, csvOf, expect, show, sheet, test } from './lab'
 
@@ -12,7 +12,7 @@ const ERRORS: Readonly<Record<string, readonly string[]>> = {
   'series:4': ['0', '-0.0005', '-0.031', '-0.367', '-2.173', '-9.399', '-25.074', '-49.985'],
   'kidd-fogg': ['0.0001', '0.0075', '0.129', '0.751', '3.011', '11.544', '38.860', '174.407'],
   molina: ['0.0000', '0.0035', '0.061', '0.355', '1.436', '5.577', '18.842', '79.327'],
-  'ganley-parwani': ['0', '-0.0005', '-0.011', '-0.078', '-0.428', '-2.442', '-10.688', '-35.118'],
+  'ganley-parwani': ['0', '-0.0005', '-0.011', '-0.078', '-0.428', '-2.442', '-10.687', '-35.118'],
   'lima-arun': ['0', '0.0025', '0.043', '0.249', '0.977', '3.485', '9.579', '22.611'],
   'agm:1': ['-0.0001', '-0.0075', '-0.129', '-0.743', '-2.881', '-9.841', '-24.584', '-49.176'],
   belendez: ['0', '0', '0', '-0.0014', '-0.022', '-0.282', '-2.255', '-14.236'],
@@ -83,7 +83,7 @@ test('story 6: each formula says its source and its stated range, on an error ax
   for (let i = 0; i < count; i++) {
     await boxes.nth(i).focus()
     // A source: a name with a year, a chapter of DLMF, or what everybody knows.
-    await expect(lab.locator('.formula-details')).toContainText(/\d{4}|DLMF|Small swings/)
+    await expect(lab.locator('.formula-details')).toContainText(/\d{4}|DLMF|Small swings|Bernoulli/)
   }
   await lab.locator('#more-formulas').click()
   await show(lab, 'view=period&th0=60deg&periods=lima-arun,salas-28&t=0s')
