@@ -1,7 +1,7 @@
 // Draws docs/lab/*.png: every view in light and dark, on a phone and for a projector. `npm run pictures`; not part of the tests.
 
 import { mkdirSync } from 'node:fs'
-import { expect, opened, show, test } from './lab'
+import { drawn, expect, opened, show, test } from './lab'
 
 const FOLDER = new URL('../../../docs/lab/', import.meta.url).pathname
 const VIEWS = {
@@ -17,10 +17,15 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
     mkdirSync(FOLDER, { recursive: true })
     const page = await opened(browser, 't=0s', { viewport: { width, height } })
     for (const [view, link] of Object.entries(VIEWS)) {
+      await page.setViewportSize({ width, height })
       await show(page, `${link}&theme=${size.endsWith('dark') ? 'dark' : 'light'}`)
       await expect(page.locator('main .plot-drawing').first()).toBeVisible()
-      await page.mouse.move(0, height - 1)
-      await page.screenshot({ path: `${FOLDER}${view}-${size}.png`, fullPage: width === 360, animations: 'disabled' })
+      // A phone's page at its whole height, so that its play bar stands at the end.
+      const tall = await page.evaluate(() => document.documentElement.scrollHeight)
+      await page.setViewportSize({ width, height: width === 360 ? tall : height })
+      await drawn(page)
+      await page.mouse.move(0, 0)
+      await page.screenshot({ path: `${FOLDER}${view}-${size}.png`, animations: 'disabled' })
     }
     await page.context().close()
   })
