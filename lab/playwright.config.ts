@@ -8,7 +8,8 @@ import { defineConfig } from '@playwright/test'
 
 const places = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome', '/snap/bin/chromium']
 const chromium = process.env.CHROMIUM ?? places.find((each) => existsSync(each))
-if (!chromium) throw new Error(`no Chromium at ${places.join(', ')}: install Debian's chromium, or give its path as CHROMIUM`)
+if (!chromium)
+  throw new Error(`no Chromium at ${places.join(', ')}: install Debian's chromium, or give its path as CHROMIUM`)
 
 export default defineConfig({
   testDir: 'tests/browser',

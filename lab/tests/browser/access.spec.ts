@@ -2,8 +2,8 @@
 
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
-import { layoutFaults, lengthen } from './layout'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
+import { layoutFaults, lengthen } from './layout'
 
 const VIEWS = ['lab', 'phase', 'period', 'functions'] as const
 const LANGUAGES = ['en', 'pt-BR', 'es'] as const
@@ -61,7 +61,9 @@ for (const [width, height] of [
   [1280, 720],
   [1920, 1080],
 ] as const) {
-  test(`at ${width} × ${height} no text is on text or off the screen, and targets are large enough`, async ({ lab }) => {
+  test(`at ${width} × ${height} no text is on text or off the screen, and targets are large enough`, async ({
+    lab,
+  }) => {
     await lab.setViewportSize({ width, height })
     const faults: string[] = []
     for (const view of VIEWS) {

@@ -1,7 +1,7 @@
 // Stories 2 and 3: formulas beside the exact motion with Lima's errors, and numerical solutions that go wrong where they do.
 
 import { approx, load, Pendulum } from 'libration'
-import { column, csvOf, expect, largest, radians, show, type Sheet, test } from './lab'
+import { column, csvOf, expect, largest, radians, type Sheet, show, test } from './lab'
 
 test.beforeAll(async () => {
   await load()
@@ -87,7 +87,9 @@ test('story 2: every formula in the plot has the numbers of the core', async ({ 
     for (const name of error.header.slice(1)) {
       const formula = approx.angle(names[name] ?? name).of(core)
       const size = largest(formula.difference(times))
-      const off = column(error, name).map((each, i) => (each / 100) * radians(100) - formula.difference(times[i] as number))
+      const off = column(error, name).map(
+        (each, i) => (each / 100) * radians(100) - formula.difference(times[i] as number),
+      )
       expect(largest(off), name).toBeLessThan(1e-9 * size + 1e-14)
       compared++
     }
@@ -107,7 +109,9 @@ test("story 3: at 3 rad SciPy's RK45 goes over the top at 9.47 s; RK4 and the ex
   await lab.getByRole('menuitem', { name: 'Horsley' }).click()
   await expect(lab.locator('[data-chart=angle] .label.alarm')).toHaveText('RK45 over the top at 9.47 s')
   await expect(lab.locator('#live')).toContainText('RK45 over the top at 9.47 s')
-  await expect(lab.locator('.row', { has: lab.locator('[id="curve-rk45"]') }).locator('small')).toContainText('over the top at 9.47 s')
+  await expect(lab.locator('.row', { has: lab.locator('[id="curve-rk45"]') }).locator('small')).toContainText(
+    'over the top at 9.47 s',
+  )
   const angle = await csvOf(lab, 'angle')
   const times = column(angle, 't, s')
   const first = (name: string) => times[column(angle, name).findIndex((each) => Math.abs(each) > 180)]
@@ -124,13 +128,15 @@ test("story 3: at 3 rad SciPy's RK45 goes over the top at 9.47 s; RK4 and the ex
 })
 
 test('story 3: errors of Euler, Euler–Cromer and RK4 fall with orders 1, 1 and 4', async ({ lab }) => {
-  const steps = { 'euler': 0.0005, 'euler-cromer': 0.0005, 'rk4': 0.01 }
+  const steps = { euler: 0.0005, 'euler-cromer': 0.0005, rk4: 0.01 }
   const names = { euler: 'Euler', 'euler-cromer': 'Euler–Cromer', rk4: 'RK4' }
   const curves = Object.entries(steps).flatMap(([name, step]) => [`${name}:${2 * step}`, `${name}:${step}`])
   await show(lab, `th0=60deg&L=1m&g=9.81&curves=${curves.join(',')}&span=2s&unit=degrees&t=0s`)
   const sheet = await csvOf(lab, 'error')
   const slope = (name: keyof typeof steps) => {
-    const [coarse, fine] = [2 * steps[name], steps[name]].map((step) => largest(column(sheet, `${names[name]} ${step} s`)))
+    const [coarse, fine] = [2 * steps[name], steps[name]].map((step) =>
+      largest(column(sheet, `${names[name]} ${step} s`)),
+    )
     return Math.log2((coarse as number) / (fine as number))
   }
   expect(Math.abs(slope('euler') - 1)).toBeLessThan(0.1)

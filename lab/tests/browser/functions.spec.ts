@@ -55,9 +55,9 @@ test('story 7: pendulum, ellipse and graph move together', async ({ lab }) => {
   await show(lab, 'view=functions&th0=150deg&L=1m&g=9.81&t=0s')
   const places = async () =>
     lab.evaluate(() =>
-      ['.ellipse-handle', '.chord-handle'].map((name) => document.querySelector(name)?.getAttribute('transform')).concat(
-        document.querySelector('[data-chart=functions] .now-line')?.getAttribute('d'),
-      ),
+      ['.ellipse-handle', '.chord-handle']
+        .map((name) => document.querySelector(name)?.getAttribute('transform'))
+        .concat(document.querySelector('[data-chart=functions] .now-line')?.getAttribute('d')),
     )
   const before = await places()
   await lab.locator('[data-plot=functions]').focus()

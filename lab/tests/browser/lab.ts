@@ -97,7 +97,9 @@ export function sheet(text: string, between = ',', point = '.'): Sheet {
   const header = [...head.matchAll(/"((?:[^"]|"")*)"|[^",;]+/g)].map(([all, inside]) =>
     (inside ?? all).replaceAll('""', '"').replaceAll('\u00a0', ' '),
   )
-  const cells = rows.map((row) => row.split(between).map((cell) => (cell === '' ? Number.NaN : Number(cell.replace(point, '.')))))
+  const cells = rows.map((row) =>
+    row.split(between).map((cell) => (cell === '' ? Number.NaN : Number(cell.replace(point, '.')))),
+  )
   const columns: Record<string, Float64Array> = {}
   header.forEach((name, i) => {
     columns[name] = Float64Array.from(cells, (row) => row[i] ?? Number.NaN)

@@ -19,43 +19,57 @@ export function layoutFaults(page: Page, oneScreen = false): Promise<string[]> {
     // Every element that has text of its own.
     const all = [...document.querySelectorAll('#page *')].filter(
       (element) =>
-        [...element.childNodes].some((node) => node.nodeType === 3 && (node.textContent ?? '').trim() !== '') && shown(element),
+        [...element.childNodes].some((node) => node.nodeType === 3 && (node.textContent ?? '').trim() !== '') &&
+        shown(element),
     )
     const scrolls = (element: Element) => element.closest('.tabs, .table-box, [role=menu]') !== null
-    const boxes = all.map((element) => {
-      const range = document.createRange()
-      range.selectNodeContents(element)
-      const words = range.getBoundingClientRect()
-      // In a drawing the letters, without the room above and below them.
-      const drawn = element instanceof SVGElement
-      const trim = drawn ? 0.2 * words.height : 0
-      return { left: words.left, right: words.right, top: words.top + trim, bottom: words.bottom - trim }
-    })
+    // The lines of an element's own words, each as high as its letters: lines may stand close.
+    const lines = all.map((element) =>
+      [...element.childNodes].flatMap((node) => {
+        if (node.nodeType !== 3 || (node.textContent ?? '').trim() === '') return []
+        const range = document.createRange()
+        range.selectNodeContents(node)
+        return [...range.getClientRects()].map(({ left, right, top, bottom, height }) => ({
+          left,
+          right,
+          top: top + 0.25 * height,
+          bottom: bottom - 0.25 * height,
+        }))
+      }),
+    )
     all.forEach((element, i) => {
-      const box = boxes[i]
-      if (box && !scrolls(element) && (box.left < -0.5 || box.right > innerWidth + 0.5)) faults.push(`off the screen: ${name(element)}`)
+      const out = lines[i]?.some(({ left, right }) => left < -0.5 || right > innerWidth + 0.5)
+      if (out && !scrolls(element)) faults.push(`off the screen: ${name(element)}`)
     })
     const sticky = (element: Element) => element.closest('.play') !== null
     for (let i = 0; i < all.length; i++) {
       for (let k = i + 1; k < all.length; k++) {
-        const [a, b, one, two] = [boxes[i], boxes[k], all[i], all[k]]
-        if (!a || !b || !one || !two || one.contains(two) || two.contains(one) || sticky(one) || sticky(two)) continue
-        if (scrolls(one) || scrolls(two)) continue
-        const x = Math.min(a.right, b.right) - Math.max(a.left, b.left)
-        const y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
-        if (x > 1.5 && y > 2.5) faults.push(`text on text: ${name(one)}, ${name(two)}`)
+        const [one, two] = [all[i], all[k]]
+        if (!one || !two || sticky(one) !== sticky(two) || scrolls(one) || scrolls(two)) continue
+        const over = lines[i]?.some((a) =>
+          lines[k]?.some((b) => {
+            const x = Math.min(a.right, b.right) - Math.max(a.left, b.left)
+            const y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
+            return x > 1.5 && y > 1
+          }),
+        )
+        if (over) faults.push(`text on text: ${name(one)}, ${name(two)}`)
       }
     }
-    for (const element of document.querySelectorAll('#page button, #page summary, #page .field, #page input[type=checkbox], #page input[type=radio]')) {
+    for (const element of document.querySelectorAll(
+      '#page button, #page summary, #page .field, #page input[type=checkbox], #page input[type=radio]',
+    )) {
       if (!shown(element)) continue
       // A box in a row is as large as its label or row lets it be; a word in a sentence is exempt (WCAG 2.5.8).
       if (element.matches('.hint-word, .text-button')) continue
       const { width, height } = element.getBoundingClientRect()
-      if (width < 23.9 || height < 23.9) faults.push(`small target: ${name(element)} ${width.toFixed(1)} × ${height.toFixed(1)}`)
+      if (width < 23.9 || height < 23.9)
+        faults.push(`small target: ${name(element)} ${width.toFixed(1)} × ${height.toFixed(1)}`)
     }
     const root = document.documentElement
     if (root.scrollWidth > innerWidth) faults.push(`wider than the screen: ${root.scrollWidth} of ${innerWidth}`)
-    if (must && root.scrollHeight > innerHeight) faults.push(`taller than the screen: ${root.scrollHeight} of ${innerHeight}`)
+    if (must && root.scrollHeight > innerHeight)
+      faults.push(`taller than the screen: ${root.scrollHeight} of ${innerHeight}`)
     return faults
   }, oneScreen)
 }

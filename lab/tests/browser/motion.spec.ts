@@ -1,6 +1,6 @@
 // Stories 1 and 5: the drawn pendulum is the core's motion at the true time, whatever the frame rate, and its energy stays.
 
-import { Pendulum, load } from 'libration'
+import { load, Pendulum } from 'libration'
 import { column, csvOf, drawn, expect, largest, linkOf, opened, radians, show, test } from './lab'
 
 const START = 'th0=150deg&L=1m&g=9.81'
@@ -45,7 +45,11 @@ test('story 1: pointer, keys and typing set 150 degrees', async ({ lab }) => {
 })
 
 test('story 1: touch sets 150 degrees, on a phone', async ({ browser }) => {
-  const phone = await opened(browser, 'th0=20deg&t=0s', { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true })
+  const phone = await opened(browser, 'th0=20deg&t=0s', {
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+  })
   const session = await phone.context().newCDPSession(phone)
   const box = await phone.locator('.bob-drawing').boundingBox()
   if (!box) throw new Error('no drawing')
@@ -103,7 +107,7 @@ function frames(): void {
   })
 }
 
-test('story 1: after 600 s at 30, 60 and 144 frames a second the drawn angle is the core\'s', async ({ browser }) => {
+test("story 1: after 600 s at 30, 60 and 144 frames a second the drawn angle is the core's", async ({ browser }) => {
   const context = await browser.newContext({ serviceWorkers: 'block', viewport: { width: 360, height: 740 } })
   const page = await context.newPage()
   await page.addInitScript(frames)

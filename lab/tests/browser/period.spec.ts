@@ -1,6 +1,6 @@
 // Story 6: the period against the amplitude, with every formula; the table of errors was calculated with 30 digits.
 
-import { column, csvOf, expect, show, sheet, test } from './lab'
+import { column, csvOf, expect, sheet, show, test } from './lab'
 
 const ANGLES = [10, 30, 60, 90, 120, 150, 170, 179]
 const EXACT = [1.001907, 1.017409, 1.073182, 1.180341, 1.372881, 1.762204, 2.439363, 3.901065]
@@ -34,7 +34,9 @@ test('story 6: every formula has the errors of the table, to its last digit', as
     expect(column(ratios, 'exact')[rows[i] as number]?.toFixed(6)).toBe(truth.toFixed(6))
   })
   // Columns stand in the order of the registry, which is that of the list.
-  const drawn = await lab.locator('.formulas input[type=checkbox]:checked').evaluateAll((all) => all.map(({ id }) => id.replace('period-', '')))
+  const drawn = await lab
+    .locator('.formulas input[type=checkbox]:checked')
+    .evaluateAll((all) => all.map(({ id }) => id.replace('period-', '')))
   expect(drawn.length).toBe(keys.length)
   expect(errors.header.length).toBe(keys.length + 1)
   let compared = 0
@@ -43,20 +45,27 @@ test('story 6: every formula has the errors of the table, to its last digit', as
     const values = column(errors, errors.header[place + 1] as string)
     ;(ERRORS[key] as readonly string[]).forEach((printed, i) => {
       const decimals = printed.split('.')[1]?.length ?? 4
-      expect(Math.abs((values[rows[i] as number] as number) - Number(printed)), `${key} at ${ANGLES[i]}`).toBeLessThanOrEqual(0.5000001 * 10 ** -decimals)
+      expect(
+        Math.abs((values[rows[i] as number] as number) - Number(printed)),
+        `${key} at ${ANGLES[i]}`,
+      ).toBeLessThanOrEqual(0.5000001 * 10 ** -decimals)
       compared++
     })
   })
   expect(compared).toBe(13 * 8)
 })
 
-test('story 6: the table on the page and its CSV are the same numbers, and each formula can be switched', async ({ lab }) => {
+test('story 6: the table on the page and its CSV are the same numbers, and each formula can be switched', async ({
+  lab,
+}) => {
   await show(lab, 'view=period&th0=150deg&periods=linear,lima-arun&t=0s')
   const figure = lab.locator('[data-chart=period-error]')
   await figure.locator('[data-tool=table]').click()
   await figure.getByRole('button', { name: /^all/ }).click()
   await expect(figure.getByRole('button', { name: 'fewer rows' })).toBeVisible()
-  const cells = await figure.locator('tbody tr').evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent ?? '')))
+  const cells = await figure
+    .locator('tbody tr')
+    .evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent ?? '')))
   await figure.locator('[data-tool=table]').click()
   const csv = await csvOf(lab, 'period-error')
   expect(cells.length).toBe(column(csv, csv.header[0] as string).length)
@@ -75,7 +84,9 @@ test('story 6: the table on the page and its CSV are the same numbers, and each 
   await expect(curves).toHaveCount(before)
 })
 
-test('story 6: each formula says its source and its stated range, on an error axis of powers of ten', async ({ lab }) => {
+test('story 6: each formula says its source and its stated range, on an error axis of powers of ten', async ({
+  lab,
+}) => {
   await show(lab, 'view=period&th0=60deg&t=0s')
   await lab.locator('#more-formulas').click()
   const boxes = lab.locator('.formulas input[type=checkbox]')

@@ -62,7 +62,9 @@ test('story 4: the separatrix is 2ω cos(θ/2), and the start on it has no perio
   const angles = column(sheet, 'θ, °').map(radians)
   expect(angles.length).toBe(361)
   const separatrix = column(sheet, 'separatrix')
-  expect(largest(separatrix.map((each, i) => each - 2 * OMEGA * Math.abs(Math.cos((angles[i] as number) / 2))))).toBeLessThan(1e-12)
+  expect(
+    largest(separatrix.map((each, i) => each - 2 * OMEGA * Math.abs(Math.cos((angles[i] as number) / 2)))),
+  ).toBeLessThan(1e-12)
   // Energy of C, from its start: half its velocity squared.
   const c = column(sheet, 'C')
   const truth = angles.map((angle) => Math.sqrt(7.5 ** 2 - 2 * 9.81 * (1 - Math.cos(angle))))

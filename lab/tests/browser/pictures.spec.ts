@@ -10,7 +10,12 @@ const VIEWS = {
   period: 'view=period&th0=150deg&L=1m&g=9.81&t=0s',
   functions: 'view=functions&th0=150deg&L=1m&g=9.81&t=0.75s',
 } as const
-const SIZES = { '1280-light': [1280, 720], '1280-dark': [1280, 720], '360-light': [360, 740], '1920-light': [1920, 1080] } as const
+const SIZES = {
+  '1280-light': [1280, 720],
+  '1280-dark': [1280, 720],
+  '360-light': [360, 740],
+  '1920-light': [1920, 1080],
+} as const
 
 for (const [size, [width, height]] of Object.entries(SIZES)) {
   test(`pictures of ${size}`, async ({ browser }) => {

@@ -11,7 +11,10 @@ import { DIST } from './server'
 const charts = (page: Page): Promise<string[]> =>
   page.locator('.plot-drawing').evaluateAll((all) => all.map((each) => each.outerHTML.replace(/<!--.*?-->/gs, '')))
 
-test('story 10: a shared link opens the same state and draws the same charts in a fresh profile', async ({ lab, browser }) => {
+test('story 10: a shared link opens the same state and draws the same charts in a fresh profile', async ({
+  lab,
+  browser,
+}) => {
   await show(lab, 'th0=150deg&L=1m&g=9.81&curves=harmonic,fourier:4,trigonometric,rk45&span=T&t=1.234s')
   const link = await linkOf(lab)
   expect(link.length).toBeLessThanOrEqual(300)
@@ -84,7 +87,11 @@ test('fields out of range: one sentence with value and range, the motion stays',
     ['theta0', '200', 'Release angle: 200° is outside −180° to 180°. The motion still shows 150°.'],
     ['length', '0', 'Length: 0 m is outside 0.001 m to 1000 m. The motion still shows 1 m.'],
     ['gravity', 'much', 'Gravity: “much” is not a number. The motion still shows 9.81 m/s².'],
-    ['velocity0', '1e3', 'Start velocity: 1e3 rad/s is outside −100 rad/s to 100 rad/s. The motion still shows 0 rad/s.'],
+    [
+      'velocity0',
+      '1e3',
+      'Start velocity: 1e3 rad/s is outside −100 rad/s to 100 rad/s. The motion still shows 0 rad/s.',
+    ],
   ] as const) {
     const field = lab.locator(`#field-${name}`)
     await field.fill(typed)
