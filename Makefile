@@ -210,9 +210,9 @@ test/truth: $(TOOLS)
 test/rust: kernels
 	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
 
-# The page: its lint and its tests without a browser; its types and budgets are checked by its build.
+# The page: its lint, its tests without a browser and in one; its types and budgets are checked by its build.
 test/lab: chromium page
-	$(call step,cd lab && npm run --silent lint && npm test --silent)
+	$(call step,cd lab && npm run --silent lint && npm test --silent && npm run --silent stories)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:

@@ -147,7 +147,8 @@ export function shell(page: Page, views: readonly View[], waiting: Waiting, spok
   return html`<svg class="definitions" aria-hidden="true"><defs><pattern id="hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V8" stroke="var(--edge)" stroke-width="1" opacity="0.8"/></pattern></defs></svg>
     <a class="skip" href="#main" @click=${(event: Event) => {
       event
-        .preventDefault()(document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main'))
+        .preventDefault()const first = document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main')
+      first?.focus()
         ?.focus()
     }}>${words.say.shell.skip}</a>
     ${header(page, views)}
