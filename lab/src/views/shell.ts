@@ -146,10 +146,9 @@ export function shell(page: Page, views: readonly View[], waiting: Waiting, spok
   const sentence = live && view ? view.sentence(live) : words.say.sentence.waiting
   return html`<svg class="definitions" aria-hidden="true"><defs><pattern id="hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V8" stroke="var(--edge)" stroke-width="1" opacity="0.8"/></pattern></defs></svg>
     <a class="skip" href="#main" @click=${(event: Event) => {
-      event
-        .preventDefault()const first = document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main')
+      event.preventDefault()
+      const first = document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main')
       first?.focus()
-        ?.focus()
     }}>${words.say.shell.skip}</a>
     ${header(page, views)}
     <div class="messages">${session.messages.map((one) => bar(page, one))}</div>
