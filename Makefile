@@ -133,6 +133,12 @@ wasm: $(MODULES:%=module-%) $(NPM)/node_modules/.package-lock.json ## the npm pa
 	@cd $(NPM) && npx tsc -p tsconfig.json
 
 # npm's packages are those of the lock file; the core is built by `wasm`.
+# Debian's browser, for the tests of the page. CHROMIUM names another one.
+.PHONY: chromium
+chromium:
+	@test -n "$$CHROMIUM" || command -v chromium >/dev/null || command -v google-chrome >/dev/null || { \
+	  echo "installing Debian's chromium"; sudo=; test $$(id -u) = 0 || sudo=sudo; $$sudo apt-get -qq update && $$sudo apt-get -qq -y install chromium >/dev/null; }
+
 lab/node_modules/.needed: lab/package-lock.json
 	@cd lab && npm ci --silent --no-audit --no-fund
 	@touch $@
@@ -204,9 +210,9 @@ test/truth: $(TOOLS)
 test/rust: kernels
 	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
 
-# The page: its lint and its tests without a browser; its types and budgets are checked by its build.
-test/lab: page
-	$(call step,cd lab && npm run --silent lint && npm test --silent)
+# The page: its lint, its tests without a browser and in one; its types and budgets are checked by its build.
+test/lab: chromium page
+	$(call step,cd lab && npm run --silent lint && npm test --silent && npm run --silent stories)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:

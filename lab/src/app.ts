@@ -39,6 +39,9 @@ export class App {
     this.store.listen(() => this.#remember())
     onResize(() => this.schedule())
     window.addEventListener('resize', () => this.schedule())
+    // What a hand does next is meant for the state as it is now, though its frame may not have come yet.
+    for (const kind of ['keydown', 'pointerdown', 'click', 'input', 'change'])
+      window.addEventListener(kind, () => this.#scheduled && this.#draw(), { capture: true })
     window.addEventListener('keydown', (event) => onKey(event, this.page(), views))
     this.schedule()
   }
@@ -78,6 +81,11 @@ export class App {
 
   #frame(): void {
     this.#scheduled = false
+    this.#draw()
+    if (this.store.clock.playing) this.schedule()
+  }
+
+  #draw(): void {
     this.#rem = remPixels()
     const page = this.page()
     const { documentElement } = document
@@ -86,7 +94,6 @@ export class App {
     else documentElement.dataset.theme = page.state.theme
     document.title = page.words.say.shell.title
     render(shell(page, this.views, this.#waiting, this.#spoken), this.root)
-    if (this.store.clock.playing) this.schedule()
   }
 
   /** What changed goes to the address of the page and to the screen reader, a little later and not while playing. */

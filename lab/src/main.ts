@@ -37,6 +37,7 @@ async function begin(): Promise<void> {
   window.addEventListener('hashchange', () => {
     const { state, faults } = readLink(location.hash)
     app.store.clock.pause()
+    app.store.dismiss('link')
     app.store.set(state)
     if (faults.length > 0) app.store.setSession({ messages: [{ key: 'link', faults }] })
   })

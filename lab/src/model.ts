@@ -354,6 +354,25 @@ export class Model {
     return this.angles.find((each) => each.name === name)?.statedRange?.[1] ?? null
   }
 
+  readonly #ends = new Map<string, number>()
+
+  /** Turning angle in rad from which a formula has no value somewhere in a swing, to 1e-6; found by halving, once. */
+  undefinedAbove(curve: Curve): number {
+    const key = curveKey(curve)
+    const before = this.#ends.get(key)
+    if (before !== undefined) return before
+    const formula = approx.angle(key)
+    let [low, high] = [0, Math.PI]
+    while (high - low > 1e-6) {
+      const middle = (low + high) / 2
+      const { undefinedFrom } = formula.of(new Pendulum({ theta0: middle })).error(1)
+      if (Number.isNaN(undefinedFrom)) low = middle
+      else high = middle
+    }
+    this.#ends.set(key, high)
+    return high
+  }
+
   /** T/T₀ by a formula of the period, at turning angles in rad. */
   periodRatio(name: string, thetaMax: Float64Array): Float64Array {
     return approx.period(name).ratio({ thetaMax })

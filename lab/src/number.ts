@@ -23,13 +23,15 @@ export type Unit = keyof typeof FACTORS
 
 /** A number with its unit, in SI and radians; without a unit it has the quantity's own. NaN if it is not one. */
 export function parseQuantity(text: string, unit: Unit): number {
+  // 1e3 is a number and not 1 with a unit e3.
+  const bare = parseNumber(text)
   const match = /^(.*?)\s*([a-z°][a-z°/²]*[0-9]?)?$/i.exec(text.trim())
   if (!match) return Number.NaN
   const factors: Readonly<Record<string, number>> = FACTORS[unit]
-  const named = match[2] ?? unit
+  const named = Number.isNaN(bare) ? (match[2] ?? unit) : unit
   const factor = named === '' ? 1 : factors[named]
   if (factor === undefined) return Number.NaN
-  const value = parseNumber(match[1] ?? '')
+  const value = Number.isNaN(bare) ? parseNumber(match[1] ?? '') : bare
   if (factor === FACTORS.deg.deg) return radians(value)
   // 70cm is 0.7 and not 0.7000000000000001: a division by a whole number rounds once.
   return factor === 0.01 ? value / 100 : factor === 0.001 ? value / 1000 : value * factor

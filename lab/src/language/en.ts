@@ -324,7 +324,7 @@ export const en = {
     euler: { name: 'Euler', what: 'step in s; order 1' },
   },
   reasons: {
-    fourier: '{name}: the terms of (22) make sin(_θ_/2) larger than 1, so there is no angle.',
+    fourier: '{name}: undefined above {angle}, where the terms of (22) make sin(_θ_/2) larger than 1.',
     cubic: '{name}: beyond the top of its own force it leaves to infinity.',
     rotation: 'It is written for swings; this turns over.',
     separatrix: 'It needs a period; this motion has none.',

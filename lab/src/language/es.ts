@@ -327,7 +327,7 @@ export const es: Catalogue = {
     euler: { name: 'Euler', what: 'paso en s; orden 1' },
   },
   reasons: {
-    fourier: '{name}: los términos de (22) hacen sin(_θ_/2) mayor que 1, y no hay ángulo.',
+    fourier: '{name}: sin valor por encima de {angle}, donde los términos de (22) hacen sin(_θ_/2) mayor que 1.',
     cubic: '{name}: más allá de lo alto de su propia fuerza se va al infinito.',
     rotation: 'Está escrita para oscilaciones; este da vueltas.',
     separatrix: 'Necesita un periodo; este movimiento no lo tiene.',

@@ -327,7 +327,7 @@ export const ptBR: Catalogue = {
     euler: { name: 'Euler', what: 'passo em s; ordem 1' },
   },
   reasons: {
-    fourier: '{name}: os termos de (22) tornam sin(_θ_/2) maior que 1, e não há ângulo.',
+    fourier: '{name}: sem valor acima de {angle}, onde os termos de (22) tornam sin(_θ_/2) maior que 1.',
     cubic: '{name}: além do topo da sua própria força ela vai ao infinito.',
     rotation: 'É escrita para oscilações; este dá voltas.',
     separatrix: 'Precisa de um período; este movimento não tem.',

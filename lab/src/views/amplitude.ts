@@ -33,7 +33,7 @@ export function amplitudeValue(page: Live): TemplateResult {
     ? null
     : words.fill(faults[Number.isNaN(read) ? 'not-a-number' : 'out-of-range'], {
         name: period.amplitude,
-        value: `${draft?.trim().replace(/\s*[a-z°].*$/i, '')}${Number.isNaN(read) ? '' : '°'}`,
+        value: `${draft?.trim().replace(/\s*(?!e[-+]?\d)[a-z°].*$/i, '')}${Number.isNaN(read) ? '' : '°'}`,
         kept: amplitude === null ? '–' : angleText(page, amplitude),
         least: '0°',
         most: '180°',

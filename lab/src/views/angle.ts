@@ -86,14 +86,15 @@ function yTicks(page: Live, [low, high]: [number, number], { height, rem }: Plot
 
 /** Why a curve has no value in the window, in words. */
 export function gapReasons(page: Live, study: Study): string[] {
-  const { words } = page
+  const { words, model } = page
   return study.shown
     .filter(({ gone }) => !Number.isNaN(gone))
     .map(({ curve }) => {
       const name = curveName(page, curve)
       const { reasons } = words.say
       const reason = reasons[curve.name as keyof typeof reasons] ?? reasons.none
-      return words.formula(words.fill(reason, { name }))
+      const angle = curve.name === 'fourier' ? words.angle(model.undefinedAbove(curve), 2) : ''
+      return words.formula(words.fill(reason, { name, angle }))
     })
 }
 

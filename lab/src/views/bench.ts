@@ -46,7 +46,7 @@ function bob(page: Live, angle: number): TemplateResult {
     hold(page, radians(next))
   }
   return html`<svg class="bob-drawing" viewBox="0 0 ${BOX.width} ${BOX.height}"><g class="bob-handle" role="slider" tabindex="0" aria-label=${words.say.drawing.bob} aria-valuemin="-180" aria-valuemax="180"
-    aria-valuenow=${release} aria-valuetext=${words.fill(words.say.drawing.bobText, { angle: words.typed(release) })} transform="translate(${at.x.toFixed(2)} ${at.y.toFixed(2)})"
+    aria-valuenow=${release} aria-valuetext=${words.fill(words.say.drawing.bobText, { angle: words.typed(release) })} data-exact=${String(angle)} transform="translate(${at.x.toFixed(2)} ${at.y.toFixed(2)})"
     @pointerdown=${drag} @keydown=${keys}><circle class="reach-target" r="16"/><circle class="bob" r="10"/></g></svg>`
 }
 

@@ -65,7 +65,8 @@ function header(page: Page, views: readonly View[]): TemplateResult {
       ${menu({
         key: 'language',
         label: html`${words.language.slice(0, 2).toUpperCase()}${icon('down')}`,
-        name: `${shell.language}: ${LANGUAGE_NAMES[words.language]}`,
+        // What is seen of it stands in its name, for who speaks to the page.
+        name: `${words.language.slice(0, 2).toUpperCase()}, ${shell.language}: ${LANGUAGE_NAMES[words.language]}`,
         open: session.menu === 'language',
         toggle: open('language'),
         items: languageItems(page),
@@ -146,7 +147,8 @@ export function shell(page: Page, views: readonly View[], waiting: Waiting, spok
   return html`<svg class="definitions" aria-hidden="true"><defs><pattern id="hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V8" stroke="var(--edge)" stroke-width="1" opacity="0.8"/></pattern></defs></svg>
     <a class="skip" href="#main" @click=${(event: Event) => {
       event.preventDefault()
-      document.querySelector<HTMLElement>('.bob-handle, #main')?.focus()
+      const first = document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main')
+      first?.focus()
     }}>${words.say.shell.skip}</a>
     ${header(page, views)}
     <div class="messages">${session.messages.map((one) => bar(page, one))}</div>

@@ -31,7 +31,9 @@ export function csv(words: Words, { caption, first, columns }: TableSpec, link: 
   const between = words.decimal === ',' ? ';' : ','
   const number = (value: number) => (Number.isFinite(value) ? String(value).replace('.', words.decimal) : '')
   const all = [first, ...columns]
-  const head = all.map(({ title }) => plain(title).replaceAll(between, ' ')).join(between)
+  // A title with a comma of its own stands in quotes (RFC 4180).
+  const quoted = (title: string) => (/[",;]/.test(title) ? `"${title.replaceAll('"', '""')}"` : title)
+  const head = all.map(({ title }) => quoted(plain(title))).join(between)
   const rows = Array.from(first.values, (_, i) =>
     all.map(({ values, factor }) => number((values[i] as number) * factor)).join(between),
   )

@@ -57,7 +57,7 @@ export function fieldFault(page: Page, name: RangeName, draft: string | undefine
   const unit = range.unit === 'deg' ? '°' : words.say.units[range.unit]
   const value = Number.isNaN(read)
     ? draft.trim()
-    : words.with(draft.trim().replace(/\s*[a-z°].*$/i, ''), unit).replace(/\s°/, '°')
+    : words.with(draft.trim().replace(/\s*(?!e[-+]?\d)[a-z°].*$/i, ''), unit).replace(/\s°/, '°')
   const text = words.say.faults[Number.isNaN(read) ? 'not-a-number' : 'out-of-range']
   return words.fill(text, {
     name: label,

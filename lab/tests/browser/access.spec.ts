@@ -1,0 +1,120 @@
+// Accessibility and layout: axe on every view, language and theme; the tree a screen reader has; sizes from phone to projector.
+
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { csvOf, drawn, expect, opened, show, test } from './lab'
+import { layoutFaults, lengthen } from './layout'
+
+const VIEWS = ['lab', 'phase', 'period', 'functions'] as const
+const LANGUAGES = ['en', 'pt-BR', 'es'] as const
+const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
+const LINK = 'th0=150deg&L=1m&g=9.81&t=1.3s'
+
+async function violations(page: Page): Promise<string[]> {
+  const { violations: found } = await new AxeBuilder({ page }).withTags(TAGS).analyze()
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)
+}
+
+for (const theme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in any view and language, ${theme}`, async ({ lab }) => {
+    for (const view of VIEWS) {
+      for (const language of LANGUAGES) {
+        await show(lab, `view=${view}&${LINK}&lang=${language}&theme=${theme}`)
+        await expect(lab.locator('html')).toHaveAttribute('lang', language)
+        expect(await violations(lab), `${view} ${language} ${theme}`).toEqual([])
+      }
+    }
+    await show(lab, LINK)
+  })
+}
+
+test('axe finds nothing with tables, messages, menus and dialogs open', async ({ lab }) => {
+  await show(lab, `${LINK}&shape=round`)
+  await lab.locator('[data-chart=angle] [data-tool=table]').click()
+  await lab.locator('#field-theta0').fill('200')
+  await lab.locator('#menu-add').click()
+  await expect(lab.getByRole('menu')).toBeVisible()
+  expect(await violations(lab)).toEqual([])
+  await lab.keyboard.press('Escape')
+  await lab.locator('[data-chart=angle] [data-tool=table]').click()
+  for (const key of ['s', '?']) {
+    await lab.locator('.bob-handle').focus()
+    await lab.keyboard.press(key)
+    await expect(lab.locator('dialog[open]')).toBeVisible()
+    expect(await violations(lab)).toEqual([])
+    await lab.keyboard.press('Escape')
+    await expect(lab.locator('dialog')).toHaveCount(0)
+  }
+  await show(lab, LINK)
+})
+
+test('what a screen reader has of every view', async ({ lab }) => {
+  for (const view of VIEWS) {
+    await show(lab, `view=${view}&${LINK}&lang=en`)
+    await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: `${view}.aria.yml` })
+  }
+})
+
+for (const [width, height] of [
+  [360, 740],
+  [768, 1024],
+  [1280, 720],
+  [1920, 1080],
+] as const) {
+  test(`at ${width} × ${height} no text is on text or off the screen, and targets are large enough`, async ({
+    lab,
+  }) => {
+    await lab.setViewportSize({ width, height })
+    const faults: string[] = []
+    for (const view of VIEWS) {
+      for (const language of LANGUAGES) {
+        await show(lab, `view=${view}&${LINK}&lang=${language}`)
+        await drawn(lab)
+        faults.push(...(await layoutFaults(lab, width >= 1280)).map((each) => `${view} ${language}: ${each}`))
+      }
+    }
+    await lab.setViewportSize({ width: 1280, height: 720 })
+    expect(faults).toEqual([])
+  })
+}
+
+test('story 14: words 40 % longer break no layout at 360 pixels', async ({ browser }) => {
+  const page = await opened(browser, LINK, { viewport: { width: 360, height: 740 } })
+  const faults: string[] = []
+  for (const view of VIEWS) {
+    await show(page, `view=${view}&${LINK}`)
+    await drawn(page)
+    await lengthen(page)
+    const before = await page.locator('#page .sentence').textContent()
+    expect(before).toContain('ë')
+    faults.push(...(await layoutFaults(page)).map((each) => `${view}: ${each}`))
+    await page.reload()
+    await expect(page.locator('main .plot-drawing').first()).toBeVisible()
+  }
+  await page.context().close()
+  expect(faults).toEqual([])
+})
+
+test('story 14: decimal comma and point are both read, and functions have their names', async ({ lab }) => {
+  for (const [language, sine] of [
+    ['pt-BR', 'sen'],
+    ['es', 'sen'],
+    ['en', 'sin'],
+  ] as const) {
+    for (const typed of ['9,81', '9.81']) {
+      await show(lab, `th0=150deg&L=1m&g=9.8&lang=${language}&t=0s`)
+      await lab.locator('#field-gravity').fill(typed)
+      await lab.keyboard.press('Enter')
+      await lab.locator('#field-gravity').blur()
+      await expect(lab.locator('#field-gravity')).toHaveValue(language === 'en' ? '9.81' : '9,81')
+      await expect(lab.locator('#field-gravity')).toHaveAttribute('aria-invalid', 'false')
+      await expect(lab.locator('#period-value')).toHaveText(language === 'en' ? /^3\.5351/ : /^3,5351/)
+    }
+    await expect(lab.locator('.facts')).toContainText(sine)
+    await expect(lab.locator('.compare')).toContainText(sine)
+  }
+  // A number of another language's CSV has its comma.
+  await show(lab, 'th0=150deg&lang=pt-BR&t=0s')
+  expect((await csvOf(lab, 'angle')).text).toMatch(/\r\n0;150;/)
+  await show(lab, LINK)
+})

@@ -1,0 +1,88 @@
+// What is wrong with a layout, found in the page: text on text, text off the screen, small targets, a page that is too wide.
+
+import type { Page } from '@playwright/test'
+
+/** Every fault as one line; none for a good layout. */
+export function layoutFaults(page: Page, oneScreen = false): Promise<string[]> {
+  return page.evaluate((must) => {
+    const faults: string[] = []
+    const shown = (element: Element): boolean => {
+      if (element.closest('.unseen, .skip, [hidden], .definitions')) return false
+      const box = element.getBoundingClientRect()
+      const style = getComputedStyle(element)
+      return box.width > 0 && box.height > 0 && style.visibility !== 'hidden' && style.display !== 'none'
+    }
+    const name = (element: Element) => {
+      const of = (element.getAttribute('class') ?? element.tagName.toLowerCase()).trim()
+      return `${of} "${(element.textContent ?? '').trim().slice(0, 20)}"`
+    }
+    // Every element that has text of its own.
+    const all = [...document.querySelectorAll('#page *')].filter(
+      (element) =>
+        [...element.childNodes].some((node) => node.nodeType === 3 && (node.textContent ?? '').trim() !== '') &&
+        shown(element),
+    )
+    const scrolls = (element: Element) => element.closest('.tabs, .table-box, [role=menu]') !== null
+    // The lines of an element's own words, each as high as its letters: lines may stand close.
+    const lines = all.map((element) =>
+      [...element.childNodes].flatMap((node) => {
+        if (node.nodeType !== 3 || (node.textContent ?? '').trim() === '') return []
+        const range = document.createRange()
+        range.selectNodeContents(node)
+        return [...range.getClientRects()].map(({ left, right, top, bottom, height }) => ({
+          left,
+          right,
+          top: top + 0.25 * height,
+          bottom: bottom - 0.25 * height,
+        }))
+      }),
+    )
+    all.forEach((element, i) => {
+      const out = lines[i]?.some(({ left, right }) => left < -0.5 || right > innerWidth + 0.5)
+      if (out && !scrolls(element)) faults.push(`off the screen: ${name(element)}`)
+    })
+    const sticky = (element: Element) => element.closest('.play') !== null
+    for (let i = 0; i < all.length; i++) {
+      for (let k = i + 1; k < all.length; k++) {
+        const [one, two] = [all[i], all[k]]
+        if (!one || !two || sticky(one) !== sticky(two) || scrolls(one) || scrolls(two)) continue
+        const over = lines[i]?.some((a) =>
+          lines[k]?.some((b) => {
+            const x = Math.min(a.right, b.right) - Math.max(a.left, b.left)
+            const y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
+            return x > 1.5 && y > 1
+          }),
+        )
+        if (over) faults.push(`text on text: ${name(one)}, ${name(two)}`)
+      }
+    }
+    for (const element of document.querySelectorAll(
+      '#page button, #page summary, #page .field, #page input[type=checkbox], #page input[type=radio]',
+    )) {
+      if (!shown(element)) continue
+      // A box in a row is as large as its label or row lets it be; a word in a sentence is exempt (WCAG 2.5.8).
+      if (element.matches('.hint-word, .text-button')) continue
+      const { width, height } = element.getBoundingClientRect()
+      if (width < 23.9 || height < 23.9)
+        faults.push(`small target: ${name(element)} ${width.toFixed(1)} × ${height.toFixed(1)}`)
+    }
+    const root = document.documentElement
+    if (root.scrollWidth > innerWidth) faults.push(`wider than the screen: ${root.scrollWidth} of ${innerWidth}`)
+    if (must && root.scrollHeight > innerHeight)
+      faults.push(`taller than the screen: ${root.scrollHeight} of ${innerHeight}`)
+    return faults
+  }, oneScreen)
+}
+
+/** Makes every word of the page 40 % longer, as another language might. */
+export function lengthen(page: Page): Promise<void> {
+  return page.evaluate(() => {
+    const walker = document.createTreeWalker(document.querySelector('#page') as Element, NodeFilter.SHOW_TEXT)
+    const nodes: Text[] = []
+    while (walker.nextNode()) nodes.push(walker.currentNode as Text)
+    for (const node of nodes) {
+      if (node.parentElement?.closest('.tick, .symbol, i, var, kbd, .stepper, .letter-mark')) continue
+      node.data = node.data.replace(/\p{L}{3,}/gu, (word) => word + 'ë'.repeat(Math.ceil(0.4 * word.length)))
+    }
+  })
+}

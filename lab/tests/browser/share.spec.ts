@@ -1,0 +1,213 @@
+// Stories 10 and 13: links carry all of the picture, old ones open, bad ones are named; no network is needed after loading.
+
+import type { Page } from '@playwright/test'
+import { encode } from 'uqr'
+import { readLink } from '../../src/link'
+import { keptLinks } from '../links'
+import { address, drawn, expect, linkOf, opened, ready, show, test } from './lab'
+import { DIST } from './server'
+
+/** The drawn charts as text, without the comments in which the renderer keeps its places. */
+const charts = (page: Page): Promise<string[]> =>
+  page.locator('.plot-drawing').evaluateAll((all) => all.map((each) => each.outerHTML.replace(/<!--.*?-->/gs, '')))
+
+test('story 10: a shared link opens the same state and draws the same charts in a fresh profile', async ({
+  lab,
+  browser,
+}) => {
+  await show(lab, 'th0=150deg&L=1m&g=9.81&curves=harmonic,fourier:4,trigonometric,rk45&span=T&t=1.234s')
+  const link = await linkOf(lab)
+  expect(link.length).toBeLessThanOrEqual(300)
+  expect(link).toContain('#v=1&th0=150deg&L=1m&g=9.81&curves=harmonic,fourier:4,trigonometric,rk45&t=1.234s&span=T')
+  const before = await charts(lab)
+  expect(before.length).toBe(4)
+  const fresh = await opened(browser, link.replace(/^.*#/, ''))
+  await drawn(fresh)
+  expect(await linkOf(fresh)).toBe(link)
+  expect(await charts(fresh)).toEqual(before)
+  await fresh.context().close()
+  // The QR code is that of the link.
+  await lab.locator('#share').click()
+  const { size, data } = encode(link, { ecc: 'L', border: 0 })
+  const d = data.flatMap((line, y) => line.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : []))).join('')
+  await expect(lab.locator('dialog svg.qr path').last()).toHaveAttribute('d', d)
+  await expect(lab.locator('dialog svg.qr')).toHaveAttribute('viewBox', `-4 -4 ${size + 8} ${size + 8}`)
+  await expect(lab.locator('dialog')).toContainText(`${link.length} characters`)
+  await lab.keyboard.press('Escape')
+  await expect(lab.locator('#share')).toBeFocused()
+})
+
+test('story 10: every kept link opens with its state', async ({ lab }) => {
+  for (const { link, state } of keptLinks()) {
+    await show(lab, link)
+    await expect(lab.locator('.message')).toHaveCount(0)
+    await expect(lab.locator('main .plot-drawing').first()).toBeVisible()
+    const back = readLink((await linkOf(lab)).replace(/^.*#/, '')).state
+    expect(back, link).toMatchObject(state)
+  }
+  await show(lab, 't=0s')
+})
+
+const BAD: readonly (readonly [string, readonly string[]])[] = [
+  ['th0=200deg', ['th0=200deg', '−180° to 180°', '150°']],
+  ['th0=north', ['th0=north', 'not a number']],
+  ['L=-1m', ['L=-1m', '0.001', '1000']],
+  ['g=NaN', ['g=NaN', 'not a number']],
+  ['L=0&g=1e9', ['L=0', 'g=1e9']],
+  ['view=moon', ['view=moon', 'lab, phase, period, functions']],
+  ['curves=magic', ['magic', 'not a curve']],
+  ['curves=fourier:0', ['fourier:0', '1 to 50']],
+  ['curves=rk4:5', ['rk4:5', '0.0001 to 1']],
+  ['curves=linear,linear', ['linear', 'twice']],
+  ['periods=nobody', ['periods=nobody']],
+  ['orbits=10deg;x', ['orbits', '10deg;x']],
+  ['span=1e6s', ['span=1e6s', '600']],
+  ['lang=de', ['lang=de', 'pt-BR']],
+  ['v=9', ['v=9']],
+  ['shape=round', ['shape=round', 'not known']],
+  ['th0=%E0%A4%A', ['th0']],
+]
+
+test('bad links: each bad value is named with what is shown instead, and the rest works', async ({ lab }) => {
+  for (const [link, said] of BAD) {
+    await show(lab, `${link}&t=0s`)
+    const message = lab.locator('.message')
+    await expect(message, link).toHaveCount(1)
+    for (const text of said) await expect(message, link).toContainText(text)
+    await expect(lab.locator('main .plot-drawing').first(), link).toBeVisible()
+    await expect(lab.locator('#page .sentence'), link).toHaveText(/\d/)
+  }
+  await lab.getByRole('button', { name: 'Close this message' }).click()
+  await expect(lab.locator('.message')).toHaveCount(0)
+})
+
+test('fields out of range: one sentence with value and range, the motion stays', async ({ lab }) => {
+  await show(lab, 'th0=150deg&L=1m&g=9.81&t=0s')
+  for (const [name, typed, said] of [
+    ['theta0', '200', 'Release angle: 200° is outside −180° to 180°. The motion still shows 150°.'],
+    ['length', '0', 'Length: 0 m is outside 0.001 m to 1000 m. The motion still shows 1 m.'],
+    ['gravity', 'much', 'Gravity: “much” is not a number. The motion still shows 9.81 m/s².'],
+    [
+      'velocity0',
+      '1e3',
+      'Start velocity: 1e3 rad/s is outside −100 rad/s to 100 rad/s. The motion still shows 0 rad/s.',
+    ],
+  ] as const) {
+    const field = lab.locator(`#field-${name}`)
+    await field.fill(typed)
+    await expect(field).toHaveAttribute('aria-invalid', 'true')
+    await expect(lab.locator(`#field-${name}-fault`)).toHaveText(said)
+    await expect(lab.locator('#page .sentence')).toContainText('Released at 150°')
+    await lab.keyboard.press('Escape')
+    await expect(field).toHaveAttribute('aria-invalid', 'false')
+  }
+})
+
+test('a browser without vectors gets the scalar module, and the same numbers', async ({ lab, browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' })
+  const page = await context.newPage()
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(request.url()))
+  await page.addInitScript(() => {
+    WebAssembly.validate = () => false
+  })
+  await page.goto(`${address()}#th0=150deg&t=7.7s`)
+  await ready(page)
+  expect(asked.filter((each) => each.includes('scalar')).length).toBeGreaterThan(0)
+  expect(asked.filter((each) => each.includes('simd')).length).toBe(0)
+  await show(lab, 'th0=150deg&t=7.7s')
+  const angle = async (of: Page) => Number(await of.locator('.bob-handle').getAttribute('data-exact'))
+  expect(Math.abs((await angle(page)) - (await angle(lab)))).toBeLessThan(1e-13)
+  await context.close()
+})
+
+test('where the core cannot start the page says so, and the table of periods stands', async ({ browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' })
+  const page = await context.newPage()
+  await page.route('**/*.wasm', (route) => route.abort())
+  await page.goto(address())
+  await expect(page.locator('.message')).toContainText('The exact core did not start')
+  await expect(page.locator('#still table')).toContainText('1.7622')
+  await page.unroute('**/*.wasm')
+  await page.route('**/*.wasm', (route) => route.fulfill({ contentType: 'application/wasm', body: 'not a module' }))
+  await page.reload()
+  await expect(page.locator('.message')).toContainText('The exact core did not start')
+  await page.unroute('**/*.wasm')
+  await page.addInitScript(() => Reflect.deleteProperty(window, 'WebAssembly'))
+  await page.reload()
+  await expect(page.locator('.message')).toContainText('does not start WebAssembly')
+  await expect(page.locator('.message a').first()).toHaveAttribute('href', '#still')
+  await context.close()
+})
+
+test('where no script of the page runs, or modules are blocked, the page says what to do', async ({ browser }) => {
+  for (const scripts of [true, false]) {
+    const context = await browser.newContext({ serviceWorkers: 'block', javaScriptEnabled: scripts })
+    const page = await context.newPage()
+    await page.route('**/*.js', (route) => route.abort())
+    await page.goto(address())
+    await expect(page.getByRole('heading', { name: 'The exact pendulum' })).toBeVisible()
+    await expect(page.locator('#still')).toContainText('modules of JavaScript may be blocked')
+    await expect(page.locator('#still table')).toContainText('1.7622')
+    await expect(page.getByRole('link', { name: 'The offline file' })).toBeVisible()
+    await context.close()
+  }
+})
+
+/** Every view, a drag, a table, another language: nothing of it needs a network. */
+async function useAll(page: Page): Promise<void> {
+  for (const view of ['phase', 'period', 'functions', 'lab']) {
+    await page.locator(`[data-view=${view}]`).click()
+    await expect(page.locator('main .plot-drawing').first()).toBeVisible()
+  }
+  await page.locator('#field-theta0').fill('60')
+  await expect(page.locator('#page .sentence')).toContainText('Released at 60°')
+  await expect(page.locator('#period-value')).toHaveText(/^2\.1529/)
+  await page.locator('[data-chart=angle] [data-tool=table]').click()
+  await expect(page.locator('[data-chart=angle] tbody tr')).not.toHaveCount(0)
+  await page.locator('#share').click()
+  await expect(page.locator('dialog svg.qr')).toBeVisible()
+  await page.keyboard.press('Escape')
+}
+
+test('zero requests after the page has loaded', async ({ browser }) => {
+  const page = await opened(browser, 'th0=150deg&L=1m&g=9.81&t=0s&theme=dark')
+  await page.waitForLoadState('networkidle')
+  const asked: string[] = []
+  page.context().on('request', (request) => asked.push(request.url()))
+  await useAll(page)
+  expect(asked).toEqual([])
+  expect(await page.context().cookies()).toEqual([])
+  await page.context().close()
+})
+
+test('story 13: the offline file works from disk without a network', async ({ browser }) => {
+  const context = await browser.newContext({ offline: true })
+  const page = await context.newPage()
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(request.url()))
+  await page.goto(`file://${DIST}offline.html#th0=150deg&L=1m&g=9.81&t=0s`)
+  await ready(page)
+  await useAll(page)
+  expect(asked.filter((each) => !each.startsWith('data:') && !each.startsWith('blob:')).length).toBe(1)
+  await context.close()
+})
+
+test('story 13: a second visit needs no network', async ({ browser }) => {
+  const context = await browser.newContext()
+  const page = await context.newPage()
+  await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
+  await ready(page)
+  // Kept: the page, its script, its style, and the module that it runs.
+  await page.waitForFunction(async () => {
+    const kept = (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat()
+    const has = (end: string) => kept.some(({ url }) => url.endsWith(end))
+    return has('.js') && has('.css') && has('.wasm') && has('.woff2') && has('/')
+  })
+  await context.setOffline(true)
+  await page.goto('about:blank')
+  await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
+  await ready(page)
+  await useAll(page)
+  await context.close()
+})
