@@ -70,6 +70,15 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
             if start.last < 1e6 { format!("{:.4}", start.last) } else { format!("{:.3e}", start.last) }
         )));
     }
+    // With two samples in a period omega0 is pi over the step, and a swing passes its rest at less than 2 omega0.
+    let step = (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64;
+    if measured == Measured::Velocity && start.reach * step > 3.0 * core::f64::consts::PI {
+        return Err(FitRefusal::new(format!(
+            "a velocity of {:.1e} rad/s at steps of {step:.1e} s: a swing turns by less than {:.0} rad from one sample to the next",
+            start.reach,
+            3.0 * core::f64::consts::PI
+        )));
+    }
     let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y, stop: options.stop };
     let (mut from, mut to) = (all.t[0], all.t[all.len() - 1]);
     let mut reason = "as stated";

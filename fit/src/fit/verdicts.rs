@@ -97,7 +97,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         );
     } else if share > 8e-3
         && diagnostics.lag1 > 0.9
-        && (falling || evidence.wanted_negative > 0 || evidence.window_spread > 0.01)
+        && (falling || evidence.wanted_negative > 0 || evidence.window_spread > 0.01 || share > 0.05)
         && !isochronous
         && !waveform
     {
