@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -122,6 +122,9 @@ bench-elliptic: $(VENV)/.packages $(VENV)/.built ## elliptic functions beside Sc
 
 bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)
 	@$(PY) bench/run_damped.py
+
+labdata: $(VENV)/.packages $(VENV)/.built ## fit the measured pendulums of folder=../shared/labdata: asked, came out, holds (2 minutes)
+	@$(PY) bench/labdata.py '$(or $(folder),../shared/labdata)'
 
 docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and picture (a minute)
 	@mkdir -p out

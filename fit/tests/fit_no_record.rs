@@ -11,7 +11,7 @@ fn spread(number: usize) -> f64 {
 fn what_is_no_record_is_answered() {
     let draw = |i: usize| spread(i) + spread(3 * i + 1) + spread(7 * i + 5);
     let mut answers = 0;
-    for seed in [0, 3, 5, 7, 8, 9, 10, 11_usize] {
+    for seed in [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 17, 28_usize] {
         let rows = 1 + (seed * 37) % 90;
         let size = [1.0, 1e-300, 1e300, 1e-6, 1e4, 30.0][seed % 6];
         let step = [0.05, 1e-9, 1e9, 0.3, 2.0][seed % 5];
@@ -38,5 +38,5 @@ fn what_is_no_record_is_answered() {
             answers += 1;
         }
     }
-    assert_eq!(answers, 40);
+    assert_eq!(answers, 70);
 }

@@ -9,6 +9,7 @@ mod fit_apparatus;
 mod fit_no_record;
 mod fit_record;
 mod fit_verdicts;
+mod fit_windows;
 mod malformed;
 mod more_oddities;
 mod oddities;

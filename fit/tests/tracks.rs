@@ -79,3 +79,16 @@ fn a_tilted_table_is_an_offset_not_a_turn() {
     near(&degrees(&record), &tilted, 0.01);
     near(&[record.rest.unwrap().to_degrees()], &[3.0], 0.1);
 }
+
+#[test]
+fn a_stated_length_is_not_the_radius_of_a_track_in_pixels() {
+    let (text, angles) = track((100.0, 50.0), 300.0, 30.0, 0.2, 0.0);
+    let options = Options { length: Some(0.65), ..Options::default() };
+    let record = read("f", text.as_bytes(), &options).unwrap();
+    near(&degrees(&record), &angles, 0.3);
+    says(&record, "the centre of the track's circle");
+    // Where the arc is too short, a length that is less than half of the track is in another unit.
+    let (short, _) = track((100.0, 50.0), 300.0, 4.0, 2.0, 0.0);
+    let line = refusal(short.as_bytes(), &options).to_string();
+    assert!(line.contains("--length = 0.65") && line.contains("unit of the track"), "{line}");
+}

@@ -3,10 +3,10 @@
 use super::bootstrap::block_bootstrap;
 use super::covariance::Covariance;
 use super::data::{Measured, clean, extent};
-use super::diagnosis::{linear_equation, of_residuals, scale, swing};
+use super::diagnosis::{ScaleFound, of_residuals, scale, swing};
 use super::held::{by_presliding, held, presliding_held, with_bounds, without_held};
 use super::monte_carlo::interval;
-use super::options::FitOptions;
+use super::options::{FitOptions, Model};
 use super::problem::{
     DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY,
     presliding,
@@ -15,7 +15,8 @@ use super::quote::{Quote, quoted};
 use super::record::{Fitted, fitted};
 use super::refusal::FitRefusal;
 use super::result::{
-    BudgetRow, Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Residuals, RungSummary,
+    BudgetRow, Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals,
+    RungSummary, Verdict,
 };
 use super::spread::{between, scatter, windows};
 use super::verdicts::{Evidence, verdicts};
@@ -73,6 +74,12 @@ pub(super) fn record(
     let place = |value: usize| varied.iter().position(|free| *free == value);
     let pieces = windows(samples, measured, found, *period);
     let scattered = scatter(&pieces);
+    let of_residuals = of_residuals(samples, found, problem.plain());
+    let mut asked = ScaleFound::default();
+    if measured != Measured::Acceleration {
+        let doubtful = !fitted.isochronous && rung.outcome.rms() > 5e-3 * reach && of_residuals.lag1 > 0.3;
+        asked = scale(samples, measured, rung.model, found, *period, doubtful);
+    }
     // Rates of the clock enter every value by its power of time.
     let clock = |value: usize| match value {
         OMEGA2 | DRY => 2.0,
@@ -86,6 +93,10 @@ pub(super) fn record(
         let mut model = if value == PRESLIDING { 0.0 } else { between(rungs, *chosen, value, variance) };
         if value == OMEGA2 {
             model = libm::hypot(model, scattered.map_or(0.0, |s| s.1));
+            // A scale that is wanted and not given says that something of the model is wrong, and by how much that counts.
+            if asked.is_wanted(rung.outcome.rms()) && place(SCALE).is_none() {
+                model = libm::hypot(model, asked.omega2 - found[OMEGA2]);
+            }
         }
         let calibration =
             libm::hypot(by_scale[i] * options.scale_u, clock(value) * found[value] * options.clock_u);
@@ -112,15 +123,12 @@ pub(super) fn record(
                 block_bootstrap(&jacobian, &covariance.inverse, problem.plain(), block, options)
             })
             .and_then(|variances| place(OMEGA2).map(|i| half * variances[i].sqrt())),
-        ..of_residuals(samples, found, problem.plain())
+        ..of_residuals
     };
     if measured != Measured::Acceleration {
-        let doubtful = rung.outcome.rms() > 5e-3 * reach && diagnostics.lag1 > 0.3;
-        (diagnostics.scale, diagnostics.scale_u, diagnostics.scale_rms) =
-            scale(samples, measured, rung.model, found, *period, doubtful);
+        (diagnostics.scale, diagnostics.scale_u, diagnostics.scale_rms) = (asked.scale, asked.u, asked.rms);
     }
-    diagnostics.linear_equation_rms =
-        linear_equation(samples, measured, found[OFFSET], rung.model, rung.outcome.rms()).unwrap_or(f64::NAN);
+    diagnostics.linear_equation_rms = fitted.linear_equation_rms;
     budget.push(BudgetRow {
         source: "as if residuals were independent".into(),
         u: budget_of(&budget, omega0, diagnostics.omega0_u_naive),
@@ -184,16 +192,32 @@ pub(super) fn record(
         },
         state: (found[THETA], found[VELOCITY], *anchor),
     };
+    let plain = rungs.iter().filter(|rung| rung.model < Model::Presliding);
+    let without_presliding = if fit.model == Model::Presliding {
+        plain.map(|rung| rung.mean_square.sqrt()).fold(f64::INFINITY, f64::min)
+    } else {
+        fit.rms
+    };
     fit.verdicts = verdicts(
         &fit,
         &Evidence {
             reach,
             wanted_negative: rung.wanted_negative.len(),
+            rms_without_presliding: without_presliding,
             window_spread: scattered.map_or(0.0, |s| s.0 * (pieces.len() as f64).sqrt() / squared.value),
             periods: span / period,
             angles: measured == Measured::Angle,
         },
     );
+    if fitted.driven {
+        fit.verdicts.push(Verdict::new(
+            Grade::Note,
+            format!(
+                "the swing stays the same until {:.2} s and falls only then: something drives the pendulum before, so only what follows is fitted",
+                fitted.window.0
+            ),
+        ));
+    }
     Ok(fit)
 }
 

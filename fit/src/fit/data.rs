@@ -82,6 +82,9 @@ pub(super) struct Clean {
     pub dropped: Vec<(usize, &'static str)>,
 }
 
+/// In rad, rad/s or m/s^2: far below what any sensor tells from rest.
+const LEAST_RANGE: f64 = 1e-12;
+
 /// Rows without a number are left out; a clock that falls throughout is refused.
 pub(super) fn clean(t: &[f64], values: &[f64]) -> Result<Clean, FitRefusal> {
     let mut kept = Clean { t: Vec::new(), y: Vec::new(), rows: Vec::new(), dropped: Vec::new() };
@@ -112,6 +115,12 @@ pub(super) fn clean(t: &[f64], values: &[f64]) -> Result<Clean, FitRefusal> {
     let (low, high) = extent(&kept.y);
     if low == high {
         return Err(FitRefusal::new(format!("every value is {low}: a pendulum that moves is needed")));
+    }
+    if high - low < LEAST_RANGE {
+        return Err(FitRefusal::new(format!(
+            "the values lie within {:.1e} of each other: a motion of at least {LEAST_RANGE:e} is needed",
+            high - low
+        )));
     }
     if kept.t[0] == kept.t[kept.t.len() - 1] {
         return Err(FitRefusal::new(format!("every time is {}: times must rise", kept.t[0])));

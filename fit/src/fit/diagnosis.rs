@@ -4,7 +4,7 @@ use super::covariance::{Covariance, autocorrelations};
 use super::data::Measured;
 use super::horizon::grown;
 use super::ladder::{Rung, rung, terms};
-use super::optimiser::CLOSE;
+use super::optimiser::{CLOSE, ROUGH};
 use super::options::Model;
 use super::problem::{Loss, OMEGA2, Problem, QUADRATIC, SCALE, Samples, THETA, VELOCITY, Values, trajectory};
 use super::result::Diagnostics;
@@ -39,9 +39,9 @@ pub(super) fn of_residuals(samples: &Samples, values: &Values, residuals: &[f64]
     found.durbin_watson = steps / squares;
     found.against_velocity = correlation(residuals, &velocity);
     found.against_theta = correlation(residuals, &theta);
-    let sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
-    let energies: Vec<f64> =
-        theta.iter().zip(&velocity).map(|(angle, speed)| swing(*angle, *speed, values[OMEGA2])).collect();
+    let some = || (0..residuals.len()).step_by(residuals.len().div_ceil(MOST));
+    let sizes: Vec<f64> = some().map(|i| residuals[i].abs()).collect();
+    let energies: Vec<f64> = some().map(|i| swing(theta[i], velocity[i], values[OMEGA2])).collect();
     found.against_swing = correlation(&sizes, &energies);
     found
 }
@@ -53,7 +53,29 @@ pub(super) fn swing(theta: f64, velocity: f64, omega2: f64) -> f64 {
     orbit.map_or(f64::NAN, |orbit| orbit.theta_max().min(core::f64::consts::PI))
 }
 
-/// The scale of the angle that the record asks for: value, uncertainty, rms. `doubtful` says that the record's own scale
+/// The scale of the angle that a record asks for, its uncertainty, and what goes with it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ScaleFound {
+    pub scale: f64,
+    pub u: f64,
+    pub rms: f64,
+    pub omega2: f64,
+}
+
+impl ScaleFound {
+    /// Whether it is none by chance and helps: `rms` is that without it.
+    pub fn is_wanted(&self, rms: f64) -> bool {
+        self.scale > 0.0 && (self.scale - 1.0).abs() > 4.0 * self.u && rms > 1.1 * self.rms
+    }
+}
+
+impl Default for ScaleFound {
+    fn default() -> ScaleFound {
+        ScaleFound { scale: f64::NAN, u: f64::NAN, rms: f64::NAN, omega2: f64::NAN }
+    }
+}
+
+/// The scale of the angle that the record asks for. `doubtful` says that the record's own scale
 /// leaves more than noise.
 pub(super) fn scale(
     samples: &Samples,
@@ -62,7 +84,7 @@ pub(super) fn scale(
     values: &Values,
     period: f64,
     doubtful: bool,
-) -> (f64, f64, f64) {
+) -> ScaleFound {
     let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, MOST);
     let mut best: Option<Rung> = None;
     // Other units are tried where the record's own does not do; and a wrong scale may have led the ladder to a poorer or a richer
@@ -79,30 +101,37 @@ pub(super) fn scale(
         if begin[THETA].abs() > 3.0 || begin[VELOCITY].abs() > 6.0 * begin[OMEGA2].sqrt() {
             continue;
         }
-        let found = rung(&few, measured, model, &begin, true, CLOSE);
+        let found = rung(&few, measured, model, &begin, true, ROUGH);
         let least = best.as_ref().map_or(f64::INFINITY, |best| best.outcome.rms());
         if found.outcome.rms() < 0.999 * least {
             best = Some(found);
         }
     }
-    let Some(best) = best else { return (f64::NAN, f64::NAN, f64::NAN) };
+    let Some(best) = best else { return ScaleFound::default() };
+    let best = rung(&few, measured, best.model, &best.outcome.values, true, CLOSE);
     let problem = Problem::new(&few, measured, &best.free, Loss::Squares, best.outcome.values);
     let lags = 3.0 * period / (few.t[few.len() - 1] - few.t[0]) * few.len() as f64;
     let covariance =
         problem.derivatives().and_then(|jacobian| Covariance::of(&jacobian, problem.plain(), lags as usize));
     let last = best.free.len() - 1;
     let u = covariance.map_or(f64::NAN, |covariance| covariance.matrix[(last, last)].sqrt());
-    (best.outcome.values[SCALE], u, best.outcome.rms())
+    // The mirrored motion has the opposite sign.
+    ScaleFound {
+        scale: best.outcome.values[SCALE].abs(),
+        u,
+        rms: best.outcome.rms(),
+        omega2: best.outcome.values[OMEGA2],
+    }
 }
 
-/// rms of the linear equation: the same search on the record made a thousand times smaller, where sin theta is theta.
-pub(super) fn linear_equation(
-    samples: &Samples,
-    measured: Measured,
-    offset: f64,
-    model: Model,
-    rms: f64,
-) -> Option<f64> {
+/// Whether the linear equation describes a record of angles far better than the pendulum's, so large that the two must differ.
+pub(super) fn isochronous(linear_equation_rms: f64, rms: f64, swing: f64) -> bool {
+    linear_equation_rms > 0.0 && linear_equation_rms < 0.5 * rms && swing.to_degrees() > 15.0
+}
+
+/// rms of the linear equation, with linear friction or with all three terms: the same search on the record made a thousand times
+/// smaller, where sin theta is theta. NaN where it has no start.
+pub(super) fn linear_equation(samples: &Samples, measured: Measured, offset: f64, rms: f64) -> f64 {
     const SMALLER: f64 = 1e-3;
     let small = Samples {
         t: samples.t.clone(),
@@ -111,17 +140,18 @@ pub(super) fn linear_equation(
     };
     let swings = Swings::of(&small.t, &small.y);
     let decay = free_decay(&swings, small.len());
-    let begin = *starts(&swings, &decay, measured).first()?;
+    let Some(begin) = starts(&swings, &decay, measured).first().copied() else { return f64::NAN };
     let moved =
         Samples { t: small.t.iter().map(|t| t - begin.anchor).collect(), y: small.y, stop: small.stop };
-    let count = terms(model).len().clamp(1, 3);
-    let reached = grown(&moved, measured, &begin, count, noise(&moved.y));
-    // Far from the pendulum's there is no doubt.
-    if reached.rms() / SMALLER > 5.0 * rms {
-        return Some(reached.rms() / SMALLER);
-    }
     let few = moved.thinned(f64::NEG_INFINITY, f64::INFINITY, MOST);
-    let model = Model::LADDER[count];
-    let found = rung(&few, measured, model, &reached.values, false, CLOSE);
-    Some(found.outcome.rms() / SMALLER).filter(|rms| rms.is_finite())
+    let of = |model: Model| {
+        let reached = grown(&moved, measured, &begin, terms(model).len(), noise(&moved.y));
+        let near = reached.rms() / SMALLER;
+        // Far from the pendulum's there is no doubt.
+        if near > 5.0 * rms {
+            return near;
+        }
+        rung(&few, measured, model, &reached.values, false, CLOSE).outcome.rms() / SMALLER
+    };
+    of(Model::Linear).min(of(Model::Dry))
 }

@@ -6,7 +6,9 @@
 use super::data::Measured;
 use super::ladder::{Rung, terms};
 use super::one_sided::{Bounded, one_sided};
-use super::problem::{DRY, Loss, PRESLIDING, PRESLIDING_HELD, Problem, Samples, Values, presliding};
+use super::problem::{
+    DRY, LINEAR, Loss, PRESLIDING, PRESLIDING_HELD, Problem, Samples, Values, least_linear, presliding,
+};
 use super::result::Estimate;
 use nalgebra::{DMatrix, DVector};
 
@@ -45,6 +47,9 @@ pub(super) fn with_bounds(
     let mut bounded = Vec::new();
     for (place, value) in varied.iter().enumerate().filter(|(_, value)| terms(rung.model).contains(value)) {
         let mut at = found[*value];
+        if *value == LINEAR {
+            at -= least_linear(found);
+        }
         if *value == PRESLIDING {
             // Its bound is that of the root of the angle.
             let angle = presliding(found);

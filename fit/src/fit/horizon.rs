@@ -52,9 +52,11 @@ pub(super) fn grown(
 
 fn stage(samples: &Samples, measured: Measured, friction: &[usize], scale: f64, values: Values) -> Outcome {
     let mut free = always_free(measured);
-    let held = minimum(samples, measured, &free, Loss::Squares, values, ROUGH);
-    free.extend(friction);
-    let mut outcome = minimum(samples, measured, &free, Loss::Squares, held.values, ROUGH);
+    let mut outcome = minimum(samples, measured, &free, Loss::Squares, values, ROUGH);
+    if !friction.is_empty() {
+        free.extend(friction);
+        outcome = minimum(samples, measured, &free, Loss::Squares, outcome.values, ROUGH);
+    }
     let wide = robust_deviation(&outcome.residuals).max(3.0 * scale);
     if wide.is_finite() {
         outcome = minimum(samples, measured, &free, Loss::Soft(wide), outcome.values, ROUGH);

@@ -5,9 +5,10 @@ use super::data::Measured;
 use super::optimiser::{Outcome, Patience, minimum};
 use super::options::Model;
 use super::problem::{
-    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_HELD, QUADRATIC, SCALE, Samples, THETA, VELOCITY,
-    Values, always_free, trajectory,
+    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_HELD, Problem, QUADRATIC, SCALE, Samples, THETA,
+    VELOCITY, Values, always_free, below_bound, least_linear, trajectory,
 };
+use nalgebra::DVector;
 
 /// A model at its minimum.
 #[derive(Clone, Debug)]
@@ -16,7 +17,7 @@ pub(super) struct Rung {
     pub outcome: Outcome,
     /// The places of the free values.
     pub free: Vec<usize>,
-    /// Terms that wanted to be negative and were held at 0.
+    /// Terms that leant on their bound and were held at 0.
     pub wanted_negative: Vec<usize>,
     /// Of the residuals; that of presliding as if it had been fitted to the samples of the others.
     pub mean_square: f64,
@@ -49,7 +50,37 @@ fn best_presliding(samples: &Samples, measured: Measured, values: &Values) -> f6
     best.map_or(libm::log(0.01), |best| best.values[PRESLIDING])
 }
 
-/// A model at its minimum, from the values of a neighbour; negative friction is held at 0 and remembered.
+/// Of the terms that are held at 0 one whose rise would lower the cost: the search leant on its bound too early.
+fn wants_back(
+    samples: &Samples,
+    measured: Measured,
+    held: &[usize],
+    released: &[usize],
+    outcome: &Outcome,
+) -> Option<usize> {
+    let asked: Vec<usize> = held
+        .iter()
+        .copied()
+        .filter(|term| [LINEAR, QUADRATIC, DRY].contains(term) && !released.contains(term))
+        .collect();
+    if asked.is_empty() {
+        return None;
+    }
+    let mut values = outcome.values;
+    values[LINEAR] = values[LINEAR].max(least_linear(&values));
+    let problem = Problem::new(samples, measured, &asked, Loss::Squares, values);
+    let columns = problem.derivatives()?;
+    let residuals = DVector::from_column_slice(problem.plain());
+    // A cosine below it is what a search that has ended leaves.
+    const ENDED: f64 = 1e-4;
+    let place = (0..asked.len()).find(|place| {
+        let column = columns.column(*place);
+        column.dot(&residuals) < -ENDED * column.norm() * residuals.norm()
+    })?;
+    Some(asked[place])
+}
+
+/// A model at its minimum, from the values of a neighbour; a term that leans on its bound is held at 0 and remembered.
 pub(super) fn rung(
     samples: &Samples,
     measured: Measured,
@@ -65,46 +96,50 @@ pub(super) fn rung(
             values[term] = 0.0;
         }
     }
-    let mut free = always_free(measured);
-    free.extend(acting);
-    if free_scale && !free.contains(&SCALE) {
-        free.push(SCALE);
-    }
-    let search =
-        |free: &[usize], values: Values| minimum(samples, measured, free, Loss::Squares, values, patience);
     if model == Model::Presliding && values[PRESLIDING] == 0.0 {
         values[DRY] = values[DRY].max(1e-4 * values[OMEGA2]);
         values[PRESLIDING] = best_presliding(samples, measured, &values);
     }
-    let begin = values;
-    let mut outcome = search(&free, begin);
-    let mut wanted_negative = Vec::new();
-    let negative = |free: &[usize], values: &Values| {
-        free.iter().copied().find(|term| [LINEAR, QUADRATIC, DRY].contains(term) && values[*term] < 0.0)
+    let free_without = |held: &[usize]| {
+        let mut free = always_free(measured);
+        free.extend(acting.iter().filter(|term| !held.contains(term)));
+        if free_scale && !free.contains(&SCALE) {
+            free.push(SCALE);
+        }
+        free
     };
-    while let Some(term) = negative(&free, &outcome.values) {
-        wanted_negative.push(term);
-        let mut values = outcome.values;
-        values[term] = 0.0;
-        free.retain(|place| *place != term);
-        if term == DRY && free.contains(&PRESLIDING) {
-            values[PRESLIDING] = 0.0;
-            free.retain(|place| *place != PRESLIDING);
+    let search =
+        |free: &[usize], values: Values| minimum(samples, measured, free, Loss::Squares, values, patience);
+    let mut held: Vec<usize> = Vec::new();
+    let mut released: Vec<usize> = Vec::new();
+    let mut free = free_without(&held);
+    let mut outcome = search(&free, values);
+    loop {
+        let leaning: Vec<usize> =
+            free.iter().copied().filter(|term| below_bound(&outcome.values, *term)).collect();
+        if let Some(term) =
+            wants_back(samples, measured, &held, &released, &outcome).filter(|_| leaning.is_empty())
+        {
+            held.retain(|place| *place != term);
+            released.push(term);
+            outcome.values[LINEAR] = outcome.values[LINEAR].max(least_linear(&outcome.values));
+        } else if leaning.is_empty() {
+            break;
         }
-        outcome = search(&free, values);
-        // Where the others stood with a negative term may be far from where they stand without it.
-        let mut begun = begin;
-        for held in &wanted_negative {
-            begun[*held] = 0.0;
+        for term in leaning {
+            // That of linear friction moves with the others, so it stays where it counts as at its bound.
+            outcome.values[term] = if term == LINEAR { -outcome.values[OMEGA2].sqrt() } else { 0.0 };
+            held.push(term);
+            if term == DRY && free.contains(&PRESLIDING) {
+                outcome.values[PRESLIDING] = 0.0;
+                held.push(PRESLIDING);
+            }
         }
-        if !free.contains(&PRESLIDING) {
-            begun[PRESLIDING] = 0.0;
-        }
-        let other = search(&free, begun);
-        if other.sum_of_squares < outcome.sum_of_squares {
-            outcome = other;
-        }
+        free = free_without(&held);
+        outcome = search(&free, outcome.values);
     }
+    outcome.values[LINEAR] = outcome.values[LINEAR].max(least_linear(&outcome.values));
+    let mut wanted_negative = held;
     // The bound is an angle of 0: dry friction alone.
     if free.contains(&PRESLIDING) && outcome.values[PRESLIDING] < PRESLIDING_HELD {
         wanted_negative.push(PRESLIDING);

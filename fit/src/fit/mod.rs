@@ -11,6 +11,7 @@ mod held;
 mod horizon;
 mod known;
 mod ladder;
+mod loss;
 mod measure;
 mod monte_carlo;
 mod one_sided;

@@ -4,6 +4,8 @@
 //! state at t = 0 is free.
 
 use super::data::Measured;
+pub(super) use super::loss::Loss;
+use super::loss::soft;
 use super::options::Stop;
 use core::cell::Cell;
 use core::f64::consts::PI;
@@ -66,15 +68,6 @@ impl Samples {
     }
 }
 
-/// What a residual costs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Loss {
-    /// Its square.
-    Squares,
-    /// 2 f^2 (sqrt(1 + r^2/f^2) - 1): a square below f, linear above.
-    Soft(f64),
-}
-
 /// A record, a model, and where the search stands.
 #[derive(Clone, Debug)]
 pub(super) struct Problem<'a> {
@@ -108,27 +101,51 @@ pub(super) fn presliding(values: &Values) -> f64 {
 /// millions of turns.
 fn bounded(values: &Values, span: f64) -> bool {
     let omega0 = values[OMEGA2].sqrt();
-    let driven = |rate: f64| rate >= 0.0 || -rate * span <= 3.0;
     values[OMEGA2] > 0.0
         && values[VELOCITY].abs() <= 40.0 * omega0
         && span * omega0.max(values[VELOCITY].abs()) <= 1e5
         && values[LINEAR] <= omega0
-        && driven(values[LINEAR])
         && values[QUADRATIC] <= 1e4
-        && driven(values[QUADRATIC] * omega0)
-        && values[DRY].abs() <= values[OMEGA2]
+        && values[DRY] <= values[OMEGA2]
+}
+
+/// The least linear friction: with less, all friction together would drive the pendulum at some velocity v, where
+/// dry + 2 linear v + quadratic v^2 < 0. Below 0 it is dry friction that falls with the velocity, as Stribeck found.
+pub(super) fn least_linear(values: &Values) -> f64 {
+    -(values[QUADRATIC].max(0.0) * values[DRY].max(0.0)).sqrt()
+}
+
+/// How linear friction below its bound changes with quadratic and with dry friction.
+fn by_least_linear(values: &Values) -> [f64; 2] {
+    let least = least_linear(values);
+    if values[LINEAR] < least && least < 0.0 {
+        [0.5 * least / values[QUADRATIC], 0.5 * least / values[DRY]]
+    } else {
+        [0.0; 2]
+    }
+}
+
+/// Whether a friction term is below its bound, where it counts as if it stood there.
+pub(super) fn below_bound(values: &Values, term: usize) -> bool {
+    match term {
+        LINEAR => values[LINEAR] < least_linear(values),
+        QUADRATIC | DRY => values[term] < 0.0,
+        _ => false,
+    }
 }
 
 /// The motion of a set of values over an interval around its state; none where the values are out of their domain.
 ///
-/// Dry friction below 0 counts as 0, so that a search may lean on this bound without being stopped there.
+/// Friction below its bound counts as at it, so that a search may lean on the bound without being stopped there.
 pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajectory> {
     if values.iter().any(|value| !value.is_finite()) || !bounded(values, to - from) {
         return None;
     }
     let frequency = Frequency::from_omega2(values[OMEGA2]).ok()?;
     let presliding = presliding(values);
-    let friction = Friction::new(values[LINEAR], values[QUADRATIC], values[DRY].max(0.0), presliding).ok()?;
+    let linear = values[LINEAR].max(least_linear(values));
+    let (quadratic, dry) = (values[QUADRATIC].max(0.0), values[DRY].max(0.0));
+    let friction = Friction::new(linear, quadratic, dry, presliding).ok()?;
     let pendulum =
         DampedPendulum::new(values[THETA], values[VELOCITY], frequency, friction, Torque::NONE).ok()?;
     let (from, to) = (from.min(0.0), to.max(0.0));
@@ -265,12 +282,17 @@ impl<'a> Problem<'a> {
                 Measured::Angle => &columns[..11],
                 Measured::Velocity | Measured::Acceleration => &columns[11..],
             };
+            let with_linear = by_least_linear(&self.values);
             for (column, value) in self.free.iter().enumerate() {
                 let scale = self.values[SCALE];
                 for row in 0..part.len() {
                     matrix[(start + row, column)] = match *value {
                         OFFSET => 1.0,
-                        DRY if self.values[DRY] < 0.0 => 0.0,
+                        LINEAR | QUADRATIC | DRY if below_bound(&self.values, *value) => 0.0,
+                        // Linear friction on its bound goes with the two that give it.
+                        QUADRATIC | DRY => {
+                            scale * (shown[*value][row] + with_linear[value - QUADRATIC] * shown[LINEAR][row])
+                        }
                         PRESLIDING if self.values[PRESLIDING] < PRESLIDING_RANGE.0 => 0.0,
                         PRESLIDING if self.values[PRESLIDING] > PRESLIDING_RANGE.1 => 0.0,
                         SCALE => {
@@ -328,15 +350,6 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         }
         Some(matrix)
     }
-}
-
-/// The number whose square is the soft loss, and its derivative.
-fn soft(z: f64) -> (f64, f64) {
-    let root = libm::hypot(z, 1.0);
-    // 2 (root - 1) = 2 z^2/(root + 1), without cancellation.
-    let reduced = z * (2.0 / (root + 1.0)).sqrt();
-    let slope = if reduced == 0.0 { 1.0 } else { z / (root * reduced) };
-    (reduced, slope)
 }
 
 #[cfg(test)]

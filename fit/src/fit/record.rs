@@ -1,13 +1,14 @@
 //! A record in time: window, search, ladder, uncertainty.
 
 use super::data::{Clean, Measured, extent, robust_deviation};
+use super::diagnosis::{isochronous, linear_equation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
 use super::optimiser::{CLOSE, FINE, ROUGH, minimum};
 use super::options::{FitOptions, Model, Stop};
 use super::problem::{LINEAR, Loss, OFFSET, PRESLIDING, Samples, Values, always_free};
 use super::refusal::FitRefusal;
-use super::start::{Start, free_decay, starts};
+use super::start::{Start, driven, free_decay, rotation, starts};
 use super::swings::{Passage, Swings, noise};
 use super::window::{caught, last_motion, reached};
 
@@ -26,6 +27,12 @@ pub(super) struct Fitted {
     pub window_reason: String,
     pub effective: f64,
     pub dropped: Vec<(usize, String)>,
+    /// rms of the linear equation with the friction of the chosen rung.
+    pub linear_equation_rms: f64,
+    /// Whether it describes the record far better than the pendulum's.
+    pub isochronous: bool,
+    /// Whether the swing is constant before the window, by a drive.
+    pub driven: bool,
 }
 
 /// Samples of the ladder; the chosen rung then takes all.
@@ -41,9 +48,16 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let t: Vec<f64> = kept.iter().map(|i| clean.t[*i]).collect();
     let y: Vec<f64> = kept.iter().map(|i| clean.y[*i]).collect();
     let swings = Swings::of(&t, &y);
-    let decay = free_decay(&swings, y.len());
+    let mut decay = free_decay(&swings, y.len());
+    let drive = driven(&swings.passages[decay.clone()], swings.slack);
+    decay.start += drive;
     let sensor = noise(&y);
-    let starts = starts(&swings, &decay, measured);
+    let mut starts = starts(&swings, &decay, measured);
+    let mut turns_over = false;
+    if measured == Measured::Angle && starts.is_empty() {
+        starts.extend(rotation(&t, &y));
+        turns_over = !starts.is_empty();
+    }
     let Some(start) = nearest_start(&t, &y, measured, &starts, sensor, options.stop) else {
         return Err(FitRefusal::new(format!(
             "{} turning points in the record: at least one whole swing is needed",
@@ -56,13 +70,28 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
             if start.last < 1e6 { format!("{:.4}", start.last) } else { format!("{:.3e}", start.last) }
         )));
     }
+    // With two samples in a period omega0 is pi over the step, and a swing passes its rest at less than 2 omega0.
+    let step = (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64;
+    if measured == Measured::Velocity && start.reach * step > 3.0 * core::f64::consts::PI {
+        return Err(FitRefusal::new(format!(
+            "a velocity of {:.1e} rad/s at steps of {step:.1e} s: a swing turns by less than {:.0} rad from one sample to the next",
+            start.reach,
+            3.0 * core::f64::consts::PI
+        )));
+    }
     let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y, stop: options.stop };
     let (mut from, mut to) = (all.t[0], all.t[all.len() - 1]);
     let mut reason = "as stated";
     if options.window.is_none() {
         reason = "from the release to the stop";
-        from = swings.turns[decay.start].t - start.anchor;
-        to = (swings.turns[decay.end].t - start.anchor + 0.5 * start.period).min(to);
+        if drive > 0 {
+            reason = "from the end of the drive to the stop";
+        }
+        // A pendulum that only turns over the top has no turning points.
+        if !turns_over {
+            from = swings.turns[decay.start].t - start.anchor;
+            to = (swings.turns[decay.end].t - start.anchor + 0.5 * start.period).min(to);
+        }
     }
     options.tell("window");
     let part = |from: f64, to: f64| all.only(|i| (from..=to).contains(&all.t[i]));
@@ -75,11 +104,15 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let mut rows: Vec<usize> =
         (0..all.len()).filter(|i| (from..=to).contains(&all.t[*i])).map(|i| clean.rows[kept[i]]).collect();
     let thin = samples.thinned(from, to, MOST);
-    let mut rungs = climbed(&thin, measured, options, &values, &start, sensor);
+    let linear_equation_rms = linear_equation(&thin, measured, values[OFFSET], first.rms());
+    let linear_does =
+        |rms: f64| measured == Measured::Angle && isochronous(linear_equation_rms, rms, start.reach);
+    let mut rungs = climbed(&thin, measured, options, &values, &start, sensor, &linear_does);
+    let is_isochronous = linear_does(rungs[chosen(&rungs)].outcome.rms());
     let mut anchor = start.anchor;
     let per_period = thin.len() as f64 * start.period / (to - from);
     let mut effective = criteria(&mut rungs, per_period);
-    let wanted = options.model.is_none_or(|model| model == Model::Presliding);
+    let wanted = !is_isochronous && options.model.is_none_or(|model| model == Model::Presliding);
     let moves = |rung: &Rung| rung.outcome.rms() < 0.05 * (extent(&thin.y).1 - extent(&thin.y).0);
     if wanted
         && let Some(dry) =
@@ -138,6 +171,9 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         dropped,
         samples,
         rungs,
+        linear_equation_rms,
+        isochronous: is_isochronous,
+        driven: drive > 0 && options.window.is_none(),
     })
 }
 
@@ -214,7 +250,8 @@ fn extended(
     (from, to)
 }
 
-/// The rungs below presliding, each from what its own growing horizon has reached.
+/// The rungs below presliding, each from what its own growing horizon has reached; `values` are those of the richest. Two do for a
+/// record that the linear equation describes.
 fn climbed(
     samples: &Samples,
     measured: Measured,
@@ -222,6 +259,7 @@ fn climbed(
     values: &Values,
     start: &Start,
     noise: f64,
+    linear_does: &dyn Fn(f64) -> bool,
 ) -> Vec<Rung> {
     let models: Vec<Model> = match options.model {
         None => vec![Model::None, Model::Linear, Model::Quadratic, Model::Dry],
@@ -230,9 +268,12 @@ fn climbed(
     };
     let mut rungs: Vec<Rung> = Vec::new();
     for model in models {
+        if rungs.len() == 2 && rungs.iter().all(|rung| linear_does(rung.outcome.rms())) {
+            break;
+        }
         options.tell(model.name());
         let own = match model {
-            Model::None => Start { values: *values, ..*start }.values,
+            Model::None | Model::Dry => *values,
             _ => grown(samples, measured, start, terms(model).len().min(3), noise).values,
         };
         // Without friction a long record is far from the minimum anyway: a part of the samples is enough.

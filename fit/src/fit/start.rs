@@ -54,6 +54,76 @@ pub(super) fn free_decay(swings: &Swings, samples: usize) -> core::ops::Range<us
     best
 }
 
+/// How many passages at the beginning have one and the same swing, while right after them the swing falls: something drives the
+/// pendulum there. Friction takes no less from a larger swing, so no free decay begins with a constant one.
+pub(super) fn driven(passages: &[Passage], slack: f64) -> usize {
+    let Some(first) = passages.first() else { return 0 };
+    let width = (0.02 * first.swing).max(2.0 * slack);
+    let (mut low, mut high, mut length) = (first.swing, first.swing, 0);
+    for passage in passages {
+        (low, high) = (low.min(passage.swing), high.max(passage.swing));
+        if high - low > width {
+            break;
+        }
+        length += 1;
+    }
+    let after = length.min(passages.len() - length);
+    if length < 8 || after < 4 {
+        return 0;
+    }
+    let mean = |from: usize| passages[from..from + 3].iter().map(|p| p.swing).sum::<f64>() / 3.0;
+    let before_fall = mean(0) - mean(length - 3);
+    let fall = mean(length - 1) - mean(length + after - 3);
+    let as_fast = before_fall / length as f64 > 0.2 * fall / after as f64;
+    if as_fast || fall < 4.0 * width { 0 } else { length }
+}
+
+/// The start of a record of angles that only rises or only falls: the pendulum turns over the top throughout. Its speed at the
+/// bottom and at the top gives omega0, velocity_bottom^2 - velocity_top^2 = 4 omega0^2.
+pub(super) fn rotation(t: &[f64], y: &[f64]) -> Option<Start> {
+    let turn = core::f64::consts::TAU;
+    let sense = (y[y.len() - 1] - y[0]).signum();
+    let turned = |i: usize| sense * (y[i] - y[0]);
+    if turned(y.len() - 1) < 2.0 * turn {
+        return None;
+    }
+    // Speeds over a fifteenth of a turn, or over one step where that is more.
+    let mut speeds: Vec<(f64, f64, f64)> = Vec::new();
+    let mut begin = 0;
+    for i in 1..y.len() {
+        if turned(i) - turned(begin) >= turn / 15.0 && t[i] > t[begin] {
+            let speed = (turned(i) - turned(begin)) / (t[i] - t[begin]);
+            speeds.push((0.5 * (t[i] + t[begin]), 0.5 * (y[i] + y[begin]), speed));
+            begin = i;
+        }
+    }
+    let early = |s: &&(f64, f64, f64)| sense * (s.1 - y[0]) < 1.2 * turn;
+    let fastest = *speeds.iter().filter(early).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let slowest = *speeds.iter().filter(early).min_by(|a, b| a.2.total_cmp(&b.2))?;
+    let omega2 = 0.25 * (fastest.2 * fastest.2 - slowest.2 * slowest.2);
+    let at = |wanted: f64| (0..y.len()).find(|i| turned(*i) >= wanted).map(|i| t[i]);
+    let whole = turned(y.len() - 1);
+    let (first, last) = (at(turn)? - t[0], t[t.len() - 1] - at(whole - turn)?);
+    let span = (t[t.len() - 1] - t[0] - 0.5 * (first + last)).max(first);
+    // The mean speed falls as exp(-2 gamma t).
+    let linear = (0.5 * libm::log(last / first) / span).max(0.0);
+    let mut values: Values = [0.0; super::problem::NAMES.len()];
+    values[OMEGA2] = omega2;
+    values[VELOCITY] = sense * fastest.2;
+    values[OFFSET] = fastest.1;
+    values[SCALE] = 1.0;
+    let pi = core::f64::consts::PI;
+    let usable = omega2 > 0.0 && omega2.is_finite() && linear.is_finite();
+    usable.then_some(Start {
+        anchor: fastest.0,
+        period: first,
+        reach: pi,
+        last: pi,
+        values,
+        friction: [[linear, 0.0, 0.0]; 3],
+    })
+}
+
 /// omega0 of a libration with this turning angle and period.
 fn omega0_of_angle(theta_max: f64, period: f64) -> Option<f64> {
     let unit = Orbit::new(theta_max.min(3.1), 0.0, Frequency::from_omega0(1.0).ok()?).ok()?;

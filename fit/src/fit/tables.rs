@@ -9,6 +9,7 @@ use super::refusal::FitRefusal;
 use super::result::{
     Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals, Verdict,
 };
+use super::spread::scatter;
 use libration::damped::averaged_turning_angle;
 use libration::{Frequency, Friction, Orbit};
 
@@ -92,13 +93,20 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
         None
     };
     // An offset stays where the rows ask for it.
-    let best = match two {
-        Some(two) if two.aicc() < one.aicc() - 2.0 => two,
-        _ => one,
+    let (first, aicc) = (one.values[0], one.aicc());
+    let (best, other) = match two {
+        Some(two) if two.aicc() < aicc - 2.0 => (two, Some((first, aicc))),
+        Some(two) => (one, Some((two.values[0], two.aicc()))),
+        None => (one, None),
     };
+    // The other model by its weight, beyond what noise does between nested models (spread.rs).
+    let model = other.map_or(0.0, |(omega0, aicc)| {
+        let weight = 1.0 / (1.0 + libm::exp((0.5 * (aicc - best.aicc())).clamp(-700.0, 700.0)));
+        (weight * ((omega0 - best.values[0]).powi(2) - best.u(0).powi(2)).max(0.0)).sqrt()
+    });
     let offset = best.values.get(1).map(|value| Estimate::new(*value, best.u(1), 0.0, 0.0));
     let swing = a.iter().fold(0.0f64, |most, a| most.max(a.abs()));
-    let mut fit = of_periods(&best, options, rows, swing, &measured)?;
+    let mut fit = of_periods(&best, model, options, rows, swing, &measured)?;
     fit.offset = offset;
     fit.offset_deg = offset.map(|e| Estimate::new(e.value.to_degrees(), e.u.to_degrees(), 0.0, 0.0));
     fit.residuals.t = a;
@@ -132,7 +140,8 @@ pub(super) fn gate(
     let (best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
-    let mut fit = of_periods(&best, options, rows, swing, &measured)?;
+    let model = model_of_gate(&best, t, periods, transits, &rows.kept);
+    let mut fit = of_periods(&best, model, options, rows, swing, &measured)?;
     fit.residuals.t = times;
     fit.window = extent(&fit.residuals.t);
     if let Some(place) = linear {
@@ -148,6 +157,49 @@ pub(super) fn gate(
     Ok(fit)
 }
 
+/// Periods of passages whose speed is a width, values[1], over the time that the flag takes.
+fn by_transits(dark: &[f64], values: &[f64]) -> Option<Vec<f64>> {
+    dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
+}
+
+/// Periods while linear friction, values[2], makes the swing smaller from values[1].
+fn by_decay(times: &[f64], values: &[f64]) -> Option<Vec<f64>> {
+    let frequency = Frequency::from_omega0(values[0]).ok()?;
+    let friction = Friction::new(values[2], 0.0, 0.0, 0.0).ok()?;
+    let swing = |t: f64| averaged_turning_angle(values[1], t, frequency, friction);
+    times.iter().map(|t| period_of_angle(swing(*t), values[0])).collect()
+}
+
+/// What the model leaves out of omega0: the scatter between five parts of the rows, each with its own omega0, beyond what their
+/// noise explains.
+fn model_of_gate(
+    best: &CurveFit,
+    t: &[f64],
+    periods: &[f64],
+    transits: Option<&[f64]>,
+    kept: &[usize],
+) -> f64 {
+    let parts = kept.chunks(kept.len().div_ceil(5)).filter(|part| part.len() >= 8);
+    let each = |part: &[usize]| {
+        let of = |column: &[f64]| -> Vec<f64> { part.iter().map(|row| column[*row]).collect() };
+        let (times, measured) =
+            (of(t).iter().map(|time| time - t[kept[0]]).collect::<Vec<f64>>(), of(periods));
+        let dark = transits.map(of);
+        let curve = |omega0: &[f64]| {
+            let mut values = best.values.clone();
+            values[0] = omega0[0];
+            match &dark {
+                Some(dark) => by_transits(dark, &values),
+                None => by_decay(&times, &values),
+            }
+        };
+        let found = nearest(&curve, &measured, &best.values[..1], (part.len() / 8).min(30))?;
+        Some((found.values[0], found.u(0))).filter(|(_, u)| *u > 0.0)
+    };
+    let found: Vec<(f64, f64)> = parts.filter_map(each).collect();
+    scatter(&found).map_or(0.0, |(_, beyond)| beyond)
+}
+
 /// The fit, the largest swing, and the place of the linear friction if it is among the values.
 fn gate_once(
     t: &[f64],
@@ -161,9 +213,7 @@ fn gate_once(
     if let Some(transits) = transits {
         let dark: Vec<f64> = kept.iter().map(|row| transits[*row]).collect();
         let shortest = extent(&dark).0;
-        let curve = |values: &[f64]| -> Option<Vec<f64>> {
-            dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
-        };
+        let curve = |values: &[f64]| by_transits(&dark, values);
         // A width that gives the fastest passage this share of the separatrix's speed.
         let tried = [0.1, 0.3, 0.6]
             .map(|share| nearest(&curve, &measured, &[start, share * 2.0 * start * shortest], lags));
@@ -174,12 +224,7 @@ fn gate_once(
     let first = t[kept[0]];
     let times: Vec<f64> = kept.iter().map(|row| t[*row] - first).collect();
     let span = extent(&times).1.max(f64::MIN_POSITIVE);
-    let curve = |values: &[f64]| -> Option<Vec<f64>> {
-        let frequency = Frequency::from_omega0(values[0]).ok()?;
-        let friction = Friction::new(values[2], 0.0, 0.0, 0.0).ok()?;
-        let swing = |t: f64| averaged_turning_angle(values[1], t, frequency, friction);
-        times.iter().map(|t| period_of_angle(swing(*t), values[0])).collect()
-    };
+    let curve = |values: &[f64]| by_decay(&times, values);
     let mut tried = Vec::new();
     for swing in [0.2, 0.8] {
         for decay in [0.1, 1.0] {
@@ -194,13 +239,14 @@ fn gate_once(
 /// The result of periods alone.
 fn of_periods(
     best: &CurveFit,
+    model: f64,
     options: &FitOptions,
     rows: Rows,
     swing: f64,
     measured: &[f64],
 ) -> Result<Fit, FitRefusal> {
     let value = best.values[0];
-    let omega0 = Estimate::new(value, best.u(0), 0.0, options.clock_u * value);
+    let omega0 = Estimate::new(value, best.u(0), model, options.clock_u * value);
     let Quote { g, length, corrections, budget } = quoted(omega0, options)?;
     let n = measured.len() as f64;
     let mean = measured.iter().sum::<f64>() / n;

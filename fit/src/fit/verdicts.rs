@@ -1,5 +1,6 @@
 //! Findings in words: what a person with experience would say of the record and the fit.
 
+use super::diagnosis::{ScaleFound, isochronous};
 use super::result::{Fit, Grade, Verdict};
 
 /// What verdicts need beside the result.
@@ -9,6 +10,8 @@ pub(super) struct Evidence {
     pub reach: f64,
     /// Terms of the chosen model that wanted to be negative.
     pub wanted_negative: usize,
+    /// rms of the best model without presliding, whose two terms can imitate another waveform.
+    pub rms_without_presliding: f64,
     /// The relative scatter of omega0^2 between windows.
     pub window_spread: f64,
     /// Periods in the window.
@@ -27,7 +30,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     let share = fit.rms / evidence.reach;
     let linear = diagnostics.linear_equation_rms;
     let degrees = fit.swing.to_degrees();
-    let isochronous = linear > 0.0 && linear < 0.5 * fit.rms && degrees > 15.0 && evidence.angles;
+    let isochronous = evidence.angles && isochronous(linear, fit.rms, fit.swing);
     if isochronous && linear < 1e-4 * evidence.reach {
         say(
             Grade::Refuted,
@@ -54,12 +57,11 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     }
     let s = diagnostics.scale;
     let gain = fit.rms / diagnostics.scale_rms;
-    let asks = s > 0.0
-        && (s - 1.0).abs() > 4.0 * diagnostics.scale_u
-        && gain > 1.1
-        && !isochronous
-        && degrees > 10.0;
-    let waveform = asks && gain > 2.0 && (s - 1.0).abs() > 0.1;
+    let asked =
+        ScaleFound { scale: s, u: diagnostics.scale_u, rms: diagnostics.scale_rms, ..ScaleFound::default() };
+    let asks = asked.is_wanted(fit.rms) && !isochronous && degrees > 10.0;
+    let waveform =
+        asks && evidence.rms_without_presliding > 2.0 * diagnostics.scale_rms && (s - 1.0).abs() > 0.1;
     let in_degrees = libm::log(s / 1f64.to_radians()).abs() < 0.1;
     let in_radians = libm::log(s * 1f64.to_radians()).abs() < 0.1;
     if s > 0.0 && gain > 1.1 && evidence.angles && !isochronous && (in_degrees || in_radians) {
@@ -72,7 +74,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         say(
             Grade::Refuted,
             format!(
-                "the waveform is not a rigid pendulum's: with a scale of {s:.3} of the angle the rms falls by a factor of {gain:.1}"
+                "the waveform is not a rigid pendulum's: with a scale of {s:.3} of the angle the rms falls by a factor of {:.1}",
+                evidence.rms_without_presliding / diagnostics.scale_rms
             ),
         );
     } else if asks && (s - 1.0).abs() > 0.01 {
@@ -83,6 +86,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             ),
         );
     }
+    let falling = fit.friction.linear.is_some_and(|linear| linear.value < -2.0 * linear.u);
     if share > 0.25 {
         say(
             Grade::Refuted,
@@ -93,7 +97,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         );
     } else if share > 8e-3
         && diagnostics.lag1 > 0.9
-        && (evidence.wanted_negative > 0 || evidence.window_spread > 0.01)
+        && (falling || evidence.wanted_negative > 0 || evidence.window_spread > 0.01 || share > 0.05)
         && !isochronous
         && !waveform
     {
@@ -104,6 +108,11 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
                 100.0 * share,
                 diagnostics.lag1
             ),
+        );
+    } else if falling {
+        say(
+            Grade::Warning,
+            "the linear friction is below 0: the dry friction falls while the velocity rises, by a law that is not quite that of the models".to_string(),
         );
     } else if evidence.wanted_negative > 0 {
         say(

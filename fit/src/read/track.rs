@@ -1,5 +1,5 @@
-//! From the places of a tracked point to angles: the pivot is the centre of their circle, the origin of the axes, or lies at
-//! a stated length, whichever the track can prove.
+//! From the places of a tracked point to angles: the pivot is the centre of their circle or the origin of the axes, whichever
+//! the track can prove; at a stated length only where it proves neither, because a length is first one of the pendulum.
 
 use super::circle::{Circle, Down, circle};
 use super::record::Pivot;
@@ -17,11 +17,21 @@ pub(super) struct Swing {
 
 /// The angles about the pivot. `length` is in the unit of the coordinates.
 pub(super) fn swing(x: &[f64], y: &[f64], length: Option<f64>, metres: bool) -> Result<Swing, Refusal> {
-    let found = circle(x, y, length);
-    let origin = about(x, y, 0.0, 0.0);
-    let (at, how) = match (found, length) {
-        (Some(found), Some(length)) => (found, format!("at the stated length {length}")),
-        (found, _) => free(x, y, found, origin)?,
+    let (at, how) = match (free(x, y, circle(x, y, None), about(x, y, 0.0, 0.0)), length) {
+        (Ok(proven), _) => proven,
+        (Err(question), None) => return Err(question),
+        (Err(question), Some(length)) => {
+            let across = spread(x).max(spread(y));
+            if across > 2.0 * length {
+                let reason = format!(
+                    "--length = {length}: cannot be the distance of the pivot from a track that is {across:.4} wide; \
+                     give it in the unit of the track"
+                );
+                return Err(Refusal::fault(None, reason));
+            }
+            let found = circle(x, y, Some(length)).ok_or(question)?;
+            (found, format!("at the stated length {length} (the arc is too short for a circle)"))
+        }
     };
     let pivot = (at.x, at.y);
     let down = Down::of(x, y, pivot);
@@ -41,7 +51,7 @@ pub(super) fn swing(x: &[f64], y: &[f64], length: Option<f64>, metres: bool) -> 
     })
 }
 
-/// The pivot where no length is stated.
+/// The pivot that the track itself proves.
 fn free(x: &[f64], y: &[f64], found: Option<Circle>, origin: Circle) -> Result<(Circle, String), Refusal> {
     let proven = found.filter(|found| {
         // The arc must stand out from its chord by more than the points scatter, with a radius known to some per cent
