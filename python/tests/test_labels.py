@@ -95,7 +95,9 @@ NO_ARRAYS = {
     "limits",
     "pictures",
     "fit",
+    "fit_together",
     "gravity_of_period",
+    "gravity_of_pivots",
     "normal_gravity",
 }
 OTHERS = {

@@ -41,8 +41,9 @@ SCIPY = {
 
 @dataclass(frozen=True)
 class NumericalFormula:
-    """A numerical scheme by name: `euler:H`, `euler-cromer:H`, `verlet:H`, `rk4:H` with steps of H s; `rk45`,
-    `solve_ivp`, `odeint`.
+    """A numerical scheme by name: one of steps of H s, such as `rk4:H`, or `rk45`, `solve_ivp`, `odeint`.
+
+    Of steps of H s are `euler:H`, `euler-cromer:H`, `verlet:H` and `rk4:H`.
 
     Parameters
     ----------

@@ -59,6 +59,7 @@ NUMERICAL = Topic(
         ("euler-cromer:H", "semi-implicit Euler, symplectic; also symplectic-euler:H"),
         ("verlet:H", "velocity Verlet of order 2, symplectic; also leapfrog:H, stormer-verlet:H"),
         ("rk4:H", "the classical Runge-Kutta method of order 4"),
+        ("rk45", "solve_ivp step by step, without SciPy"),
         ("solve_ivp, odeint", "SciPy's, with their defaults"),
     ),
 )

@@ -59,8 +59,8 @@ in one line, with the option that answers it.
         "several files",
         (
             ("a.csv b.csv", "runs of one pendulum: one omega0, one g"),
-            ("a.csv --length 0.4m b.csv --length 0.8m", "one g at several lengths, each in the order of the files"),
-            ("up.csv --pivot 0.660m down.csv --pivot 0.340m", "a reversible pendulum, about one pivot and the other"),
+            ("FILE --length L FILE --length L", "one g at several lengths, each in the order of the files"),
+            ("FILE --pivot D FILE --pivot D", "a reversible pendulum, about one pivot and the other"),
             ("--run all", "every run of a file that has several"),
         ),
         """\
@@ -105,8 +105,8 @@ EXAMPLES = (
     "libration fit swing.csv --length 0.650±0.010",
     "libration fit counts.txt --unit angle=4096/rev --rate 100/s --plot fit.png",
     "libration fit a.csv b.csv c.csv --column angle=theta --model dry --json",
-    "libration fit short.csv --length 0.400±0.001 long.csv --length 0.800±0.001 --report g.html",
-    "libration fit swing.csv --length 0.650±0.001 --bob 12.5mm,66g --wire 0.4g --monte-carlo 10000",
+    "libration fit short.csv --length 0.400±0.001 long.csv --length 0.800±0.001",
+    "libration fit swing.csv --length 0.650±0.001 --bob 12.5mm,66g --monte-carlo 10000",
 )
 
 
