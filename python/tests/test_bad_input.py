@@ -202,7 +202,9 @@ ODD = {
 
 # These take files, tables and pairs, which are odd for the others; test_fit.py and test_gravity.py have what they refuse.
 OF_OTHER_THINGS = ("fit", "fit_together", "gravity_of_pivots")
-FUNCTIONS = [getattr(libration, name) for name in libration.__all__ if name[0].islower() and name not in OF_OTHER_THINGS]
+FUNCTIONS = [
+    getattr(libration, name) for name in libration.__all__ if name[0].islower() and name not in OF_OTHER_THINGS
+]
 
 
 @pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
