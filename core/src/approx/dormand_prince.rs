@@ -111,7 +111,7 @@ impl DormandPrince {
 
     /// The next accepted step; `None` at the end, and where a step would be too short for the doubles.
     pub fn step(&mut self) -> Option<DenseStep> {
-        if !(self.t < self.until) {
+        if self.t.is_nan() || self.t >= self.until {
             return None;
         }
         let least = 10.0 * (self.t.next_up() - self.t);
@@ -191,7 +191,7 @@ fn first_step(state: State, slope: State, omega2: f64, until: f64) -> f64 {
 
 /// The fifth root of a number >= 0; what is NaN gives none, so that a step shrinks most.
 fn fifth_root(value: f64) -> f64 {
-    if !(value >= f64::MIN_POSITIVE) {
+    if value.is_nan() || value < f64::MIN_POSITIVE {
         return 0.0;
     }
     if value == f64::INFINITY { value } else { (Td::from(value).ln() * 0.2).exp().hi }

@@ -157,7 +157,7 @@ impl NumericalFormula {
         let h = self.h;
         // The last step may end beyond.
         let count = (until / h).ceil().max(1.0);
-        if !(count <= MOST_STEPS as f64) {
+        if count.is_nan() || count > MOST_STEPS as f64 {
             return Err(too_many(count));
         }
         let mut states = Vec::with_capacity(count as usize + 1);
@@ -241,7 +241,7 @@ impl NumericalSolution {
     /// more than pi from the middle of the exact motion. NaN where it is not, and where the exact motion is no libration.
     pub fn over_the_top(&self) -> f64 {
         let Some(bottom) = self.bottom else { return f64::NAN };
-        let beyond = |theta: f64| !((theta - bottom).abs() <= PI.hi);
+        let beyond = |theta: f64| theta.is_nan() || (theta - bottom).abs() > PI.hi;
         let over = (1..=self.count()).find_map(|i| {
             let (t, theta, _) = self.end_of_step(i)?;
             beyond(theta).then(|| (self.end_of_step(i - 1), t))
