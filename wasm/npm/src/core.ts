@@ -126,6 +126,21 @@ export function hasVectors(): boolean {
 /** Columns of the workspace. */
 const COLUMNS = 6;
 
+/** A text of the core with its numbers, which it leaves as a mark and 16 hexadecimal digits of their bits. */
+function written(text: string): string {
+  return text.replace(/\u0001([0-9a-f]{16})/g, (_, bits: string) => shown(new Float64Array(BigUint64Array.of(BigInt(`0x${bits}`)).buffer)[0]!));
+}
+
+/** A number as Rust writes it in a message: `-1.0`, `0.001`, `1e-7`, `inf`. */
+function shown(value: number): string {
+  const size = Math.abs(value);
+  if (Number.isNaN(value)) return "NaN";
+  if (size === Number.POSITIVE_INFINITY) return value < 0 ? "-inf" : "inf";
+  if (size !== 0 && (size < 1e-5 || size >= 1e16)) return value.toExponential().replace("+", "");
+  const sign = value < 0 || Object.is(value, -0) ? "-" : "";
+  return Number.isInteger(size) ? `${sign}${size}.0` : `${sign}${size}`;
+}
+
 /** Copies a block of an array into a column. */
 function fill(column: Float64Array, from: Numbers, at: number, count: number): void {
   if (from instanceof Float64Array) column.set(count === from.length ? from : from.subarray(at, at + count));
@@ -172,7 +187,7 @@ export class Core {
 
   /** The refusal that the core has left. */
   refusal(): DomainError {
-    const [argument = "", given = "", allowed = ""] = this.text().split("\n");
+    const [argument = "", given = "", allowed = ""] = written(this.text()).split("\n");
     return new DomainError(argument, given, allowed);
   }
 

@@ -63,6 +63,14 @@ test("wrong arguments are named with their value and what is allowed", () => {
   assert.match(refused({ theta0: 1, omega0: 1, length: 2 }), /must be given as one of omega0, omega2 and length$/);
   assert.match(refused({ theta0: 1, gravity: 9.8 }), /^gravity = 9.8: must be given with a length$/);
   assert.equal(new Pendulum({ theta0: 1, length: 2 }).gravity, 9.80665);
+  // Numbers as the native core writes them.
+  const written: readonly [number, string][] = [
+    [-0, "-0.0"], [-0.1, "-0.1"], [-1e-5, "-1e-5"], [-9.5e-6, "-9.5e-6"], [-5e-324, "-5e-324"], [-123456789.25, "-123456789.25"],
+    [-9999999999999998, "-9999999999999998.0"], [-1e16, "-1e16"], [-1.5e300, "-1.5e300"], [Number.POSITIVE_INFINITY, "inf"],
+    [Number.NEGATIVE_INFINITY, "-inf"],
+  ];
+  for (const [length, text] of written) assert.match(refused({ theta0: 1, length }), new RegExp(`^length = ${text.replace(".", "\\.")}: `));
+  assert.match(refused({ theta0: 1, omega0: -1e-5, length: 1e21 }), /^frequency = omega0 = -1e-5, length = 1e21: /);
 });
 
 test("times, turns and crossings", () => {
