@@ -170,7 +170,8 @@ fn whole(text: &str) -> Option<u32> {
 fn shown(wanted: &str) -> String {
     let short: String = wanted.chars().take(60).collect();
     // The tables of what is printable are 4 kB; a page loads none.
-    let quoted = if COMPACT { format!("\"{}\"", short.escape_default()) } else { format!("{short:?}") };
+    let quoted =
+        if COMPACT { format!("\"{}\"", short.replace(char::is_control, " ")) } else { format!("{short:?}") };
     if short.len() < wanted.len() { quoted + "..." } else { quoted }
 }
 

@@ -159,7 +159,10 @@ impl Orbit {
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
-        if COMPACT && self.in_blocks(t, theta, None) {
+        if COMPACT {
+            if !self.in_blocks(t, theta, None) {
+                t.iter().zip(theta).for_each(|(t, theta)| *theta = self.theta(*t));
+            }
             return;
         }
         self.evaluated::<true, false, _>(Columns::new([t], [theta]));
@@ -172,7 +175,11 @@ impl Orbit {
 
     /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
-        if COMPACT && self.in_blocks(t, theta, Some(velocity)) {
+        if COMPACT {
+            if !self.in_blocks(t, theta, Some(velocity)) {
+                let rows = t.iter().zip(theta).zip(velocity);
+                rows.for_each(|((t, theta), velocity)| (*theta, *velocity) = self.motion(*t));
+            }
             return;
         }
         self.evaluated::<true, true, _>(Columns::new([t], [theta, velocity]));
