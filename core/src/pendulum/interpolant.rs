@@ -68,13 +68,25 @@ impl<const ROTATION: bool> ByInterpolant<'_, ROTATION> {
 
     /// The motion at n + f half periods.
     #[inline(always)]
-    pub fn at_phase<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, n: L, f: Dd<L>) -> Canonical<L> {
+    fn at_phase<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, n: L, f: Dd<L>) -> Canonical<L> {
+        let value = if ANGLE { self.1.first(f) } else { Unnormalised::from_double(L::splat(0.0)) };
+        self.at_value::<ANGLE, VELOCITY, L>(n, f, value)
+    }
+
+    /// The same with the value of P.
+    #[inline(always)]
+    pub fn at_value<const ANGLE: bool, const VELOCITY: bool, L: Lane>(
+        &self,
+        n: L,
+        f: Dd<L>,
+        value: Unnormalised<L>,
+    ) -> Canonical<L> {
         let ByInterpolant(elliptic, interpolant) = self;
         let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
         let mut motion = Canonical::at_bottom(turns, sign);
         if ANGLE {
             // Unnormalised::mul of factors that are in range.
-            let Unnormalised { hi: p, lo: rest } = interpolant.first(f);
+            let Unnormalised { hi: p, lo: rest } = value;
             let (hi, error) = p.two_product_in_range(f.hi);
             motion.opposite = Dd::new(hi, p.mul_add(f.lo, rest.mul_add(f.hi, error)));
         }

@@ -54,8 +54,11 @@ impl Orbit {
             let turns = turns + (sign + L::splat(frame.half_turn)) * L::splat(0.5);
             (turns, arctangent(canonical.adjacent, canonical.opposite).scale(-sign * two))
         };
-        let turned =
-            if M::TURNS || frame.shifted() { (Dd::splat(TWO_PI) * turns).plain_sum(local) } else { local };
+        let turned = if M::TURNS || frame.shifted() {
+            Dd::splat(TWO_PI).times_in_range(turns).plain_sum(local)
+        } else {
+            local
+        };
         let theta = if frame.base.hi == 0.0 {
             turned.value()
         } else {
