@@ -133,10 +133,10 @@ function written(text: string): string {
 
 /** A number as Rust writes it in a message: `-1.0`, `0.001`, `1e-7`, `inf`. */
 function shown(value: number): string {
-  const size = Math.abs(value);
+  const size = value < 0 ? -value : value;
   if (Number.isNaN(value)) return "NaN";
   if (size === Number.POSITIVE_INFINITY) return value < 0 ? "-inf" : "inf";
-  if (size !== 0 && (size < 1e-4 || size >= 1e16)) return value.toExponential().replace("+", "");
+  if (size > 0 && (size < 1e-4 || size >= 1e16)) return value.toExponential().replace("+", "");
   const sign = value < 0 || Object.is(value, -0) ? "-" : "";
   return Number.isInteger(size) ? `${sign}${size}.0` : `${sign}${size}`;
 }
