@@ -13,6 +13,7 @@ import names
 import pages
 import rooms
 import type_names
+import typescript_names
 
 HERE = Path(__file__).parent
 ROW = """[theta]
@@ -57,7 +58,7 @@ def root(tmp_path):
     return tmp_path
 
 
-@pytest.mark.parametrize("check", [rooms, names, functions, pages, links, circles, type_names])
+@pytest.mark.parametrize("check", [rooms, names, functions, pages, links, circles, type_names, typescript_names])
 def test_good_tree_passes(check, root):
     assert check.findings(root) == []
 
@@ -114,6 +115,13 @@ def test_good_tree_passes(check, root):
         (pages, "python/tests/test_theta.py", "@pytest.mark.xf" + "ail\n", "looks away"),
         (pages, "Makefile", "run: /ho" + "me/me/x\n", "one machine"),
         (circles, "reference/pendulum.py", "import orbit\n", "2 files in a circle"),
+        (typescript_names, "wasm/npm/src/pendulum.ts", "export function angle_max() {}\n", "pendulum.ts:1: angle_max"),
+        (
+            typescript_names,
+            "wasm/npm/src/pendulum.ts",
+            "export class Pendulum {\n  readonly thetaTop: number;\n}\n",
+            "pendulum.ts:2: thetaTop is neither",
+        ),
         (type_names, "core/src/pendulum/orbit.rs", "pub(crate) struct Flow<T> {\n", "pendulum: Flow is defined in 2"),
         (type_names, "core/src/pendulum/orbit.rs", "    enum Flow {\n", "pendulum/flow/mod.rs"),
         (type_names, "core/src/pendulum/orbit.rs", "type Flow = f64;\n", "core/src/pendulum: Flow"),

@@ -1,5 +1,6 @@
 //! The one error of the constructors: which argument, which value, what is allowed.
 
+use crate::lanes::COMPACT;
 use core::fmt;
 use std::borrow::Cow;
 
@@ -22,7 +23,7 @@ impl Domain {
         holds: bool,
         allowed: &'static str,
     ) -> Result<f64, Domain> {
-        if holds { Ok(value) } else { Err(Domain::new(argument, format!("{value:?}"), allowed)) }
+        if holds { Ok(value) } else { Err(Domain::new(argument, shown(value), allowed)) }
     }
 
     /// The error of a value as it was given.
@@ -33,6 +34,19 @@ impl Domain {
     ) -> Domain {
         Domain { argument, given, allowed: allowed.into() }
     }
+}
+
+/// Begins a number in a message that a page is to write out: its bits, in 16 hexadecimal digits, follow.
+const NUMBER: char = '\u{1}';
+
+/// A number as it is written in a message. On a page JavaScript writes it: Rust's digits are 18 kB of code.
+pub(crate) fn shown(value: f64) -> String {
+    if COMPACT { format!("{NUMBER}{:016x}", value.to_bits()) } else { format!("{value:?}") }
+}
+
+/// A whole number as it is written in a message, however large.
+pub(crate) fn shown_count(count: f64) -> String {
+    if count < 1e16 { (count as u64).to_string() } else { shown(count) }
 }
 
 impl fmt::Display for Domain {

@@ -37,6 +37,7 @@ pub mod oscillator;
 pub mod pendulum;
 
 mod domain;
+mod sorting;
 
 pub use compound::{Compound, Part, Shape};
 pub use damped::{

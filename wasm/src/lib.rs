@@ -7,3 +7,9 @@
 mod abi;
 mod objects;
 mod workspace;
+
+/// A list of free blocks: what is set up is a few objects and lists.
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static ALLOCATOR: lol_alloc::LockedAllocator<lol_alloc::FreeListAllocator> =
+    lol_alloc::LockedAllocator::new(lol_alloc::FreeListAllocator::new());

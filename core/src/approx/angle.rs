@@ -15,7 +15,7 @@ use super::salas::{CUBIC, QUINTIC};
 use super::sine_model::SineModel;
 #[cfg(not(feature = "sine-models"))]
 use super::sine_model_absent::NoSineModel as SineModel;
-use crate::domain::Domain;
+use crate::domain::{Domain, shown};
 use crate::pendulum::orbit::Solution;
 use crate::pendulum::{Orbit, Regime};
 
@@ -102,7 +102,7 @@ impl AngleFormula {
         }
         if about_bottom && orbit.force.upside_down() {
             let allowed = format!("positive for {}, which is about theta = 0", self.name());
-            return Err(Domain::new("omega2", format!("{:?}", orbit.omega2()), allowed));
+            return Err(Domain::new("omega2", shown(orbit.omega2()), allowed));
         }
         Ok(())
     }
@@ -116,7 +116,7 @@ impl AngleFormula {
             (_, AngleRule::Linear) => Shape::Linear(Linear::new(orbit)),
             (Solution::ForceFree, AngleRule::SmallM) => {
                 let allowed = "large beside the velocity for small-m";
-                return Err(Domain::new("omega0", format!("{:?}", orbit.omega0()), allowed));
+                return Err(Domain::new("omega0", shown(orbit.omega0()), allowed));
             }
             (Solution::ForceFree, kind)
                 if orbit.force.root().is_none() || kind == AngleRule::FourierTheta =>

@@ -7,6 +7,7 @@ use super::search::intervals;
 use crate::domain::Domain;
 use crate::float::PI;
 use crate::pendulum::{Frequency, Orbit};
+use crate::sorting::sort_numbers;
 
 /// Turning angles in degrees between whole ones, where ranges may end near the bottom and the top.
 const ENDS: [f64; 12] =
@@ -44,7 +45,7 @@ impl AngleFormula {
         check_periods(periods)?;
         let mut angles: Vec<f64> =
             (1..180).map(f64::from).chain(ENDS).map(|angle| angle * (PI.hi / 180.0)).collect();
-        angles.sort_by(f64::total_cmp);
+        sort_numbers(&mut angles);
         let angles = angles.into_iter().take_while(|_| !ended());
         Ok(intervals(angles, [0.0, PI.hi], |angle| self.within(angle, bound, periods, ended)))
     }

@@ -1,6 +1,8 @@
 //! What is known of a formula before it is asked anything, and how it is found by its name.
 
 use crate::domain::Domain;
+use crate::lanes::COMPACT;
+use crate::sorting::sort;
 
 /// A formula of the registry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,13 +169,17 @@ fn whole(text: &str) -> Option<u32> {
 /// What was asked for, kept to one short line.
 fn shown(wanted: &str) -> String {
     let short: String = wanted.chars().take(60).collect();
-    if short.len() < wanted.len() { format!("{short:?}...") } else { format!("{short:?}") }
+    // The tables of what is printable are 4 kB; a page loads none.
+    let quoted =
+        if COMPACT { format!("\"{}\"", short.replace(char::is_control, " ")) } else { format!("{short:?}") };
+    if short.len() < wanted.len() { quoted + "..." } else { quoted }
 }
 
 /// Every name of some entries, those that differ least from a wanted one first.
 fn by_nearness(mut entries: Vec<&Entry>, wanted: &str) -> String {
     let wanted: Vec<char> = wanted.chars().take(60).map(|letter| letter.to_ascii_lowercase()).collect();
-    entries.sort_by_key(|entry| edits(&entry.name.chars().collect::<Vec<_>>(), &wanted));
+    let distance = |entry: &Entry| edits(&entry.name.chars().collect::<Vec<_>>(), &wanted);
+    sort(&mut entries, |a, b| distance(a).cmp(&distance(b)));
     entries.iter().map(|entry| entry.pattern()).collect::<Vec<_>>().join(", ")
 }
 

@@ -10,6 +10,7 @@ use super::search::{Point, crossing, maximum};
 use crate::domain::Domain;
 use crate::float::PI;
 use crate::pendulum::Regime;
+use crate::sorting::sort;
 
 /// The largest difference from the exact angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,9 +162,9 @@ impl AngleApproximation {
                 }
                 if tops.len() > 2 * MOST_TOPS {
                     // The sort is stable: of equal ones the first stay.
-                    tops.sort_by(|a, b| estimate(b).total_cmp(&estimate(a)));
+                    sort(&mut tops, |a, b| estimate(b).total_cmp(&estimate(a)));
                     tops.truncate(MOST_TOPS);
-                    tops.sort_by(|a, b| a[1].0.total_cmp(&b[1].0));
+                    sort(&mut tops, |a, b| a[1].0.total_cmp(&b[1].0));
                 }
             }
             (before, here) = (here, after);

@@ -7,7 +7,7 @@ use super::dormand_prince::{DenseStep, DormandPrince};
 use super::entry::{Entry, Named, Row, entries, row};
 use super::search::crossing;
 use super::steps::{SCHEME_TABLE, State, Step};
-use crate::domain::Domain;
+use crate::domain::{Domain, shown, shown_count};
 use crate::float::PI;
 use crate::pendulum::{Extremes, Orbit, Regime};
 
@@ -92,7 +92,7 @@ impl NumericalFormula {
             (Rule::Adaptive, Some(h)) => {
                 return Err(Domain::new(
                     "step",
-                    format!("{h:?}"),
+                    shown(h),
                     format!("left out for {name}, which chooses its own"),
                 ));
             }
@@ -193,7 +193,7 @@ fn adaptive(
 }
 
 fn too_many(count: f64) -> Domain {
-    Domain::new("steps", format!("{count:.0}"), format!("at most {MOST_STEPS}"))
+    Domain::new("steps", shown_count(count), format!("at most {MOST_STEPS}"))
 }
 
 impl NumericalSolution {

@@ -11,6 +11,7 @@ use crate::domain::Domain;
 use crate::float::exponent::ldexp;
 use crate::float::{TWO_PI_LONG, Td};
 use crate::pendulum::{Orbit, Regime};
+use crate::sorting::sort_numbers;
 use core::f64::consts::PI;
 
 /// Every formula of T/T0, where T0 = 2 pi/omega0 is the period of small swings.
@@ -140,7 +141,7 @@ impl PeriodFormula {
             }
         }
         points.extend(marks);
-        points.sort_by(f64::total_cmp);
+        sort_numbers(&mut points);
         points
     }
 

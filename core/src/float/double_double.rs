@@ -75,6 +75,12 @@ impl<L: Lane> Dd<L> {
     pub fn scale(self, power: L) -> Self {
         Dd::new(self.hi * power, self.lo * power)
     }
+    /// The product with a double, where an infinity or a NaN serves as well for factors beyond 2^990.
+    #[inline(always)]
+    pub fn times_in_range(self, factor: L) -> Self {
+        let (hi, error) = self.hi.two_product_in_range(factor);
+        Dd::ordered_sum(hi, self.lo.mul_add(factor, error))
+    }
     /// The square.
     #[inline(always)]
     pub fn square(self) -> Self {

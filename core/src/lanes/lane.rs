@@ -20,6 +20,17 @@ pub trait Lane:
     fn load(from: &[f64]) -> Self;
     /// Into the first WIDTH doubles of a slice that has them.
     fn store(self, to: &mut [f64]);
+    /// The next WIDTH doubles from a place on, of a slice that has them. Not by a slice of it where code is short: there that
+    /// is a call, before which every vector goes to memory.
+    #[inline(always)]
+    fn load_at(from: &[f64], at: usize) -> Self {
+        Self::load(&from[at..])
+    }
+    /// Into the next WIDTH doubles from a place on, likewise.
+    #[inline(always)]
+    fn store_at(self, to: &mut [f64], at: usize) {
+        self.store(&mut to[at..]);
+    }
     /// The first double.
     #[inline(always)]
     fn first(self) -> f64 {
@@ -34,6 +45,11 @@ pub trait Lane:
     fn mul_add(self, factor: Self, term: Self) -> Self;
     /// Product and its exact error.
     fn two_product(self, factor: Self) -> (Self, Self);
+    /// [`Lane::two_product`] where an infinity or a NaN serves as well for factors beyond 2^990: no test of them.
+    #[inline(always)]
+    fn two_product_in_range(self, factor: Self) -> (Self, Self) {
+        self.two_product(factor)
+    }
     /// Nearest integer, ties to even.
     fn round(self) -> Self;
     /// Square root.

@@ -60,12 +60,26 @@ impl<L: Lane> Lane for Pair<L> {
         self.1.store(&mut to[L::WIDTH..]);
     }
     #[inline(always)]
+    fn load_at(from: &[f64], at: usize) -> Self {
+        Pair(L::load_at(from, at), L::load_at(from, at + L::WIDTH))
+    }
+    #[inline(always)]
+    fn store_at(self, to: &mut [f64], at: usize) {
+        self.0.store_at(to, at);
+        self.1.store_at(to, at + L::WIDTH);
+    }
+    #[inline(always)]
     fn splat(value: f64) -> Self {
         Pair(L::splat(value), L::splat(value))
     }
     #[inline(always)]
     fn two_product(self, factor: Self) -> (Self, Self) {
         let (first, second) = (self.0.two_product(factor.0), self.1.two_product(factor.1));
+        (Pair(first.0, second.0), Pair(first.1, second.1))
+    }
+    #[inline(always)]
+    fn two_product_in_range(self, factor: Self) -> (Self, Self) {
+        let (first, second) = (self.0.two_product_in_range(factor.0), self.1.two_product_in_range(factor.1));
         (Pair(first.0, second.0), Pair(first.1, second.1))
     }
     methods!(

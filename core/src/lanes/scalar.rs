@@ -94,8 +94,12 @@ fn product_of_huge(a: f64, b: f64) -> (f64, f64) {
 /// Dekker's: the exact error of the product of two factors up to 2^990.
 #[inline(always)]
 pub(super) fn product_error<L: Lane>(a: L, b: L, product: L) -> L {
-    let (a_hi, a_lo) = split(a);
-    let (b_hi, b_lo) = split(b);
+    product_error_of_parts(split(a), split(b), product)
+}
+
+/// The same of factors in parts of 26 bits.
+#[inline(always)]
+pub(super) fn product_error_of_parts<L: Lane>((a_hi, a_lo): (L, L), (b_hi, b_lo): (L, L), product: L) -> L {
     ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo
 }
 

@@ -3,7 +3,7 @@
 //! A row of the table names an operation and the expression that does it, in the registers `a`, `b`, `c` (the names
 //! are the table's to choose), which stand for the arguments of the operation in their order. Where they do not:
 //! - `load` and `store` have the slice's pointer as `a`; what is stored is `b`;
-//! - `product_error` has both factors and their rounded product;
+//! - `product_error` has both factors and their rounded product, as has `product_error_in_range`, which a table may leave out;
 //! - `shift_52` moves the bits of every double up by 52 places;
 //! - `select` has the flags, what is taken where they hold, and the rest.
 //!
@@ -25,6 +25,7 @@ macro_rules! vector {
         neg = $neg:expr;
         mul_add = $mul_add:expr;
         product_error = $product_error:expr;
+        $(product_error_in_range = $product_error_in_range:expr;)?
         round = $round:expr;
         sqrt = $sqrt:expr;
         abs = $abs:expr;
@@ -64,6 +65,24 @@ macro_rules! vector {
                 // SAFETY: see the top of the table's file; the slice has the length that is written.
                 unsafe { $store }
             }
+            #[cfg(target_arch = "wasm32")]
+            #[inline(always)]
+            fn load_at(from: &[f64], at: usize) -> Self {
+                assert!(at < from.len() && $width <= from.len() - at);
+                // SAFETY: the slice has the doubles from there on.
+                let $a = unsafe { from.as_ptr().add(at) };
+                // SAFETY: see the top of the table's file; as many are read.
+                Self(unsafe { $load })
+            }
+            #[cfg(target_arch = "wasm32")]
+            #[inline(always)]
+            fn store_at(self, to: &mut [f64], at: usize) {
+                assert!(at < to.len() && $width <= to.len() - at);
+                // SAFETY: the slice has the doubles from there on.
+                let ($a, $b) = (unsafe { to.as_mut_ptr().add(at) }, self.0);
+                // SAFETY: see the top of the table's file; as many are written.
+                unsafe { $store }
+            }
             #[inline(always)]
             fn splat($a: f64) -> Self {
                 // SAFETY: see the top of the table's file.
@@ -82,6 +101,15 @@ macro_rules! vector {
                 // SAFETY: see the top of the table's file.
                 (product, Self(unsafe { $product_error }))
             }
+            $(
+                #[inline(always)]
+                fn two_product_in_range(self, factor: Self) -> (Self, Self) {
+                    let product = self * factor;
+                    let ($a, $b, $c) = (self.0, factor.0, product.0);
+                    // SAFETY: see the top of the table's file.
+                    (product, Self(unsafe { $product_error_in_range }))
+                }
+            )?
             vector!(@unary round $a $round);
             vector!(@unary sqrt $a $sqrt);
             vector!(@unary abs $a $abs);

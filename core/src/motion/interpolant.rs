@@ -13,7 +13,7 @@ use crate::float::Dd;
 use crate::float::double_double::fast_two_sum;
 use crate::float::exponent::exp2;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{Columns, Evaluation, Formula, Lane};
+use crate::lanes::{COMPACT, Columns, Evaluation, Formula, Lane};
 
 /// A polynomial in t, its first two coefficients to double-double.
 #[derive(Clone, Debug)]
@@ -164,9 +164,20 @@ impl Monomials {
         // Odd and even powers separately: two chains of half the length.
         let square = t * t;
         let (mut odd, mut even) = (L::splat(0.0), L::splat(0.0));
-        for [a, b] in self.pairs[..count / 2].iter().rev() {
-            odd = odd.mul_add(square, L::splat(*a));
-            even = even.mul_add(square, L::splat(*b));
+        if COMPACT {
+            // The slice would be a call in every row: see Lane::load_at.
+            let mut i = count / 2;
+            while i > 0 {
+                i -= 1;
+                let [a, b] = self.pairs[i];
+                odd = odd.mul_add(square, L::splat(a));
+                even = even.mul_add(square, L::splat(b));
+            }
+        } else {
+            for [a, b] in self.pairs[..count / 2].iter().rev() {
+                odd = odd.mul_add(square, L::splat(*a));
+                even = even.mul_add(square, L::splat(*b));
+            }
         }
         let (hi, error) = fast_two_sum(L::splat(self.lead.hi), t * even.mul_add(t, odd));
         Dd::new(hi, error + t.mul_add(L::splat(self.first_rest), L::splat(self.lead.lo)))
@@ -243,7 +254,7 @@ pub(crate) fn to_ends<L: Lane>(f: Dd<L>) -> Unnormalised<L> {
     let size = f.scale(L::splat(1.0).copysign(f.hi));
     let (above, above_error) = fast_two_sum(half, size.hi);
     let below = (half - size.hi) - size.lo;
-    let (factor, error) = above.two_product(below);
+    let (factor, error) = above.two_product_in_range(below);
     let below_error = ((half - size.hi) - below) - size.lo;
     Unnormalised::new(factor, above.mul_add(below_error, (above_error + size.lo).mul_add(below, error)))
 }

@@ -1,8 +1,9 @@
 //! Times of repeated passages: the part that all motions share.
 
-use crate::domain::Domain;
+use crate::domain::{Domain, shown, shown_count};
 use crate::elliptic::phase::LAST_HALF_PERIOD;
 use crate::float::Dd;
+use crate::sorting::sort_numbers;
 
 /// Largest number of times in one answer.
 pub const MOST_TIMES: f64 = 1e7;
@@ -25,7 +26,7 @@ impl<'a> Interval<'a> {
         Domain::check("start", start, !start.is_nan(), "a number")?;
         Domain::check("stop", stop, !stop.is_nan(), "a number")?;
         if stop < start {
-            return Err(Domain::new("stop", format!("{stop:?}"), format!("not before start, {start:?}")));
+            return Err(Domain::new("stop", shown(stop), format!("not before start, {}", shown(start))));
         }
         Ok(Interval { start, stop, ended })
     }
@@ -48,9 +49,8 @@ impl<'a> Interval<'a> {
             (low, high) = (low.min(from.floor()), high.max(to.ceil()));
         }
         if count > MOST_TIMES {
-            let given = if count < 1e15 { format!("{count:.0}") } else { format!("{count:e}") };
             let (argument, allowed) = ("passages from start to stop", "at most 10000000");
-            return Err(Domain::new(argument, given, allowed));
+            return Err(Domain::new(argument, shown_count(count), allowed));
         }
         let near = first.abs().max(last.abs()) < LAST_HALF_PERIOD;
         Domain::check("stop", self.stop, near, "within 2^53 half periods, like start")?;
@@ -73,7 +73,7 @@ impl<'a> Interval<'a> {
                 }
             }
         }
-        times.sort_by(f64::total_cmp);
+        sort_numbers(&mut times);
         Ok(times)
     }
 }

@@ -32,8 +32,6 @@ pub(super) trait CanonicalMotion {
     const TURNS: bool;
     /// Whether `opposite` is the angle itself.
     const DIRECT: bool = false;
-    /// Whether WebAssembly evaluates columns of it on vectors.
-    const VECTORS: bool = false;
     /// At one lane of times, `#[inline(always)]`. What is not asked for, angle or velocity, may be left at any value: the
     /// compiler does not drop it by itself.
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L>;

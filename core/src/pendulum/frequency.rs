@@ -1,7 +1,7 @@
 //! The force: omega0^2 = a b / c, three doubles taken exactly, whether it was given as omega0, as its square
 //! or as gravity and length.
 
-use crate::domain::Domain;
+use crate::domain::{Domain, shown};
 use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::{Dd, Td};
 
@@ -34,16 +34,14 @@ impl Frequency {
     ) -> Result<Frequency, Domain> {
         let given: Vec<String> = [("omega0", omega0), ("omega2", omega2), ("length", length)]
             .iter()
-            .filter_map(|(name, value)| value.map(|value| format!("{name} = {value:?}")))
+            .filter_map(|(name, value)| value.map(|value| format!("{name} = {}", shown(value))))
             .collect();
         if given.len() > 1 {
             let allowed = "given as one of omega0, omega2 and length";
             return Err(Domain::new("frequency", given.join(", "), allowed));
         }
         match (omega0, omega2, length, gravity) {
-            (_, _, None, Some(gravity)) => {
-                Err(Domain::new("gravity", format!("{gravity:?}"), "given with a length"))
-            }
+            (_, _, None, Some(gravity)) => Err(Domain::new("gravity", shown(gravity), "given with a length")),
             (Some(omega0), ..) => Frequency::from_omega0(omega0),
             (_, Some(omega2), ..) => Frequency::from_omega2(omega2),
             (_, _, Some(length), gravity) => {

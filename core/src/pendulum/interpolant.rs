@@ -10,7 +10,7 @@ use super::theta_quotients::{Elliptic, speed, tangent};
 use crate::float::Dd;
 use crate::float::elementary::{arctangent, quotient};
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::Lane;
+use crate::lanes::{COMPACT, Lane};
 use crate::motion::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
 
 /// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to be accurate.
@@ -22,7 +22,7 @@ impl Orbit {
     pub(super) fn polynomials<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&Interpolant> {
         self.interpolant.or_make(|| {
             let map = self.interpolant.kind?;
-            Some(if elliptic.lattice.hyperbolic() {
+            Some(if elliptic.lattice.by_hyperbolic() {
                 Interpolant::new(map, &EvenParts::<ROTATION, true>(elliptic))
             } else {
                 Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic))
@@ -53,19 +53,46 @@ pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub 
 impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
     const DIRECT: bool = true;
-    const VECTORS: bool = true;
     #[inline(always)]
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
+        let (n, f) = self.0.phase.spread::<L>().count(t, last_count(ROTATION));
+        self.at_phase::<ANGLE, VELOCITY, L>(n, f)
+    }
+}
+
+impl<const ROTATION: bool> ByInterpolant<'_, ROTATION> {
+    /// Whether the velocity is a polynomial too.
+    pub fn whole(&self) -> bool {
+        self.1.count() <= MOST_OF_VELOCITY
+    }
+
+    /// The motion at n + f half periods.
+    #[inline(always)]
+    fn at_phase<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, n: L, f: Dd<L>) -> Canonical<L> {
+        let value = if ANGLE { self.1.first(f) } else { Unnormalised::from_double(L::splat(0.0)) };
+        self.at_value::<ANGLE, VELOCITY, L>(n, f, value)
+    }
+
+    /// The same with the value of P.
+    #[inline(always)]
+    pub fn at_value<const ANGLE: bool, const VELOCITY: bool, L: Lane>(
+        &self,
+        n: L,
+        f: Dd<L>,
+        value: Unnormalised<L>,
+    ) -> Canonical<L> {
         let ByInterpolant(elliptic, interpolant) = self;
-        let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
         let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
         let mut motion = Canonical::at_bottom(turns, sign);
         if ANGLE {
-            let Unnormalised { hi, lo } = interpolant.first(f) * f.into();
-            motion.opposite = Dd::new(hi, lo);
+            // Unnormalised::mul of factors that are in range.
+            let Unnormalised { hi: p, lo: rest } = value;
+            let (hi, error) = p.two_product_in_range(f.hi);
+            motion.opposite = Dd::new(hi, p.mul_add(f.lo, rest.mul_add(f.hi, error)));
         }
         if VELOCITY {
-            motion.velocity = if interpolant.count() <= MOST_OF_VELOCITY {
+            // Rows on vectors are not asked for the other one (columns.rs).
+            motion.velocity = if (COMPACT && L::WIDTH > 1) || self.whole() {
                 let r = interpolant.second(f);
                 let velocity = if ROTATION { r.hi + r.lo } else { rounded_product(r, to_ends(f)) };
                 velocity * sign

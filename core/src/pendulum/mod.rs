@@ -5,6 +5,7 @@ mod addition_theorem;
 pub mod advance;
 mod batch;
 mod canonical;
+mod columns;
 mod energies;
 mod force_free;
 pub mod fourier;

@@ -2,7 +2,7 @@
 //!
 //! The formula is chosen once, outside of the kernels. It is compiled for the angle, for the velocity and for both.
 
-use super::canonical::{CanonicalMotion, RESULTS};
+use super::canonical::{Canonical, CanonicalMotion, RESULTS};
 use super::force_free::{AtEquilibrium, ForceFree};
 use super::interpolant::ByInterpolant;
 use super::orbit::{Orbit, Solution};
@@ -18,12 +18,24 @@ impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RES
     for InFrame<'_, M, ANGLE, VELOCITY>
 {
     type Place = M;
-    const VECTORS: bool = M::VECTORS;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let InFrame(orbit, motion) = self;
-        let frame = &orbit.frame;
         let canonical = motion.at::<ANGLE, VELOCITY, L>(t * L::splat(orbit.time_scale));
+        orbit.in_frame::<M, ANGLE, L>(t, canonical)
+    }
+}
+
+impl Orbit {
+    /// A canonical motion at t in the frame.
+    #[inline(always)]
+    pub(super) fn in_frame<M: CanonicalMotion, const ANGLE: bool, L: Lane>(
+        &self,
+        t: L,
+        canonical: Canonical<L>,
+    ) -> [L; RESULTS] {
+        let orbit = self;
+        let frame = &orbit.frame;
         // The start is returned as it was given.
         let start = t.equal(L::splat(0.0));
         let velocity = canonical.velocity * L::splat(orbit.velocity_scale);
@@ -42,8 +54,11 @@ impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RES
             let turns = turns + (sign + L::splat(frame.half_turn)) * L::splat(0.5);
             (turns, arctangent(canonical.adjacent, canonical.opposite).scale(-sign * two))
         };
-        let turned =
-            if M::TURNS || frame.shifted() { (Dd::splat(TWO_PI) * turns).plain_sum(local) } else { local };
+        let turned = if M::TURNS || frame.shifted() {
+            Dd::splat(TWO_PI).times_in_range(turns).plain_sum(local)
+        } else {
+            local
+        };
         let theta = if frame.base.hi == 0.0 {
             turned.value()
         } else {
@@ -52,9 +67,7 @@ impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RES
         let theta = L::select(start, L::splat(orbit.theta0), theta);
         [theta, velocity, turns, local.hi, local.lo]
     }
-}
 
-impl Orbit {
     /// The angle at t as whole turns from those of the frame, and a rest; without a force no turns are taken out.
     pub(super) fn turned(&self, t: f64) -> (f64, Dd) {
         let [_, _, turns, hi, lo] = self.evaluated::<true, false, _>(Once([t]));
@@ -82,7 +95,7 @@ impl Orbit {
     ) -> E::Output {
         if let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) {
             self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
-        } else if elliptic.lattice.hyperbolic() {
+        } else if elliptic.lattice.by_hyperbolic() {
             self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, true>(elliptic), evaluation)
         } else {
             self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, false>(elliptic), evaluation)
@@ -94,7 +107,7 @@ impl Orbit {
         motion: M,
         evaluation: E,
     ) -> E::Output {
-        if COMPACT && !M::VECTORS {
+        if COMPACT && !M::DIRECT {
             return evaluation.of(&InFrame::<M, true, true>(self, motion));
         }
         evaluation.of(&InFrame::<M, ANGLE, VELOCITY>(self, motion))
@@ -149,6 +162,12 @@ impl Orbit {
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
+        if COMPACT {
+            if !self.in_blocks(t, theta, None) {
+                t.iter().zip(theta).for_each(|(t, theta)| *theta = self.theta(*t));
+            }
+            return;
+        }
         self.evaluated::<true, false, _>(Columns::new([t], [theta]));
     }
 
@@ -159,6 +178,13 @@ impl Orbit {
 
     /// [`Orbit::motion`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
+        if COMPACT {
+            if !self.in_blocks(t, theta, Some(velocity)) {
+                let rows = t.iter().zip(theta).zip(velocity);
+                rows.for_each(|((t, theta), velocity)| (*theta, *velocity) = self.motion(*t));
+            }
+            return;
+        }
         self.evaluated::<true, true, _>(Columns::new([t], [theta, velocity]));
     }
 }

@@ -23,7 +23,7 @@ export interface Sources {
   scalar?: Source;
 }
 
-/** What the second module adds, by the names of the formulas of the angle. */
+/** What the second module adds to the formulas of the angle, by their names. */
 const SECOND: readonly string[] = ["cubic", "cubic-quintic"];
 
 /** Numbers to be worked on: any array of numbers. Float64Array is copied fastest. */
@@ -126,6 +126,21 @@ export function hasVectors(): boolean {
 /** Columns of the workspace. */
 const COLUMNS = 6;
 
+/** A text of the core with its numbers, which it leaves as a mark and 16 hexadecimal digits of their bits. */
+function written(text: string): string {
+  return text.replace(/\u0001([0-9a-f]{16})/g, (_, bits: string) => shown(new Float64Array(BigUint64Array.of(BigInt(`0x${bits}`)).buffer)[0]!));
+}
+
+/** A number as Rust writes it in a message: `-1.0`, `0.001`, `1e-7`, `inf`. */
+function shown(value: number): string {
+  const size = value < 0 ? -value : value;
+  if (Number.isNaN(value)) return "NaN";
+  if (size === Number.POSITIVE_INFINITY) return value < 0 ? "-inf" : "inf";
+  if (size > 0 && (size < 1e-4 || size >= 1e16)) return value.toExponential().replace("+", "");
+  const sign = value < 0 || Object.is(value, -0) ? "-" : "";
+  return Number.isInteger(size) ? `${sign}${size}.0` : `${sign}${size}`;
+}
+
 /** Copies a block of an array into a column. */
 function fill(column: Float64Array, from: Numbers, at: number, count: number): void {
   if (from instanceof Float64Array) column.set(count === from.length ? from : from.subarray(at, at + count));
@@ -172,7 +187,7 @@ export class Core {
 
   /** The refusal that the core has left. */
   refusal(): DomainError {
-    const [argument = "", given = "", allowed = ""] = this.text().split("\n");
+    const [argument = "", given = "", allowed = ""] = written(this.text()).split("\n");
     return new DomainError(argument, given, allowed);
   }
 
@@ -217,13 +232,22 @@ export function core(): Core {
 
 /** The core that has a formula of the angle; an error where it is not loaded. */
 export function coreOf(formula: string): Core {
-  if (!SECOND.includes(formula)) return core();
-  if (!second) throw new Error(`${formula} is in the second module: await loadSecond() first`);
+  return SECOND.includes(formula) ? secondCore(formula) : core();
+}
+
+/** The core that has a function; an error where it is not loaded, which says what was asked for. */
+export function coreWith(name: keyof Exports, asked: string): Core {
+  return name in core().exports ? core() : secondCore(asked);
+}
+
+function secondCore(asked: string): Core {
+  if (!second) throw new Error(`${asked} is in the second module: await loadSecond() first`);
   return second;
 }
 
 /**
- * Loads the core once; everything else in the package works from then on, and at once.
+ * Loads the core once; motions, approximations of the angle and numerical solutions work from then on, and at once. The rest
+ * is in the second module: {@link loadSecond}.
  *
  * Without sources the modules that come with the package are taken, read from its folder in Node and fetched in a
  * browser. A second call changes nothing and waits for the first.
@@ -245,7 +269,8 @@ export function load(sources: Sources = {}): Promise<void> {
 }
 
 /**
- * Loads the second module, for the approximations `cubic` and `cubic-quintic`, which are as large as all the rest.
+ * Loads the second module, with what a page does not need at first: the formulas of the period, `ranges`, the elliptic
+ * functions, and the approximations `cubic` and `cubic-quintic`, which are as large as all the rest.
  *
  * @param source Where it comes from, if not from the package.
  * @throws Error where it cannot be read or compiled; a later call may try again.

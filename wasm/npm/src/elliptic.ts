@@ -2,10 +2,10 @@
  * Jacobi's elliptic functions and the complete integrals, of exactly one of `{m}`, `{mc}` and `{k}`. DLMF 19, 22.
  *
  * m = k² is the parameter, mc = 1 − m its complement, which keeps its digits where m is next to 1, and k the modulus. No
- * function takes a bare number for it, so k cannot be passed for m.
+ * * function takes a bare number for it, so k cannot be passed for m. All are in the second module: `await loadSecond()` first.
  */
 
-import { core, DomainError, first, type Numbers } from "./core.js";
+import { coreWith, DomainError, first, type Numbers } from "./core.js";
 
 /** Exactly one of the parameter m, its complement mc = 1 − m, and the modulus k. */
 export type Parameter<T = number> =
@@ -44,15 +44,16 @@ function values(u: number, parameter: Parameter): JacobiValues<number>;
 function values(u: Numbers, parameter: Parameter): JacobiValues<Float64Array>;
 function values(u: number | Numbers, parameter: Parameter): JacobiValues<number> | JacobiValues<Float64Array> {
   const [which, value] = given(parameter);
-  const work = (rows: number): void => core().exports.jacobi(which, value, rows);
+  const of = coreWith("jacobi", "elliptic");
+  const work = (rows: number): void => of.exports.jacobi(which, value, rows);
   if (typeof u === "number") {
-    core().once(u, work);
-    const [sn, cn, dn, am] = [1, 2, 3, 4].map((at) => core().column(at)[0]!) as [number, number, number, number];
+    of.once(u, work);
+    const [sn, cn, dn, am] = [1, 2, 3, 4].map((at) => of.column(at)[0]!) as [number, number, number, number];
     return { sn, cn, dn, am };
   }
   const make = (): Float64Array => new Float64Array(u.length);
   const [sn, cn, dn, am] = [make(), make(), make(), make()];
-  core().through(u, [sn, cn, dn, am], work);
+  of.through(u, [sn, cn, dn, am], work);
   return { sn, cn, dn, am };
 }
 
@@ -123,10 +124,12 @@ export function am(u: number | Numbers, parameter: Parameter): number | Float64A
 /** One of the columns that the core fills for parameters. */
 function complete(parameter: Parameter<number | Numbers>, column: number): number | Float64Array {
   const [which, value] = given(parameter);
-  return first(value, undefined, (rows) => {
-    core().exports.complete(which, rows);
-    if (column > 1) core().column(1).set(core().column(column).subarray(0, rows));
-  });
+  const of = coreWith("complete", "elliptic");
+  const work = (rows: number): void => {
+    of.exports.complete(which, rows);
+    if (column > 1) of.column(1).set(of.column(column).subarray(0, rows));
+  };
+  return first(value, undefined, work, of);
 }
 
 /**

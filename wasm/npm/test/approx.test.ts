@@ -1,10 +1,8 @@
 /** Approximations against the numbers of their papers, and the integrators against what is known of them. */
 
 import { strict as assert } from "node:assert";
-import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { approx, DomainError, loadSecond, Pendulum } from "./loaded.js";
-import { ROOT } from "./ruler.js";
+import { approx, DomainError, Pendulum } from "./loaded.js";
 
 const degrees = (angle: number): number => (angle * Math.PI) / 180;
 const released = (angle: number): Pendulum => new Pendulum({ theta0: degrees(angle) });
@@ -111,10 +109,8 @@ test("both energies of the exact motion add up to its energy", () => {
   }
 });
 
-test("the sine models are in the second module", async () => {
+test("the sine models", () => {
   const pendulum = new Pendulum({ theta0: 1, omega0: 2 });
-  assert.throws(() => approx.angle("cubic").of(pendulum), /await loadSecond\(\) first/);
-  await loadSecond(await readFile(new URL("wasm/npm/dist/libration-second.wasm", ROOT)));
   const cubic = approx.angle("cubic").of(pendulum);
   assert.ok(Math.abs(cubic.theta(0) - 1) < 1e-15 && cubic.error().relative < 0.05);
   assert.ok(approx.angle("cubic-quintic").of(pendulum).error().relative < cubic.error().relative);

@@ -21,6 +21,23 @@ test("before load everything says what is missing", async () => {
   assert.equal(await printed(program), "the core is not loaded: await load() first");
 });
 
+test("what is in the second module says so, and is there once it is loaded", async () => {
+  const program = `import { approx, elliptic, load, loadSecond, Pendulum } from "libration";
+    await load();
+    const pendulum = new Pendulum({ theta0: 1 });
+    const asked = [
+      () => approx.angle("cubic").of(pendulum).theta(0), () => approx.angle("linear").ranges(0.01).length,
+      () => approx.period("exact").period(pendulum) / pendulum.period, () => elliptic.completeK({ m: 0 }).toFixed(6),
+      () => elliptic.sn(0.5, { m: 0 }).toFixed(6),
+    ];
+    for (const each of asked) try { each(); } catch (error) { console.log(error.message); }
+    console.log(approx.period.names.length > 10);
+    await loadSecond();
+    for (const each of asked) console.log(each());`;
+  const missing = ["cubic", "ranges", "approx.period", "elliptic", "elliptic"].map((each) => `${each} is in the second module: await loadSecond() first`);
+  assert.equal(await printed(program), [...missing, "true", "1", "1", "1", "1.570796", "0.479426"].join("\n"));
+});
+
 test("a module comes from the package, from bytes, from a base64 address; a wrong one can be tried again", async () => {
   const program = `import { load, Pendulum, usesVectors } from "libration";
     import { readFileSync } from "node:fs";
@@ -63,6 +80,14 @@ test("wrong arguments are named with their value and what is allowed", () => {
   assert.match(refused({ theta0: 1, omega0: 1, length: 2 }), /must be given as one of omega0, omega2 and length$/);
   assert.match(refused({ theta0: 1, gravity: 9.8 }), /^gravity = 9.8: must be given with a length$/);
   assert.equal(new Pendulum({ theta0: 1, length: 2 }).gravity, 9.80665);
+  // Numbers as the native core writes them.
+  const written: readonly [number, string][] = [
+    [-0, "-0.0"], [-0.1, "-0.1"], [-1e-4, "-0.0001"], [-1e-5, "-1e-5"], [-9.9999e-5, "-9.9999e-5"], [-5e-324, "-5e-324"], [-123456789.25, "-123456789.25"],
+    [-9999999999999998, "-9999999999999998.0"], [-1e16, "-1e16"], [-1.5e300, "-1.5e300"], [Number.POSITIVE_INFINITY, "inf"],
+    [Number.NEGATIVE_INFINITY, "-inf"],
+  ];
+  for (const [length, text] of written) assert.match(refused({ theta0: 1, length }), new RegExp(`^length = ${text.replace(".", "\\.")}: `));
+  assert.match(refused({ theta0: 1, omega0: -1e-5, length: 1e21 }), /^frequency = omega0 = -1e-5, length = 1e21: /);
 });
 
 test("times, turns and crossings", () => {

@@ -148,7 +148,7 @@ impl Jacobi {
     fn evaluate<E: Evaluation<1, 4>>(&self, evaluation: E) -> E::Output {
         if self.range == ParameterRange::One {
             evaluation.of(&HyperbolicLimit)
-        } else if self.neville.hyperbolic() {
+        } else if self.neville.by_hyperbolic() {
             evaluation.of(&DoublyPeriodic::<true>(self))
         } else {
             evaluation.of(&DoublyPeriodic::<false>(self))

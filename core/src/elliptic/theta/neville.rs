@@ -18,7 +18,7 @@ use crate::float::elementary::{sin_cos, sinh_cosh};
 use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::series::{long_sin_cos, long_sinh_cosh};
 use crate::float::{Dd, HALF_PI, PI, Scaled};
-use crate::lanes::Lane;
+use crate::lanes::{COMPACT, Lane};
 
 /// Which nome is the small one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,9 +175,26 @@ impl NevilleTheta {
         self.side == Side::Hyperbolic
     }
 
+    /// Whether a formula over [`NevilleTheta::thetas_on`] is to be the hyperbolic one. On a page, where that looks for itself,
+    /// one of both serves: nothing more is compiled.
+    pub fn by_hyperbolic(&self) -> bool {
+        COMPACT || self.hyperbolic()
+    }
+
     /// Theta functions at v = 2K f, 0 <= f <= 1/2, for a parameter on that side.
     #[inline(always)]
     pub fn thetas_on<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
+        if L::APART { self.thetas_apart(f) } else { self.thetas_inlined::<HYPERBOLIC, L>(f) }
+    }
+
+    /// The same of either side, as a function.
+    #[inline(never)]
+    fn thetas_apart<L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
+        if self.hyperbolic() { self.thetas_inlined::<true, L>(f) } else { self.thetas_inlined::<false, L>(f) }
+    }
+
+    #[inline(always)]
+    fn thetas_inlined<const HYPERBOLIC: bool, L: Lane>(&self, f: Dd<L>) -> Thetas<L> {
         let (folded, v) = fold(f);
         let angle = v * Dd::splat(self.angle);
         let one = Dd::from_double(L::splat(1.0));

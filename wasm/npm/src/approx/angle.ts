@@ -1,6 +1,6 @@
 /** Approximations of the angle over time by name, each set up once for a pendulum: `linear`, `fourier:4`, `taylor:8` ... */
 
-import { type Core, core, coreOf, first, keep, type Numbers } from "../core.js";
+import { type Core, core, coreOf, coreWith, first, keep, type Numbers } from "../core.js";
 import type { Pendulum } from "../pendulum.js";
 import { type Entry, entryOf, type Interval, intervals, type Registry, registry } from "./registry.js";
 
@@ -59,7 +59,7 @@ export class AngleFormula {
    * approx.angle("harmonic").ranges(0.01); // [[0, 1.0770...]], up to 61.71 degrees
    */
   ranges(bound: number, periods = 1): Interval[] {
-    const of = coreOf(this.entry.name);
+    const of = coreWith("angle_ranges", "ranges");
     of.say(this.name);
     return intervals(of.list(of.exports.angle_ranges(bound, periods)));
   }

@@ -1,6 +1,6 @@
 /** Formulas for the period of a swing by name: from Bernoulli's two terms to the arithmetic-geometric mean. */
 
-import { core, DomainError, first, type Numbers } from "../core.js";
+import { type Core, coreWith, DomainError, first, type Numbers } from "../core.js";
 import type { Pendulum } from "../pendulum.js";
 import { type Entry, entryOf, type Interval, intervals, type Registry, registry } from "./registry.js";
 
@@ -18,11 +18,13 @@ export class PeriodFormula {
   readonly name: string;
   /** What is known of it. */
   readonly entry: Entry;
+  private readonly core: Core;
 
-  /** @throws DomainError naming the nearest names, or what N may be. */
+  /** @throws DomainError naming the nearest names, or what N may be; Error before the second module is loaded. */
   constructor(name: string) {
-    core().say(name);
-    if (core().exports.period_values(0, 0) === 0) throw core().refusal();
+    this.core = coreWith("period_values", "approx.period");
+    this.core.say(name);
+    if (this.core.exports.period_values(0, 0) === 0) throw this.core.refusal();
     this.name = name;
     this.entry = entryOf(period.entries, name);
   }
@@ -64,8 +66,8 @@ export class PeriodFormula {
    * approx.period("bernoulli").period(new Pendulum({ theta0: 1, length: 1, gravity: 9.8 })); // 2.132536...
    */
   period(pendulum: Pendulum): number {
-    core().say(this.name);
-    return core().exports.period_of(pendulum.orbit);
+    this.core.say(this.name);
+    return pendulum.within(this.core, (orbit) => this.core.exports.period_of(orbit));
   }
 
   /**
@@ -78,8 +80,8 @@ export class PeriodFormula {
    * approx.period("cromer").ranges(1e-3); // [[2.98..., 3.14...]]
    */
   ranges(bound: number): Interval[] {
-    core().say(this.name);
-    return intervals(core().list(core().exports.period_ranges(bound)));
+    this.core.say(this.name);
+    return intervals(this.core.list(this.core.exports.period_ranges(bound)));
   }
 
   private values(swing: Swing<number | Numbers>, column: number): number | Float64Array {
@@ -89,11 +91,13 @@ export class PeriodFormula {
       const names = found.map(({ at }) => NAMES[at]).join(", ");
       throw new DomainError("swing", names || "none", "given as one of thetaMax, m and mc");
     }
-    return first(only.value, undefined, (rows) => {
-      core().say(this.name);
-      core().exports.period_values(only.at, rows);
-      if (column > 1) core().column(1).set(core().column(column).subarray(0, rows));
-    });
+    const of = this.core;
+    const work = (rows: number): void => {
+      of.say(this.name);
+      of.exports.period_values(only.at, rows);
+      if (column > 1) of.column(1).set(of.column(column).subarray(0, rows));
+    };
+    return first(only.value, undefined, work, of);
   }
 }
 
