@@ -8,7 +8,7 @@ use crate::lanes::Lane;
 /// square of its order. Here it costs a fixed part besides, and the products come four at a time: 32 coefficients fill lanes.
 pub(super) const ORDER: usize = 31;
 /// How many coefficients of the lowest orders are double-doubles.
-pub(super) const LONG: usize = 5;
+pub(super) const LONG: usize = 8;
 
 /// The coefficients of one function of time.
 pub(super) type Series = [f64; ORDER + 1];
