@@ -2,13 +2,13 @@
 //!
 //! With v' of equation.rs, s' = c v, c' = -s v and u' = -slip v u, every product is one with v. At order k the sum over j of
 //! x_(k-j) v_j takes the latest coefficients last: so the processor forms the long middle of a sum while it waits for them.
-//! Coefficients below LONG are double-doubles, because a step is 2^(-66/31) = 0.23 of the radius of convergence: the term of order
-//! LONG is below 0.23^8 = 2^-17 of the motion, and its rounding error below 2^-70. A motion that repeats itself rounds alike in
-//! every period, so that the errors of N steps may add up to 2^-70 N of the state.
+//! Coefficients below LONG are double-doubles, because a step is 2^(-70/31) = 0.21 of the radius of convergence: the term of order
+//! LONG is below 0.21^9 = 2^-20 of the motion, and its rounding error below 2^-73. A motion that repeats itself rounds alike in
+//! every period, so that the errors of N steps may add up to 2^-73 N of the state.
 //!
 //! Four numbers are side by side in a lane: c, -s, u, v times one v give the sums of s, c, u and of v^2. Where friction is linear or
-//! dry only c and -s are needed: then a lane holds two terms of the sum. One step is 31 32/2 - 28 = 468 products of a row with a v in
-//! double (half of the lanes where two terms share one) and 28 in double-double.
+//! dry only c and -s are needed: then a lane holds two terms of the sum. One step is 31 32/2 - 36 = 460 products of a row with a v in
+//! double (half of the lanes where two terms share one) and 36 in double-double.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 
 use super::taylor::{INVERSE, LONG, ORDER, Series, double, places};
@@ -18,7 +18,7 @@ use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Kernel, Lane, four};
 
 /// Sums that are written out order by order, and lanes of four coefficients.
-const _: () = assert!(LONG == 8 && ORDER == 31);
+const _: () = assert!(LONG == 9 && ORDER == 31);
 
 /// Places of the four variables.
 pub(super) const SINE: usize = 0;
@@ -154,7 +154,7 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
                 t[K + 1] = Unnormalised::new(factors(hi, next), factors(lo, rest));
             })*};
         }
-        next!(0 1 2 3 4 5 6);
+        next!(0 1 2 3 4 5 6 7);
         macro_rules! keep {
             ($($k:literal)*) => {$({
                 const K: usize = $k;
@@ -169,7 +169,7 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
                 (jet.velocity[K], jet.slopes[K]) = (now.hi.first(), slope.hi.first());
             })*};
         }
-        keep!(0 1 2 3 4 5 6 7);
+        keep!(0 1 2 3 4 5 6 7 8);
         let constants = Constants {
             omega2: L::splat(piece.omega2.hi),
             linear: L::splat(piece.linear),
@@ -202,7 +202,7 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
                 };
             )*};
         }
-        orders!(7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
+        orders!( 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
     }
 }
 

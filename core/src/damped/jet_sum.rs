@@ -1,6 +1,6 @@
 //! The state that the Taylor coefficients of one time give at another: the sums of their terms.
 //!
-//! Of the four variables side by side: 24 terms in double, every fourth power by itself, then 8 in double-double by Horner's rule.
+//! Of the four variables side by side: 23 terms in double, every fourth power by itself, then 9 in double-double by Horner's rule.
 
 use super::jet::{Jet, VELOCITY};
 use super::taylor::{LONG, ORDER, Series, number, on_circle, places};
