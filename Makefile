@@ -213,7 +213,7 @@ test/truth: $(TOOLS)
 test/rust: kernels
 	$(call step,cargo test --release --locked --test suite && cargo test --release --locked --doc)
 
-# The page: its lint, its tests without a browser and in one; its types and budgets are checked by its build.
+# The page: its lint, its tests without a browser and in one; its types are checked by its build, its budgets by `npm run weigh`.
 test/lab: chromium page
 	$(call step,cd lab && npm run --silent lint && npm test --silent && npm run --silent stories)
 

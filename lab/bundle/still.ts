@@ -8,10 +8,11 @@ const AMPLITUDES = [10, 30, 60, 90, 120, 150, 170, 179]
 
 /** T/T0 by the core, in Node. */
 async function periods(): Promise<string> {
-  const { load, approx } = await import('libration')
+  const { load, loadSecond, approx } = await import('libration')
   const place = createRequire(import.meta.url)
   const bytes = await readFile(place.resolve('libration/libration-scalar.wasm'))
   await load({ scalar: bytes, simd: bytes })
+  await loadSecond(await readFile(place.resolve('libration/libration-second.wasm')))
   const exact = approx.period('exact')
   const head = AMPLITUDES.map((each) => `<th scope="col">${each}°</th>`).join('')
   const cells = AMPLITUDES.map(

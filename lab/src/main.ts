@@ -14,7 +14,7 @@ import { readLink } from './link'
 import { completedModel, openModel } from './model'
 import { keepForLater } from './second-visit'
 import { SECOND, SOURCES } from './sources'
-import { loadViews, VIEWS } from './views'
+import { loadViews, secondFailed, VIEWS } from './views'
 
 /** The views and formulas that the page can begin without; if they do not come, the page says so in their place. */
 async function completed(app: App, views: Promise<void>): Promise<void> {
@@ -22,6 +22,9 @@ async function completed(app: App, views: Promise<void>): Promise<void> {
     await views
     app.schedule()
     app.begin(await completedModel(SECOND))
+  } catch {
+    secondFailed()
+    app.schedule()
   } finally {
     await keepForLater()
   }

@@ -43,7 +43,7 @@ export interface Largest {
 /** Why a curve is not drawn for a motion. */
 export type Refusal = 'rotation' | 'separatrix' | 'start' | 'steps' | 'loading'
 
-/** Formulas of the second module of the core. */
+/** Formulas of the angle in the second module of the core, which has those of the period and the elliptic functions too. */
 const SECOND: readonly string[] = ['cubic', 'cubic-quintic']
 let secondLoaded = false
 
@@ -341,6 +341,9 @@ export interface Parameter {
 const smaller = ({ m, mc }: Parameter): { m: number } | { mc: number } => (mc < m ? { mc } : { m })
 
 export class Model {
+  /** Whether formulas of the period and elliptic functions are there. */
+  readonly complete = secondLoaded
+
   /** Formulas of the angle and of the period, in the order of the registry. */
   readonly angles: readonly Known[] = known(approx.angle.entries)
   readonly periods: readonly Known[] = known(approx.period.entries)
@@ -401,7 +404,7 @@ export async function openModel(sources?: Parameters<typeof load>[0]): Promise<M
   return new Model()
 }
 
-/** The model with the formulas of the second module. */
+/** The model with all that is in the second module. */
 export async function completedModel(source?: Parameters<typeof loadSecond>[0]): Promise<Model> {
   await loadSecond(source)
   secondLoaded = true

@@ -1,5 +1,6 @@
 // Where the modules of the core come from: files beside the page, or text inside it in the offline file, compressed.
-// One of the first two is needed to begin; the second holds the cubic formulas and follows.
+// One of the first two is needed to begin; the second holds what the views of the period and the functions need, and the cubic
+// formulas, and follows.
 
 import scalar from 'libration/libration-scalar.wasm?url'
 import second from 'libration/libration-second.wasm?url'

@@ -14,12 +14,13 @@ import {
   swingOf,
   timeAtAngle,
 } from '../src/ellipse'
-import { type Model, openModel } from '../src/model'
+import { completedModel, type Model, openModel } from '../src/model'
 import { radians } from '../src/number'
 
 let model: Model
 beforeAll(async () => {
-  model = await openModel(undefined)
+  await openModel()
+  model = await completedModel()
 })
 
 const at = (theta0: number, velocity0 = 0, length = 1) => model.motion({ theta0, velocity0, length, gravity: 9.81 })

@@ -3,7 +3,7 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import { placedLabels } from '../src/draw/labels'
 import { linearScale } from '../src/draw/scale'
-import { type Model, openModel } from '../src/model'
+import { completedModel, type Model, openModel } from '../src/model'
 import { radians } from '../src/number'
 import { AMPLITUDES, nearestOf, periodAt, periodCurve, periodResults, TABLE_ROWS } from '../src/period-study'
 import { PERIOD_KINDS, PERIOD_NAMES, periodRows, readPeriod, USUAL_PERIODS, withPeriod } from '../src/periods'
@@ -11,7 +11,8 @@ import { formulaMarkup } from '../src/views/formula-list'
 
 let model: Model
 beforeAll(async () => {
-  model = await openModel(undefined)
+  await openModel()
+  model = await completedModel()
 })
 
 // Amplitudes 10, 30, 60, 90, 120, 150, 170, 179 degrees; from 40-digit arithmetic (agm, sine series), as printed.

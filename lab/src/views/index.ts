@@ -3,11 +3,17 @@
 import { html } from 'lit-html'
 import { motionSentence } from './bench'
 import { lab, labAlarm } from './lab'
+import type { Live } from './page'
 import type { View } from './shell'
 
 type Later = typeof import('./later')
 let later: Later | null = null
 let failed = false
+
+/** The second module of the core did not come: its views say so. */
+export function secondFailed(): void {
+  failed = true
+}
 
 /** Loads all views but the Lab; begun with the page, so that no request is left for a tab. Never rejects: the Lab works alone. */
 export async function loadViews(): Promise<void> {
@@ -19,12 +25,16 @@ export async function loadViews(): Promise<void> {
 }
 
 function view(name: 'phase' | 'period' | 'functions'): View {
+  const shown = (page: Live) => (name === 'phase' || page.model.complete ? later : null)
   return {
     name,
-    sentence: (page) => later?.[`${name}Sentence`](page) ?? page.words.say.sentence.waiting,
+    sentence: (page) => shown(page)?.[`${name}Sentence`](page) ?? page.words.say.sentence.waiting,
     body: (page) => {
       const { loadingView, failedView } = page.words.say.plots
-      return later?.[name](page) ?? html`<p class="waiting-line" role="status">${failed ? failedView : loadingView}</p>`
+      return (
+        shown(page)?.[name](page) ??
+        html`<p class="waiting-line" role="status">${failed ? failedView : loadingView}</p>`
+      )
     },
   }
 }

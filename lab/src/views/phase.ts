@@ -180,10 +180,11 @@ function draw(page: Live, size: PlotSize): TemplateResult {
     { x: sx(-174), y: sy(high), text: narrow ? phase.over : phase.forwards, anchor: 'start' as const },
     { x: sx(-174), y: sy(-high) + 0.6 * rem, text: narrow ? phase.over : phase.backwards, anchor: 'start' as const },
     {
-      x: sx(beside) + 0.25 * rem,
+      // On a narrow plot it ends at the edge, however long the word is.
+      x: narrow ? width - 0.25 * rem : sx(beside) + 0.25 * rem,
       y: sy(-motion.separatrixVelocity(radians(beside))) + 1.1 * rem,
       text: phase.separatrix,
-      anchor: 'start' as const,
+      anchor: narrow ? ('end' as const) : ('start' as const),
     },
     ...(motions.some(({ regime, thetaMax }) => regime === 'libration' && thetaMax < 0.4)
       ? []

@@ -48,6 +48,7 @@ test('axe finds nothing with tables, messages, menus and dialogs open', async ({
   await show(lab, LINK)
 })
 
+// Written anew by --update-snapshots=all, which waits the whole time limit of expect for each view: two minutes.
 test('what a screen reader has of every view', async ({ lab }) => {
   for (const view of VIEWS) {
     await show(lab, `view=${view}&${LINK}&lang=en`)

@@ -1,10 +1,11 @@
 // Story 7: sn, cn and dn as lengths in an ellipse that moves with the pendulum and the graph.
 
-import { elliptic, load, Pendulum } from 'libration'
+import { elliptic, load, loadSecond, Pendulum } from 'libration'
 import { column, csvOf, drawn, expect, largest, radians, show, test } from './lab'
 
 test.beforeAll(async () => {
   await load()
+  await loadSecond()
 })
 
 const number = async (page: import('@playwright/test').Page, name: string): Promise<number> =>

@@ -57,6 +57,8 @@ export async function show(page: Page, link: string): Promise<void> {
   }, link)
   await drawn(page)
   await expect(page.locator('#still')).toBeHidden()
+  // The parts that follow the first are there.
+  await expect(page.locator('.waiting-line')).toHaveCount(0)
 }
 
 /** The link that the page has written for what it shows. */
