@@ -46,6 +46,10 @@ PATTERNS = {
         "a base se move ou a lei de atrito está errada: sobra {} % da amplitude, de uma amostra à seguinte com correlação de {}",
         "la base se mueve o la ley de rozamiento es errónea: queda un {} % de la amplitud, de una muestra a la siguiente con correlación de {}",
     ),
+    "the linear friction is below 0: the dry friction falls while the velocity rises, by a law that is not quite that of the models": (
+        "o atrito linear está abaixo de 0: o atrito seco cai enquanto a velocidade cresce, por uma lei que não é bem a dos modelos",
+        "el rozamiento lineal está por debajo de 0: el rozamiento seco cae mientras la velocidad crece, por una ley que no es del todo la de los modelos",
+    ),
     "a friction term wants to be negative and was held at 0: the friction law is not quite that of the models": (
         "um termo de atrito quer ser negativo e foi mantido em 0: a lei de atrito não é bem a dos modelos",
         "un término de rozamiento quiere ser negativo y se mantuvo en 0: la ley de rozamiento no es del todo la de los modelos",
