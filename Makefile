@@ -237,7 +237,7 @@ test/bench: $(TOOLS) $(VENV)/.built
 
 # The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh
-test/clean-install: $(TOOLS) $(VENV)/.built
+test/clean-install: $(TOOLS) $(VENV)/.built page
 	$(call step,$(CLEAN_INSTALL))
 CLEAN_INSTALL = rm -rf $(FRESH) && $(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(FRESH)/wheel . \
   && $(PYTHON) -m venv $(FRESH) && $(FRESH)/bin/python -m pip install --quiet $(FRESH)/wheel/*.whl && cd target \
