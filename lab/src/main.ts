@@ -42,7 +42,8 @@ async function begin(): Promise<void> {
     app.store.clock.pause()
     app.store.dismiss('link')
     app.store.set(state)
-    if (faults.length > 0) app.store.setSession({ messages: [{ key: 'link', faults }] })
+    // What was being typed was for the state before.
+    app.store.setSession({ drafts: {}, ...(faults.length > 0 && { messages: [{ key: 'link', faults }] }) })
   })
   const slow = setTimeout(() => app.wait({ slow: true, failed: null }), 300)
   try {

@@ -82,6 +82,8 @@ export interface Sheet {
 export async function csvOf(page: Page, chart: string): Promise<Sheet> {
   const figure = page.locator(`[data-chart=${chart}]`)
   const tool = figure.locator('[data-tool=table]')
+  // A table that was just closed stands until its frame.
+  await drawn(page)
   if ((await tool.getAttribute('aria-pressed')) !== 'true') await tool.click()
   const saving = page.waitForEvent('download')
   await figure.getByRole('button', { name: 'CSV', exact: true }).click()

@@ -103,6 +103,33 @@ test('fields out of range: one sentence with value and range, the motion stays',
   }
 })
 
+test('a link opened over a wrong value in a field leaves nothing of it', async ({ lab }) => {
+  await show(lab, 'th0=150deg&t=0s')
+  const field = lab.locator('#field-theta0')
+  await field.fill('200')
+  await expect(field).toHaveAttribute('aria-invalid', 'true')
+  await show(lab, 'th0=60deg&t=0s')
+  await expect(field).toHaveValue('60')
+  await expect(field).toHaveAttribute('aria-invalid', 'false')
+})
+
+test('where the second module does not come, the Lab works and the views that need it say so', async ({ browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' })
+  const page = await context.newPage()
+  await page.route('**/libration-second*.wasm', (route) => route.abort())
+  await page.goto(`${address()}#th0=150deg&t=0s`)
+  await ready(page)
+  for (const view of ['period', 'functions']) {
+    await page.locator(`[data-view=${view}]`).click()
+    await expect(page.locator('.waiting-line')).toContainText('could not be loaded')
+  }
+  await page.locator('[data-view=phase]').click()
+  await expect(page.locator('[data-plot=phase]')).toBeVisible()
+  await page.locator('[data-view=lab]').click()
+  await expect(page.locator('#page .sentence')).toContainText('Released at 150°')
+  await context.close()
+})
+
 test('a browser without vectors gets the scalar module, and the same numbers', async ({ lab, browser }) => {
   const context = await browser.newContext({ serviceWorkers: 'block' })
   const page = await context.newPage()
