@@ -215,7 +215,7 @@ test/rust: kernels
 
 # The page: its lint, its tests without a browser and in one; its types are checked by its build, its budgets by `npm run weigh`.
 test/lab: chromium page
-	$(call step,cd lab && npm run --silent lint && npm test --silent && npm run --silent stories)
+	$(call step,cd lab && npm run --silent lint && npm run --silent weigh && npm test --silent && npm run --silent stories)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:

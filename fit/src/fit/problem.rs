@@ -1,7 +1,6 @@
 //! The least-squares problem of one record: residuals and their exact Jacobian, both from the core.
 //!
-//! Residual i is offset + scale q(t_i) - measured_i, where q is the angle or the angular velocity of a damped pendulum whose
-//! state at t = 0 is free.
+//! Residual i is offset + scale q(t_i) - measured_i, q the angle or velocity of a damped pendulum with a free state at t = 0.
 
 use super::data::Measured;
 pub(super) use super::loss::Loss;
@@ -14,8 +13,7 @@ use libration::damped::ASKED_EVERY;
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-/// Everything that a fit may vary. The first seven stand in the order of the core's derivatives; presliding as the logarithm of
-/// what it is above its least value, so that no step leaves its domain.
+/// What a fit may vary, the first seven in the order of the core's derivatives; presliding as the logarithm above its least value.
 pub(super) const NAMES: [&str; 9] =
     ["theta", "velocity", "omega2", "linear", "quadratic", "dry", "ln presliding", "offset", "scale"];
 pub(super) const THETA: usize = 0;
