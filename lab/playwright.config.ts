@@ -32,7 +32,8 @@ export default defineConfig({
     actionTimeout: 60_000,
   },
   projects: [
-    { name: 'stories', testIgnore: 'pictures.spec.ts' },
+    { name: 'stories', testIgnore: ['pictures.spec.ts', 'measure.spec.ts'] },
     { name: 'pictures', testMatch: 'pictures.spec.ts' },
+    { name: 'measure', testMatch: 'measure.spec.ts' },
   ],
 })

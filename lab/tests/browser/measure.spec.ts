@@ -1,0 +1,93 @@
+// Measures the page on this machine and prints it: what is loaded first, until when, and the script of a frame of a drag.
+// `npm run measure`; not part of the tests, and asserts no time.
+
+import { readFileSync } from 'node:fs'
+import { basename, join } from 'node:path'
+import { gzipSync } from 'node:zlib'
+import { address, expect, ready, test } from './lab'
+import { DIST } from './server'
+
+const LOADS = 9
+const FRAMES = 200
+/** Six curves beside the exact motion; a window has 1,201 samples, 601 while a control is held. */
+const LINK = 'th0=150deg&L=1m&g=9.81&curves=linear,harmonic,fourier:4,trigonometric,taylor:8,rk4:0.01&t=0s'
+
+const part = (values: readonly number[], at: number): number =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(at * values.length))] ?? Number.NaN
+
+test('measure', async ({ browser }) => {
+  const times: number[] = []
+  let bytes = 0
+  for (let i = 0; i < LOADS; i++) {
+    const context = await browser.newContext({ serviceWorkers: 'block' })
+    const page = await context.newPage()
+    await page.addInitScript(() => {
+      new MutationObserver((_, observer) => {
+        if (!document.querySelector('main .plot-drawing')) return
+        observer.disconnect()
+        performance.mark('works')
+      }).observe(document, { childList: true, subtree: true })
+    })
+    await page.goto(`${address()}#${LINK}`)
+    await ready(page)
+    const { works, names } = await page.evaluate(() => {
+      const works = performance.getEntriesByName('works')[0]?.startTime ?? Number.NaN
+      const before = performance.getEntriesByType('resource').filter(({ startTime }) => startTime < works)
+      return { works, names: before.map(({ name }) => name.replace(/[?#].*/, '')) }
+    })
+    times.push(works)
+    const files = [
+      'index.html',
+      ...names.filter((name) => !/later-|libration-second/.test(name)).map((name) => `assets/${basename(name)}`),
+    ]
+    bytes = files.reduce((sum, name) => {
+      const file = readFileSync(join(DIST, name))
+      return sum + (name.endsWith('.woff2') ? file.length : gzipSync(file, { level: 9 }).length)
+    }, 0)
+    await context.close()
+  }
+
+  const page = await browser.newPage()
+  await page.addInitScript(() => {
+    const frames: number[] = []
+    Object.assign(window, { frames })
+    const ask = window.requestAnimationFrame.bind(window)
+    window.requestAnimationFrame = (work) =>
+      ask((now) => {
+        const before = performance.now()
+        work(now)
+        frames.push(performance.now() - before)
+      })
+  })
+  await page.goto(`${address()}#${LINK}`)
+  await ready(page)
+  const box = await page.locator('.bob-drawing').boundingBox()
+  const bob = await page.locator('.bob-handle').boundingBox()
+  if (!box || !bob) throw new Error('no drawing')
+  await page.mouse.move(bob.x + bob.width / 2, bob.y + bob.height / 2)
+  await page.mouse.down()
+  await page.evaluate(() => (window as unknown as { frames: number[] }).frames.splice(0))
+  for (let i = 0; i < FRAMES; i++) {
+    const angle = 1.6 + 0.9 * Math.sin(i / 9)
+    await page.mouse.move(
+      box.x + (box.width * (128 + 92 * Math.sin(angle))) / 280,
+      box.y + (box.width * (127 + 92 * Math.cos(angle))) / 280,
+    )
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)))
+  }
+  // Frames that only waited are not frames of the drag.
+  const frames = await page.evaluate(() =>
+    (window as unknown as { frames: number[] }).frames.filter((each) => each > 0.3),
+  )
+  await page.mouse.up()
+  expect(frames.length).toBeGreaterThan(FRAMES / 2)
+  const ms = (value: number) => `${value.toFixed(1)} ms`
+  console.log(`first load ${bytes} bytes gzipped`)
+  console.log(
+    `works after ${ms(part(times, 0.5))} (median of ${LOADS}, ${ms(Math.min(...times))} to ${ms(Math.max(...times))})`,
+  )
+  console.log(
+    `script of a frame of a drag, six curves: median ${ms(part(frames, 0.5))}, 95 % ${ms(part(frames, 0.95))}, ${frames.length} frames`,
+  )
+  await page.close()
+})
