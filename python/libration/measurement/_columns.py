@@ -65,7 +65,8 @@ def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
     """The columns in the bytes of a file."""
     name = name if name.isprintable() else repr(name)
     try:
-        record = read(as_text(content), stated)
+        # No name: the reader would cut a long one, and the end of a path says most.
+        record = _core.Record("", as_text(content), **stated)
         kind, columns = record.columns()
     except ValueError as error:
         raise ValueError(f"{name}: {str(error).removeprefix(': ')}") from None
@@ -74,17 +75,6 @@ def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
         for reason, count, lines, sentence in record.dropped
     ]
     return Given(name, kind, columns, record.understood, dropped, record.run[1])
-
-
-def read(content: bytes, stated: Mapping[str, Any]) -> _core.Record:
-    """A file as it was understood; a stated length, which is also that of the pendulum, serves it only where it asks for one."""
-    # No name: the reader would cut a long one, and the end of a path says most.
-    try:
-        return _core.Record("", content, **{**stated, "length": None})
-    except ValueError as error:
-        if stated.get("length") is None or "--length" not in str(error):
-            raise
-    return _core.Record("", content, **stated)
 
 
 def runs_of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> list[Given]:
