@@ -4,6 +4,7 @@ Terms of uncertainty are those of the International Vocabulary of Metrology (VIM
 """
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from ..plot._language import Language
 from ._sentences import in_language
@@ -207,13 +208,7 @@ class Words(Language):
     ('Veredictos', 'o registro contém 1,2 períodos: o atrito e o repouso são mal determinados')
     """
 
-    def word(self, text: str, **parts: str) -> str:
-        """An English text of the catalogue in this language, with its parts put in."""
-        if text not in CATALOGUE:
-            return super().word(text, **parts)
-        if self.comma:
-            text = CATALOGUE[text][self.name == "es"]
-        return text.format(**parts) if parts else text
+    catalogue: ClassVar = Language.catalogue | CATALOGUE
 
     def told(self, sentence: str) -> str:
         """A sentence of the core in this language."""

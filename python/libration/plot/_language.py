@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from .._languages import LANGUAGES, known_language
 from .._number_text import number_text
@@ -133,6 +133,7 @@ class Language:
     """
 
     name: str
+    catalogue: ClassVar[dict[str, tuple[str, str]]] = CATALOGUE
 
     def __post_init__(self) -> None:
         known = known_language(self.name)
@@ -148,7 +149,7 @@ class Language:
     def word(self, text: str, **parts: str) -> str:
         """An English text of the catalogue in this language, with its parts put in."""
         if self.comma:
-            text = CATALOGUE[text][LANGUAGES.index(self.name) - 1]
+            text = self.catalogue[text][LANGUAGES.index(self.name) - 1]
         return text.format(**parts) if parts else text
 
     def number(self, value: float, digits: int = 6) -> str:
