@@ -6,7 +6,7 @@ import { type Curve, curveKey, kindOf } from './curves'
 import { clothesOf } from './draw/clothes'
 import type { Points } from './draw/curve'
 import { remember } from './memory'
-import type { Compared, Energy, Motion, Refusal, Setup, Solution, Track } from './model'
+import type { Compared, Energy, Motion, Refusal, Solution, Track } from './model'
 import type { State } from './state'
 
 /** Steps of a curve in a window; while a hand is on a control, one to a pixel of a laptop's plot is enough. */
@@ -55,10 +55,6 @@ export interface Study {
   readonly rows: readonly Row[]
   /** Those of the rows that are on and have values. */
   readonly shown: readonly Drawn[]
-}
-
-export function setupOf({ theta0, velocity0, length, gravity }: Setup): Setup {
-  return { theta0, velocity0, length, gravity }
 }
 
 /** Length of the window in s. */

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { hint } from '../controls/parts'
 import { afterKey, dragging } from '../controls/slide'
 import { angleAt, BOX, type Ghost, pendulum, spot } from '../draw/pendulum'
-import { plain, rich } from '../language/rich'
+import { rich } from '../language/rich'
 import { degrees, radians } from '../number'
 import type { Live } from './page'
 import { stateValue } from './values'
@@ -130,5 +130,3 @@ export function motionSentence({ motion, state, words }: Live): string {
   if (state.velocity0 === 0) return words.fill(say.swings, { angle, period: time, longer })
   return words.fill(say.swingsThrown, { angle, velocity, top: words.angle(thetaMax, 1), period: time, longer })
 }
-
-export const spokenSentence = (page: Live): string => plain(motionSentence(page))

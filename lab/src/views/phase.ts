@@ -5,7 +5,6 @@
 import { html, type TemplateResult } from 'lit-html'
 import { plot } from '../draw/plot'
 import { linearScale, roundTicks, type Scale, tickDecimals } from '../draw/scale'
-import { plain } from '../language/rich'
 import { remember } from '../memory'
 import type { Model, Motion } from '../model'
 import { degrees, radians } from '../number'
@@ -319,5 +318,3 @@ function angleDecimals(theta: number): number {
   const value = theta * DEGREES
   return [0, 1].find((digits) => Math.abs(value - Number(value.toFixed(digits))) < 1e-6) ?? 2
 }
-
-export const spokenPhase = (page: Live): string => plain(phaseSentence(page))
