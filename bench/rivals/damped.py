@@ -7,14 +7,13 @@ math.sin, which is what makes it fastest, and takes the sign of v where it stand
 
 import functools
 import math
-import warnings
 
 import numpy as np
-from scipy.integrate import odeint, solve_ivp
 
 import libration
 
-from .method import Call, NotAvailable, Refused
+from .integrators import dop853_call, lsoda_call
+from .method import Call, NotAvailable
 
 
 def ours(case, t) -> Call:
@@ -96,38 +95,12 @@ def rate(case):
 
 def dop853(tolerance: float):
     """Preparation of solve_ivp with DOP853."""
-
-    def prepare(case, t) -> Call:
-        right = rate(case)
-
-        def call():
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                start = [case.theta0, 0.0]
-                found = solve_ivp(right, (0.0, t[-1]), start, "DOP853", t, rtol=tolerance, atol=tolerance)
-            if found.status:
-                raise Refused(found.message)
-            return found.y[0], found.y[1]
-
-        return call
-
-    return prepare
+    return lambda case, t: dop853_call(rate(case), [case.theta0, 0.0], t, tolerance)
 
 
 def lsoda(tolerance: float):
     """Preparation of odeint."""
-
-    def prepare(case, t) -> Call:
-        right, times = rate(case), np.concatenate([[0.0], t])
-
-        def call():
-            start = [case.theta0, 0.0]
-            found = odeint(right, start, times, tfirst=True, rtol=tolerance, atol=tolerance, mxstep=10**9)[1:]
-            return found[:, 0], found[:, 1]
-
-        return call
-
-    return prepare
+    return lambda case, t: lsoda_call(rate(case), [case.theta0, 0.0], t, tolerance)
 
 
 OURS = "libration"

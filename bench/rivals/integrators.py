@@ -29,22 +29,38 @@ def sorted_span(t) -> float:
     return float(t[-1])
 
 
+def dop853_call(right, start, t, tolerance: float) -> Call:
+    """theta and velocity by solve_ivp with DOP853, of an equation from a start."""
+
+    def call():
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = solve_ivp(right, (0.0, t[-1]), start, "DOP853", t, rtol=tolerance, atol=tolerance)
+        if found.status:
+            raise Refused(found.message)
+        return found.y[0], found.y[1]
+
+    return call
+
+
+def lsoda_call(right, start, t, tolerance: float) -> Call:
+    """The same by odeint."""
+    times = t if t[0] == 0 else np.concatenate([[0.0], t])
+
+    def call():
+        found = odeint(right, start, times, tfirst=True, rtol=tolerance, atol=tolerance, mxstep=10**9)
+        found = found[len(times) - len(t) :]
+        return found[:, 0], found[:, 1]
+
+    return call
+
+
 def dop853(tolerance: float):
     """Preparation of solve_ivp with DOP853."""
 
     def prepare(orbit, t) -> Call:
-        span = sorted_span(t)
-
-        def call():
-            start = [orbit.theta0, orbit.velocity0]
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                found = solve_ivp(rate, (0.0, span), start, "DOP853", t, rtol=tolerance, atol=tolerance)
-            if found.status:
-                raise Refused(found.message)
-            return found.y[0], found.y[1]
-
-        return call
+        sorted_span(t)
+        return dop853_call(rate, [orbit.theta0, orbit.velocity0], t, tolerance)
 
     return prepare
 
@@ -54,15 +70,7 @@ def lsoda(tolerance: float):
 
     def prepare(orbit, t) -> Call:
         sorted_span(t)
-        times = t if t[0] == 0 else np.concatenate([[0.0], t])
-
-        def call():
-            start = [orbit.theta0, orbit.velocity0]
-            found = odeint(rate, start, times, tfirst=True, rtol=tolerance, atol=tolerance, mxstep=10**9)
-            found = found[len(times) - len(t) :]
-            return found[:, 0], found[:, 1]
-
-        return call
+        return lsoda_call(rate, [orbit.theta0, orbit.velocity0], t, tolerance)
 
     return prepare
 
