@@ -1,6 +1,7 @@
 //! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, for the
 //! theta functions `_q` too. The parameter is set up once for the rows that share it; Carlson's integrals have none.
 
+use libration::elliptic::{Given, complete_e_into, complete_k_into};
 use libration::{
     Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
 };
@@ -9,19 +10,14 @@ use pyo3::prelude::*;
 
 use crate::ufunc::{add, each, nothing, whole};
 
-/// A constructor of parameters, one per keyword.
-type From = fn(f64) -> Parameter;
-
 /// Adds the elliptic ufuncs to the module.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    let keywords: [(&str, From); 3] =
-        [("m", Parameter::from_m), ("mc", Parameter::from_mc), ("k", Parameter::from_modulus)];
-    for (keyword, from) in keywords {
+    for (keyword, given) in [("m", Given::M), ("mc", Given::Mc), ("k", Given::Modulus)] {
         let named = |name: &str| format!("{name}_{keyword}");
-        jacobian(module, &named, from)?;
-        second_kind(module, &named, from)?;
-        integrals(module, &named, from)?;
-        theta(module, &named, move |given| Theta::from_parameter(from(given)))?;
+        jacobian(module, &named, given)?;
+        second_kind(module, &named, given)?;
+        integrals(module, &named, given)?;
+        theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
     }
     theta(module, &|name| format!("{name}_q"), Theta::from_nome)?;
     add(module, "carlson_rf", nothing, each(|(): &(), [x, y, z]| [carlson_rf(x, y, z)]))?;
@@ -35,8 +31,8 @@ fn values(jacobi: &Jacobi, [u]: [&[f64]; 1], _: usize, columns: [&mut [f64]; 4])
 }
 
 /// Jacobi's functions: four together, each of the twelve and its inverse, and three of a complex argument.
-fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from: From) -> PyResult<()> {
-    let set_up = move |[given]: [f64; 1]| Some(Jacobi::new(from(given)));
+fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
+    let set_up = move |[value]: [f64; 1]| Some(Jacobi::new(given.parameter(value)));
     add(module, &named("jacobi"), set_up, whole::<[f64; 4], _>(values))?;
     for which in Glaisher::ALL {
         let name = which.name();
@@ -45,25 +41,35 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from:
         };
         add(module, &named(name), set_up, whole::<[f64; 1], _>(function))?;
         let inverse = move |p: &Parameter, [x]: [f64; 1]| [libration::inverse_jacobi(which, x, *p)];
-        add(module, &named(&format!("arc{name}")), move |[given]| Some(from(given)), each(inverse))?;
+        add(
+            module,
+            &named(&format!("arc{name}")),
+            move |[value]| Some(given.parameter(value)),
+            each(inverse),
+        )?;
     }
     let complex = |jacobi: &JacobiComplex, [re, im]: [f64; 2]| {
         let JacobiComplexValues { sn, cn, dn, .. } = jacobi.values(re, im);
         [sn.re, sn.im, cn.re, cn.im, dn.re, dn.im]
     };
-    add(module, &named("jacobi_complex"), move |[given]| Some(JacobiComplex::new(from(given))), each(complex))
+    add(
+        module,
+        &named("jacobi_complex"),
+        move |[value]| Some(JacobiComplex::new(given.parameter(value))),
+        each(complex),
+    )
 }
 
 /// Jacobi's epsilon and zeta.
-fn second_kind(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from: From) -> PyResult<()> {
-    let set_up = move |[given]: [f64; 1]| Some(SecondKind::new(from(given)));
+fn second_kind(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
+    let set_up = move |[value]: [f64; 1]| Some(SecondKind::new(given.parameter(value)));
     add(module, &named("jacobi_epsilon"), set_up, each(|second: &SecondKind, [u]| [second.epsilon(u)]))?;
     add(module, &named("jacobi_zeta"), set_up, each(|second: &SecondKind, [u]| [second.zeta(u)]))
 }
 
 /// Legendre's integrals, the nome and Heuman's lambda.
-fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from: From) -> PyResult<()> {
-    let parameter = move |[given]: [f64; 1]| Some(from(given));
+fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
+    let parameter = move |[value]: [f64; 1]| Some(given.parameter(value));
     let incomplete_f = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_f(phi, *p)];
     add(module, &named("incomplete_f"), parameter, each(incomplete_f))?;
     let incomplete_e = |p: &Parameter, [phi]: [f64; 1]| [libration::incomplete_e(phi, *p)];
@@ -74,11 +80,17 @@ fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, from
     add(module, &named("complete_pi"), parameter, each(complete_pi))?;
     let heuman_lambda = |p: &Parameter, [phi]: [f64; 1]| [libration::heuman_lambda(phi, *p)];
     add(module, &named("heuman_lambda"), parameter, each(heuman_lambda))?;
-    // A complete function has nothing but its parameter: the value itself is what is kept.
+    let complete_k = move |(): &(), [parameters]: [&[f64]; 1], _: usize, [k]: [&mut [f64]; 1]| {
+        complete_k_into(given, parameters, k);
+    };
+    add(module, &named("complete_k"), nothing, whole::<[f64; 1], _>(complete_k))?;
+    let complete_e = move |(): &(), [parameters]: [&[f64]; 1], _: usize, [e]: [&mut [f64]; 1]| {
+        complete_e_into(given, parameters, e);
+    };
+    add(module, &named("complete_e"), nothing, whole::<[f64; 1], _>(complete_e))?;
+    // It has nothing but its parameter: the value itself is what is kept.
     let kept = |value: &f64, []: [f64; 0]| [*value];
-    add(module, &named("complete_k"), move |[given]| Some(libration::complete_k(from(given))), each(kept))?;
-    add(module, &named("complete_e"), move |[given]| Some(libration::complete_e(from(given))), each(kept))?;
-    add(module, &named("nome"), move |[given]| Some(libration::nome(from(given))), each(kept))
+    add(module, &named("nome"), move |[value]| Some(libration::nome(given.parameter(value))), each(kept))
 }
 
 /// The four theta functions.

@@ -4,6 +4,7 @@
 
 pub(crate) mod agm;
 pub(crate) mod amplitude;
+pub(crate) mod given;
 pub(crate) mod integrals;
 pub(crate) mod jacobi;
 pub(crate) mod nome;
@@ -11,9 +12,10 @@ pub(crate) mod parameter;
 pub(crate) mod phase;
 pub(crate) mod theta;
 
+pub use given::Given;
 pub use integrals::{
-    carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k, complete_pi, heuman_lambda,
-    incomplete_e, incomplete_f, incomplete_pi,
+    carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_e_into, complete_k, complete_k_into,
+    complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi,
 };
 pub use jacobi::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,

@@ -7,6 +7,7 @@ pub(crate) mod dyadic;
 pub mod elementary;
 pub mod exponent;
 pub mod exponential;
+pub mod logarithm;
 pub mod scaled;
 pub mod series;
 pub mod triple_double;

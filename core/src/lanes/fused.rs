@@ -2,6 +2,7 @@
 //!
 //! SAFETY of every row here: a pointer is that of a slice with one double at least.
 
+use super::scalar::FIELD;
 use super::vector::vector;
 
 vector! {
@@ -22,6 +23,8 @@ vector! {
     abs = f64::abs(a);
     copysign = f64::copysign(a, b);
     shift_52 = f64::from_bits(a.to_bits() << 52);
+    exponent_field = f64::from_bits((a.to_bits() >> 52) | FIELD.to_bits());
+    any = a;
     less = a < b;
     equal = a == b;
     select = if a { b } else { c };

@@ -60,6 +60,10 @@ pub trait Lane:
     fn copysign(self, sign: Self) -> Self;
     /// 2 to the power `self`, an integer in [-1022, 1023].
     fn exp2_integer(self) -> Self;
+    /// The e of 2^e <= `self` < 2^(e + 1), for a positive normal number.
+    fn exponent(self) -> Self;
+    /// Whether the mask holds anywhere.
+    fn any(mask: Self::Mask) -> bool;
     /// `self < other`.
     fn less(self, other: Self) -> Self::Mask;
     /// `self == other`.

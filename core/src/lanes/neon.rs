@@ -5,6 +5,7 @@
 use super::fused::Fused;
 use super::lane::Kernel;
 use super::pair::Pair;
+use super::scalar::FIELD;
 use super::vector::vector;
 use core::arch::aarch64::*;
 
@@ -57,6 +58,9 @@ vector! {
     abs = vabsq_f64(a);
     copysign = vbslq_f64(vdupq_n_u64(1 << 63), b, a);
     shift_52 = vreinterpretq_f64_u64(vshlq_n_u64::<52>(vreinterpretq_u64_f64(a)));
+    exponent_field = vreinterpretq_f64_u64(vorrq_u64(
+        vshrq_n_u64::<52>(vreinterpretq_u64_f64(a)), vdupq_n_u64(FIELD.to_bits())));
+    any = vmaxvq_u32(vreinterpretq_u32_u64(a)) != 0;
     less = vcltq_f64(a, b);
     equal = vceqq_f64(a, b);
     select = vbslq_f64(a, b, c);

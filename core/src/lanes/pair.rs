@@ -84,8 +84,12 @@ impl<L: Lane> Lane for Pair<L> {
     }
     methods!(
         mul_add(factor, term) -> Self, round() -> Self, sqrt() -> Self, abs() -> Self, copysign(sign) -> Self,
-        exp2_integer() -> Self, less(other) -> Self::Mask, equal(other) -> Self::Mask
+        exp2_integer() -> Self, exponent() -> Self, less(other) -> Self::Mask, equal(other) -> Self::Mask
     );
+    #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        L::any(mask.0) || L::any(mask.1)
+    }
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Pair(L::select(mask.0, yes.0, no.0), L::select(mask.1, yes.1, no.1))

@@ -10,6 +10,9 @@ pub(super) const UP: f64 = 72_057_594_037_927_936.0;
 /// 1.5 * 2^52: adding it leaves the nearest integer in the low bits of the mantissa.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
+/// 2^52: an integer below stands in the low bits of its mantissa.
+pub(super) const FIELD: f64 = 4_503_599_627_370_496.0;
+
 impl Lane for f64 {
     type Mask = bool;
     const WIDTH: usize = 1;
@@ -60,6 +63,14 @@ impl Lane for f64 {
     #[inline(always)]
     fn exp2_integer(self) -> f64 {
         f64::from_bits(((self + (ROUNDER + 1023.0)).to_bits()) << 52)
+    }
+    #[inline(always)]
+    fn exponent(self) -> f64 {
+        f64::from_bits((self.to_bits() >> 52) | FIELD.to_bits()) - (FIELD + 1023.0)
+    }
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
     }
     #[inline(always)]
     fn less(self, other: f64) -> bool {

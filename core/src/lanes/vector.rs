@@ -5,6 +5,8 @@
 //! - `load` and `store` have the slice's pointer as `a`; what is stored is `b`;
 //! - `product_error` has both factors and their rounded product, as has `product_error_in_range`, which a table may leave out;
 //! - `shift_52` moves the bits of every double up by 52 places;
+//! - `exponent_field` has the bits above the mantissa of every double in the mantissa of a double from 2^52 on;
+//! - `any` has the flags as `a`;
 //! - `select` has the flags, what is taken where they hold, and the rest.
 //!
 //! SAFETY of every row: the file of the table answers for it; pointers are those of slices of the right length.
@@ -31,6 +33,8 @@ macro_rules! vector {
         abs = $abs:expr;
         copysign = $copysign:expr;
         shift_52 = $shift_52:expr;
+        exponent_field = $exponent_field:expr;
+        any = $any:expr;
         less = $less:expr;
         equal = $equal:expr;
         select = $select:expr;
@@ -124,6 +128,17 @@ macro_rules! vector {
                 let $a = (self + Self::splat(super::scalar::ROUNDER + 1023.0)).0;
                 // SAFETY: see the top of the table's file.
                 Self(unsafe { $shift_52 })
+            }
+            #[inline(always)]
+            fn exponent(self) -> Self {
+                let $a = self.0;
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $exponent_field }) - Self::splat(super::scalar::FIELD + 1023.0)
+            }
+            #[inline(always)]
+            fn any($a: $flags) -> bool {
+                // SAFETY: see the top of the table's file.
+                unsafe { $any }
             }
             vector!(@compare less $a $b $less, $flags);
             vector!(@compare equal $a $b $equal, $flags);

@@ -3,7 +3,7 @@
 //! SAFETY of every intrinsic here: this file is compiled only where the module asks for simd128 as a whole.
 
 use super::lane::Lane;
-use super::scalar::{DOWN, HUGE, UP, product_error, product_error_of_parts};
+use super::scalar::{DOWN, FIELD, HUGE, UP, product_error, product_error_of_parts};
 use super::vector::vector;
 use core::arch::wasm32::*;
 
@@ -27,6 +27,8 @@ vector! {
     abs = f64x2_abs(a);
     copysign = v128_bitselect(b, a, i64x2_splat(i64::MIN));
     shift_52 = i64x2_shl(a, 52);
+    exponent_field = v128_or(u64x2_shr(a, 52), f64x2_splat(FIELD));
+    any = v128_any_true(a);
     less = f64x2_lt(a, b);
     equal = f64x2_eq(a, b);
     select = v128_bitselect(b, c, a);

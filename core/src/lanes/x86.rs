@@ -6,6 +6,7 @@
 use super::fused::Fused;
 use super::lane::Kernel;
 use super::pair::Pair;
+use super::scalar::FIELD;
 use super::vector::vector;
 use core::arch::x86_64::*;
 
@@ -92,6 +93,9 @@ vector! {
     copysign = _mm512_castsi512_pd(_mm512_ternarylogic_epi64::<0xd8>(
         _mm512_castpd_si512(a), _mm512_castpd_si512(b), _mm512_set1_epi64(i64::MIN)));
     shift_52 = _mm512_castsi512_pd(_mm512_slli_epi64::<52>(_mm512_castpd_si512(a)));
+    exponent_field = _mm512_castsi512_pd(_mm512_or_si512(
+        _mm512_srli_epi64::<52>(_mm512_castpd_si512(a)), _mm512_castpd_si512(_mm512_set1_pd(FIELD))));
+    any = a != 0;
     less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b);
     equal = _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(a, b);
     select = _mm512_mask_blend_pd(a, c, b);
@@ -116,6 +120,8 @@ vector! {
     copysign = _mm256_or_pd(
         _mm256_andnot_pd(_mm256_set1_pd(-0.0), a), _mm256_and_pd(_mm256_set1_pd(-0.0), b));
     shift_52 = _mm256_castsi256_pd(_mm256_slli_epi64::<52>(_mm256_castpd_si256(a)));
+    exponent_field = _mm256_or_pd(_mm256_castsi256_pd(_mm256_srli_epi64::<52>(_mm256_castpd_si256(a))), _mm256_set1_pd(FIELD));
+    any = _mm256_movemask_pd(a) != 0;
     less = _mm256_cmp_pd::<_CMP_LT_OQ>(a, b);
     equal = _mm256_cmp_pd::<_CMP_EQ_OQ>(a, b);
     select = _mm256_blendv_pd(c, b, a);

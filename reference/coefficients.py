@@ -1,0 +1,84 @@
+"""Near-minimax coefficients of kernels in core, with their errors: prints them as they stand in the source.
+
+    python reference/coefficients.py
+
+Complete integrals: in y = mc and L = -ln y, K = P + L Q, E = 1 + y (P + L Q), B = (E - mc K)/m = P + y L Q, and
+(1 - m B)/mc = P + L Q with polynomials P, Q. They are fitted on nodes that crowd next to y = 0, by least squares of relative
+errors with Lawson's reweighting. Form: Cody, Math. Comp. 19 (1965) 105. Logarithm: Chebyshev interpolation.
+"""
+
+from collections.abc import Callable
+
+from mpmath import atanh, chebyfit, cos, ellipe, ellipk, log, matrix, mp, mpf, pi, qr_solve, sqrt
+
+mp.dps = 60
+NODES = 80
+
+
+def integrals(y: mpf) -> dict[str, tuple[mpf, mpf, mpf, mpf]]:
+    """Of each integral: factors of P and Q, what they sum to, the value that the error is relative to."""
+    m, log_y = 1 - y, -log(y)
+    k, e = ellipk(m), ellipe(m)
+    b = (e - y * k) / m
+    g = (1 - m * b) / y
+    return {"K": (1, log_y, k, k), "E": (y, y * log_y, e - 1, e), "B": (1, y * log_y, b, b), "G": (1, log_y, g, g)}
+
+
+def fitted(name: str, terms: int, sweeps: int = 9) -> tuple[mpf, list[mpf], list[mpf]]:
+    """Largest relative error on the nodes, P and Q."""
+    nodes = [((1 - cos(pi * (2 * i + 1) / (2 * NODES))) / 2) ** 2 for i in range(NODES)]
+    rows, sums = [], []
+    for y in nodes:
+        of_p, of_q, total, size = integrals(y)[name]
+        rows.append([f * y**j / size for f in (of_p, of_q) for j in range(terms)])
+        sums.append(total / size)
+    weights = [mpf(1)] * NODES
+    best = None
+    for _ in range(sweeps):
+        roots = [sqrt(weight) for weight in weights]
+        system = matrix([[entry * root for entry in row] for row, root in zip(rows, roots, strict=True)])
+        solution = list(qr_solve(system, matrix([s * root for s, root in zip(sums, roots, strict=True)]))[0])
+        errors = [
+            abs(sum(x * entry for x, entry in zip(solution, row, strict=True)) - total)
+            for row, total in zip(rows, sums, strict=True)
+        ]
+        if best is None or max(errors) < best[0]:
+            best = (max(errors), solution[:terms], solution[terms:])
+        weights = [weight * error for weight, error in zip(weights, errors, strict=True)]
+        mean = sum(weights) / NODES
+        weights = [weight / mean + mpf(10) ** -12 for weight in weights]
+    return best
+
+
+def artanh_rest(lead: int) -> Callable[[mpf], mpf]:
+    """2 artanh s less its first terms, over the power of s that follows, in s^2."""
+
+    def rest(square: mpf) -> mpf:
+        if square < mpf(10) ** -9:
+            return sum(mpf(2) / (2 * (lead + i) + 1) * square**i for i in range(7))
+        s = sqrt(square)
+        return (2 * atanh(s) - sum(2 * s ** (2 * i + 1) / (2 * i + 1) for i in range(lead))) / s ** (2 * lead + 1)
+
+    return rest
+
+
+def printed(name: str, error: mpf, coefficients: list[mpf]) -> None:
+    """One array as it stands in the source."""
+    print(f"{name}: error {mp.nstr(error, 3)} = 2^{mp.nstr(log(error, 2), 4)}")
+    print("    " + ", ".join(repr(float(c)) for c in coefficients) + ",")
+
+
+def main() -> None:
+    """Print every array."""
+    for name, terms in (("K", 11), ("E", 10), ("B", 12), ("G", 11)):
+        error, p, q = fitted(name, terms)
+        printed(f"{name}: P", error, p)
+        printed(f"{name}: Q", error, q)
+    last = ((sqrt(2) - 1) / (sqrt(2) + 1) * mpf("1.0001")) ** 2
+    for name, lead, terms in (("ARTANH", 1, 8), ("LONG_ARTANH", 3, 8)):
+        coefficients, error = chebyfit(artanh_rest(lead), [0, last], terms, error=True)
+        printed(name, error * last**lead / 2, coefficients[::-1])
+
+
+if __name__ == "__main__":
+    main()
