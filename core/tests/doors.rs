@@ -7,15 +7,18 @@ use libration::pendulum;
 use libration::{Frequency, Jacobi, JacobiValues, Orbit, Parameter, advance, advance_into};
 
 /// Starts in every regime, on both sides of kappa^2 = 1/2, in turns, upside down and without force.
-const STARTS: [(f64, f64, f64); 14] = [
+const STARTS: [(f64, f64, f64); 17] = [
     (0.0, 0.0, 1.0),
     (1e-200, 0.0, 1.0),
     (0.3, -0.1, 1.0),
     (2.0, 0.3, 9.8),
+    (2.6, 0.0, 1.0),
+    (3.1, 0.0, 1.0),
     (3.1415926, 0.0, 1.0),
     (0.0, 2.0, 1.0),
     (0.0, -2.0000000000000004, 1.0),
     (1.0, 2.5, 1.0),
+    (0.0, 2.0000001, 1.0),
     (-2.0, 40.0, 1.0),
     (50.0, 0.2, 2.0),
     (3.0, 0.1, -1.0),

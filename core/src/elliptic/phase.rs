@@ -32,6 +32,9 @@ pub struct ReducedPhase<L: Lane> {
 /// 2^53 half periods: beyond, doubles are further apart than a motion repeats.
 pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
+/// Up to this count the sum with the start has 26 digits after the point.
+const NEAR: f64 = 67_108_864.0;
+
 /// Beyond this argument every hyperbolic function has its limit.
 const FAR: f64 = 1e6;
 
@@ -93,28 +96,31 @@ impl<L: Lane> Phase<L> {
         (turned, [whole, carry], Dd::ordered_sum(part - carry, rest + (part_error + self.start.lo)))
     }
 
-    /// The nearest whole number and the signed rest, in [-1/2, 1/2], while the whole number is below `end` (at most
+    /// The nearest whole number and the signed rest, in [-1/2, 1/2] but for 2^-27, while the whole number is below `end` (at most
     /// 2^53); a NaN for the rest from there.
     #[inline(always)]
     pub fn count(&self, t: L, end: f64) -> (L, Dd<L>) {
-        if COMPACT {
-            return self.count_in_short(t, end);
-        }
-        let (_, [whole, carry], f) = self.rounded(t);
-        let n = whole + carry;
-        (n, within(n, end, f))
-    }
-
-    /// [`Phase::count`] in fewer steps, as accurate: the whole number is taken out of the sum. `two_sum` is exact, and so is
-    /// the difference, which is a multiple of the last place of the rest.
-    #[inline(always)]
-    fn count_in_short(&self, t: L, end: f64) -> (L, Dd<L>) {
         // Where t leaves the range of the product, the count is beyond every end.
         let (turned, error) = t.two_product_in_range(self.rate.hi);
         let (sum, rest) = two_sum(turned, self.start.hi);
         let n = sum.round();
         let rest = rest + (error + t.mul_add(self.rate.lo, self.start.lo));
-        (n, within(n, end, Dd::ordered_sum(sum - n, rest)))
+        // Exact: the difference is a multiple of the last place of the sum.
+        let f = Dd::ordered_sum(sum - n, rest);
+        let far = L::splat(NEAR).less(n.abs());
+        if L::any(far) {
+            let (n_far, f_far) = self.count_far(t, end);
+            return (L::select(far, n_far, n), Dd::select(far, f_far, f));
+        }
+        (n, f)
+    }
+
+    /// The same where the sum has so few digits after the point that the rest is counted again.
+    #[inline(always)]
+    fn count_far(&self, t: L, end: f64) -> (L, Dd<L>) {
+        let (_, [whole, carry], f) = self.rounded(t);
+        let n = whole + carry;
+        (n, within(n, end, f))
     }
 
     /// The reduced phase at t.

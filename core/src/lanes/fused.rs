@@ -25,6 +25,7 @@ vector! {
     shift_52 = f64::from_bits(a.to_bits() << 52);
     exponent_field = f64::from_bits((a.to_bits() >> 52) | FIELD.to_bits());
     any = a;
+    lookup = *b.add((a.to_bits() >> 49) as usize % super::lane::PIECES);
     less = a < b;
     equal = a == b;
     select = if a { b } else { c };

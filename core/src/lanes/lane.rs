@@ -64,6 +64,9 @@ pub trait Lane:
     fn exponent(self) -> Self;
     /// Whether the mask holds anywhere.
     fn any(mask: Self::Mask) -> bool;
+    /// The entry of a table that bits 49 to 52 of each double name: for a number in [1, 4) the last bit of its exponent, and
+    /// the first three of its mantissa.
+    fn lookup(self, table: &[f64; PIECES]) -> Self;
     /// `self < other`.
     fn less(self, other: Self) -> Self::Mask;
     /// `self == other`.
@@ -84,6 +87,9 @@ pub trait Kernel {
     /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
     fn run<L: Lane>(self) -> Self::Output;
 }
+
+/// Entries of the table of [`Lane::lookup`].
+pub const PIECES: usize = 16;
 
 /// Widest lane.
 pub const WIDEST: usize = 16;

@@ -61,7 +61,18 @@ vector! {
     exponent_field = vreinterpretq_f64_u64(vorrq_u64(
         vshrq_n_u64::<52>(vreinterpretq_u64_f64(a)), vdupq_n_u64(FIELD.to_bits())));
     any = vmaxvq_u32(vreinterpretq_u32_u64(a)) != 0;
+    lookup = two_of(b, vshrq_n_u64::<49>(vreinterpretq_u64_f64(a)));
     less = vcltq_f64(a, b);
     equal = vceqq_f64(a, b);
     select = vbslq_f64(a, b, c);
+}
+
+/// Entries of a table of sixteen by the last four bits of each integer.
+///
+/// SAFETY: the pointer is that of the table.
+#[inline]
+unsafe fn two_of(table: *const f64, places: uint64x2_t) -> float64x2_t {
+    let (i, j) = (vgetq_lane_u64::<0>(places) % 16, vgetq_lane_u64::<1>(places) % 16);
+    // SAFETY: four bits name an entry.
+    unsafe { vsetq_lane_f64::<1>(*table.add(j as usize), vdupq_n_f64(*table.add(i as usize))) }
 }

@@ -1,6 +1,6 @@
 //! Two lanes side by side: their operations interleave, which hides the latency of one behind the other.
 
-use super::lane::Lane;
+use super::lane::{Lane, PIECES};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A pair of lanes as one lane of twice the width.
@@ -89,6 +89,10 @@ impl<L: Lane> Lane for Pair<L> {
     #[inline(always)]
     fn any(mask: Self::Mask) -> bool {
         L::any(mask.0) || L::any(mask.1)
+    }
+    #[inline(always)]
+    fn lookup(self, table: &[f64; PIECES]) -> Self {
+        Pair(self.0.lookup(table), self.1.lookup(table))
     }
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {

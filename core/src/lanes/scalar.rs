@@ -1,6 +1,6 @@
 //! The lane of width one without fused multiplication: a plain double, on every processor.
 
-use super::lane::{COMPACT, Lane};
+use super::lane::{COMPACT, Lane, PIECES};
 
 /// Factors above 2^990 are scaled by 2^-56 so that splitting does not overflow, and their product back by 2^56.
 pub(super) const HUGE: f64 = 1.046_336_793_293_362_4e298;
@@ -71,6 +71,10 @@ impl Lane for f64 {
     #[inline(always)]
     fn any(mask: bool) -> bool {
         mask
+    }
+    #[inline(always)]
+    fn lookup(self, table: &[f64; PIECES]) -> f64 {
+        table[(self.to_bits() >> 49) as usize % PIECES]
     }
     #[inline(always)]
     fn less(self, other: f64) -> bool {

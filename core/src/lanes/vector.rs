@@ -7,6 +7,7 @@
 //! - `shift_52` moves the bits of every double up by 52 places;
 //! - `exponent_field` has the bits above the mantissa of every double in the mantissa of a double from 2^52 on;
 //! - `any` has the flags as `a`;
+//! - `lookup` has the pointer to a table of sixteen doubles as `b`, and takes entries by four bits of each double;
 //! - `select` has the flags, what is taken where they hold, and the rest.
 //!
 //! SAFETY of every row: the file of the table answers for it; pointers are those of slices of the right length.
@@ -35,6 +36,7 @@ macro_rules! vector {
         shift_52 = $shift_52:expr;
         exponent_field = $exponent_field:expr;
         any = $any:expr;
+        lookup = $lookup:expr;
         less = $less:expr;
         equal = $equal:expr;
         select = $select:expr;
@@ -139,6 +141,12 @@ macro_rules! vector {
             fn any($a: $flags) -> bool {
                 // SAFETY: see the top of the table's file.
                 unsafe { $any }
+            }
+            #[inline(always)]
+            fn lookup(self, table: &[f64; super::lane::PIECES]) -> Self {
+                let ($a, $b) = (self.0, table.as_ptr());
+                // SAFETY: see the top of the table's file; the table has an entry for each value of four bits.
+                Self(unsafe { $lookup })
             }
             vector!(@compare less $a $b $less, $flags);
             vector!(@compare equal $a $b $equal, $flags);

@@ -29,6 +29,7 @@ vector! {
     shift_52 = i64x2_shl(a, 52);
     exponent_field = v128_or(u64x2_shr(a, 52), f64x2_splat(FIELD));
     any = v128_any_true(a);
+    lookup = two_of(b, u64x2_shr(a, 49));
     less = f64x2_lt(a, b);
     equal = f64x2_eq(a, b);
     select = v128_bitselect(b, c, a);
@@ -61,4 +62,14 @@ fn scaled(a: F64x2, b: F64x2, huge_a: v128, huge_b: v128) -> F64x2 {
     let (one, up, down) = (F64x2::splat(1.0), F64x2::splat(UP), F64x2::splat(DOWN));
     let (a, b) = (a * F64x2::select(huge_a, down, one), b * F64x2::select(huge_b, down, one));
     product_error(a, b, a * b) * F64x2::select(huge_a, up, one) * F64x2::select(huge_b, up, one)
+}
+
+/// Entries of a table of sixteen by the last four bits of each integer.
+///
+/// SAFETY: the pointer is that of the table.
+#[inline(always)]
+unsafe fn two_of(table: *const f64, places: v128) -> v128 {
+    let (i, j) = (u64x2_extract_lane::<0>(places) % 16, u64x2_extract_lane::<1>(places) % 16);
+    // SAFETY: four bits name an entry.
+    unsafe { f64x2(*table.add(i as usize), *table.add(j as usize)) }
 }

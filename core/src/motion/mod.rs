@@ -5,4 +5,5 @@ mod chebyshev;
 pub(crate) mod escape;
 pub(crate) mod interpolant;
 pub mod passages;
+pub(crate) mod pieces;
 pub(crate) mod samples;

@@ -131,7 +131,7 @@ impl Orbit {
         mut velocity: Option<&mut [f64]>,
     ) -> bool {
         let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) else { return false };
-        let motion = &ByInterpolant::<ROTATION>(elliptic, interpolant);
+        let motion = &ByInterpolant::<ROTATION> { elliptic, interpolant, pieces: None };
         if velocity.is_some() && !motion.whole() {
             return false;
         }

@@ -2,7 +2,8 @@
 //!
 //! With f in [-1/2, 1/2] half periods from the bottom and x = f^2,
 //!   angle = f P,  velocity = (1/4 - x) R in libration and R in rotation.
-//! The nearest pole of both is f = i K'/2K. Method: docs/decisions/0011.
+//! The nearest pole of both is f = i K'/2K. Where it is so near that one polynomial would need too many terms, they are
+//! piecewise (motion/pieces.rs). Method: docs/decisions/0011.
 
 use super::canonical::{Canonical, CanonicalMotion, last_count, turns_and_sign};
 use super::orbit::Orbit;
@@ -12,9 +13,16 @@ use crate::float::elementary::{arctangent, quotient};
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{COMPACT, Lane};
 use crate::motion::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
+use crate::motion::pieces::Pieces;
+use std::sync::Arc;
 
 /// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to be accurate.
 const MOST_OF_VELOCITY: usize = 24;
+
+/// Whether the velocity is one polynomial as the angle is.
+pub(super) fn by_one(interpolant: &Interpolant) -> bool {
+    interpolant.count() <= MOST_OF_VELOCITY
+}
 
 impl Orbit {
     /// The polynomials of its angle and its velocity, where they serve; the first call makes them.
@@ -28,6 +36,18 @@ impl Orbit {
                 Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic))
             })
         })
+    }
+}
+
+impl Orbit {
+    /// The piecewise polynomials, where they serve; the first call makes them.
+    #[inline]
+    pub(super) fn pieces<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&Pieces> {
+        let pieces = self.pieces.as_ref()?;
+        Some(pieces.get_or_init(|| {
+            // Next to a separatrix m > 1/2.
+            Arc::new(Pieces::new(&EvenParts::<ROTATION, true>(elliptic)))
+        }))
     }
 }
 
@@ -48,28 +68,33 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for EvenParts<'
 }
 
 /// A libration or a rotation that is not next to the separatrix, by polynomials.
-pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Interpolant);
+pub(super) struct ByInterpolant<'a, const ROTATION: bool> {
+    pub elliptic: &'a Elliptic,
+    pub interpolant: &'a Interpolant,
+    /// Where the velocity is piecewise.
+    pub pieces: Option<&'a Pieces>,
+}
 
 impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
     const DIRECT: bool = true;
     #[inline(always)]
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
-        let (n, f) = self.0.phase.spread::<L>().count(t, last_count(ROTATION));
+        let (n, f) = self.elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
         self.at_phase::<ANGLE, VELOCITY, L>(n, f)
     }
 }
 
 impl<const ROTATION: bool> ByInterpolant<'_, ROTATION> {
-    /// Whether the velocity is a polynomial too.
+    /// Whether the velocity is one polynomial too.
     pub fn whole(&self) -> bool {
-        self.1.count() <= MOST_OF_VELOCITY
+        by_one(self.interpolant)
     }
 
     /// The motion at n + f half periods.
     #[inline(always)]
     fn at_phase<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, n: L, f: Dd<L>) -> Canonical<L> {
-        let value = if ANGLE { self.1.first(f) } else { Unnormalised::from_double(L::splat(0.0)) };
+        let value = if ANGLE { self.interpolant.first(f) } else { Unnormalised::from_double(L::splat(0.0)) };
         self.at_value::<ANGLE, VELOCITY, L>(n, f, value)
     }
 
@@ -81,27 +106,59 @@ impl<const ROTATION: bool> ByInterpolant<'_, ROTATION> {
         f: Dd<L>,
         value: Unnormalised<L>,
     ) -> Canonical<L> {
-        let ByInterpolant(elliptic, interpolant) = self;
+        let ByInterpolant { elliptic, interpolant, pieces } = self;
         let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
         let mut motion = Canonical::at_bottom(turns, sign);
         if ANGLE {
-            // Unnormalised::mul of factors that are in range.
-            let Unnormalised { hi: p, lo: rest } = value;
-            let (hi, error) = p.two_product_in_range(f.hi);
-            motion.opposite = Dd::new(hi, p.mul_add(f.lo, rest.mul_add(f.hi, error)));
+            motion.opposite = angle_of(value, f);
         }
         if VELOCITY {
             // Rows on vectors are not asked for the other one (columns.rs).
-            motion.velocity = if (COMPACT && L::WIDTH > 1) || self.whole() {
-                let r = interpolant.second(f);
-                let velocity = if ROTATION { r.hi + r.lo } else { rounded_product(r, to_ends(f)) };
-                velocity * sign
+            motion.velocity = if !COMPACT && let Some(pieces) = pieces {
+                velocity_of::<ROTATION, L>(pieces.second(f), f) * sign
+            } else if !COMPACT || L::WIDTH > 1 || self.whole() {
+                velocity_of::<ROTATION, L>(interpolant.second(f), f) * sign
             } else {
                 let size = f.scale(L::splat(1.0).copysign(f.hi));
                 let thetas = elliptic.lattice.thetas_on::<true, L>(size);
                 let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
                 quotient(numerator, denominator).value() * sign
             };
+        }
+        motion
+    }
+}
+
+/// f P. As the product of two [`Unnormalised`] whose factors are in range.
+#[inline(always)]
+fn angle_of<L: Lane>(Unnormalised { hi: p, lo: rest }: Unnormalised<L>, f: Dd<L>) -> Dd<L> {
+    let (hi, error) = p.two_product_in_range(f.hi);
+    Dd::new(hi, p.mul_add(f.lo, rest.mul_add(f.hi, error)))
+}
+
+/// R, or (1/4 - f^2) R.
+#[inline(always)]
+fn velocity_of<const ROTATION: bool, L: Lane>(r: Unnormalised<L>, f: Dd<L>) -> L {
+    if ROTATION { r.hi + r.lo } else { rounded_product(r, to_ends(f)) }
+}
+
+/// A libration or a rotation by piecewise polynomials.
+pub(super) struct ByPieces<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Pieces);
+
+impl<const ROTATION: bool> CanonicalMotion for ByPieces<'_, ROTATION> {
+    const TURNS: bool = ROTATION;
+    const DIRECT: bool = true;
+    #[inline(always)]
+    fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
+        let ByPieces(elliptic, pieces) = self;
+        let (n, f) = elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
+        let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
+        let mut motion = Canonical::at_bottom(turns, sign);
+        if ANGLE {
+            motion.opposite = angle_of(pieces.first(f), f);
+        }
+        if VELOCITY {
+            motion.velocity = velocity_of::<ROTATION, L>(pieces.second(f), f) * sign;
         }
         motion
     }

@@ -4,7 +4,7 @@
 
 use super::canonical::{Canonical, CanonicalMotion, RESULTS};
 use super::force_free::{AtEquilibrium, ForceFree};
-use super::interpolant::ByInterpolant;
+use super::interpolant::{ByInterpolant, ByPieces, by_one};
 use super::orbit::{Orbit, Solution};
 use super::theta_quotients::{ByThetaFunctions, Elliptic};
 use crate::float::elementary::arctangent;
@@ -94,7 +94,17 @@ impl Orbit {
         evaluation: E,
     ) -> E::Output {
         if let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) {
-            self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
+            let pieces = if !COMPACT && VELOCITY && !by_one(interpolant) {
+                self.pieces::<ROTATION>(elliptic)
+            } else {
+                None
+            };
+            self.framed::<ANGLE, VELOCITY, _, E>(
+                ByInterpolant::<ROTATION> { elliptic, interpolant, pieces },
+                evaluation,
+            )
+        } else if !COMPACT && let Some(pieces) = self.pieces::<ROTATION>(elliptic) {
+            self.framed::<ANGLE, VELOCITY, _, E>(ByPieces::<ROTATION>(elliptic, pieces), evaluation)
         } else if elliptic.lattice.by_hyperbolic() {
             self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, true>(elliptic), evaluation)
         } else {

@@ -17,8 +17,11 @@ use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::elementary::arctangent;
 use crate::float::exponent::{carried, exponent, ldexp, mantissa};
 use crate::float::{Dd, Scaled, TWO_PI};
+use crate::lanes::COMPACT;
 use crate::motion::interpolant::ConformalMap;
+use crate::motion::pieces::{LONGEST_QUARTER, Pieces};
 use crate::motion::samples::LazyInterpolant;
+use std::sync::{Arc, OnceLock};
 
 /// The formula of the motion.
 #[derive(Clone, Debug)]
@@ -47,6 +50,8 @@ pub struct Orbit {
     pub(crate) frame: Frame,
     pub(crate) solution: Solution,
     pub(super) interpolant: LazyInterpolant<Option<ConformalMap>>,
+    /// `None` where they do not serve.
+    pub(super) pieces: Option<OnceLock<Arc<Pieces>>>,
     /// The start in units of omega0, where the force shapes the motion.
     pub(crate) state: Option<State>,
     /// Factor that brings t into the range where the phase is formed: a power of two, 1 for ordinary omega0.
@@ -104,6 +109,7 @@ impl Orbit {
             frame: Frame::of_start(theta0),
             solution: if moving { Solution::ForceFree } else { Solution::Equilibrium },
             interpolant: LazyInterpolant::new(None),
+            pieces: None,
             state: None,
             time_scale: 1.0,
             velocity_scale: 1.0,
@@ -164,13 +170,15 @@ impl Orbit {
         };
         // Polynomials give the angle from the near equilibrium with an absolute error: tiny amplitudes, and small angles
         // from the other equilibrium, are accurate by theta functions only.
-        let map = match &solution {
+        let (map, pieces) = match &solution {
             Solution::Libration(elliptic) | Solution::Rotation(elliptic)
                 if frame.half_turn == 0.0 && power == 0 =>
             {
-                ConformalMap::of(&elliptic.lattice)
+                let lattice = &elliptic.lattice;
+                let near = lattice.hyperbolic() && lattice.quarter.hi <= LONGEST_QUARTER;
+                (ConformalMap::of(lattice), near && !COMPACT)
             }
-            _ => None,
+            _ => (None, false),
         };
         let at_equilibrium = matches!(solution, Solution::Equilibrium);
         let frame = if at_equilibrium { Frame::of_start(theta0) } else { frame };
@@ -181,6 +189,7 @@ impl Orbit {
             frame,
             solution,
             interpolant: LazyInterpolant::new(map),
+            pieces: pieces.then(OnceLock::new),
             state: Some(state),
             time_scale,
             velocity_scale: ldexp(frame.side, velocity_power),
