@@ -11,9 +11,12 @@ use crate::float::{Dd, HALF_PI};
 use crate::lanes::{Kernel, Lane, wide};
 use std::sync::OnceLock;
 
+/// Points of a piece (pieces.rs).
+pub(crate) const PIECE: usize = 18;
+
 /// Counts of points that have a matrix.
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) const COUNTS: [usize; 6] = [12, 16, 20, 24, 28, 32];
+pub(crate) const COUNTS: [usize; 7] = [12, 16, PIECE, 20, 24, 28, 32];
 /// Without fused multiplication the theta functions take seven times as long, so more terms serve.
 #[cfg(target_arch = "wasm32")]
 pub(crate) const COUNTS: [usize; 8] = [12, 16, 20, 24, 28, 32, 36, 40];

@@ -6,7 +6,7 @@
 //! base, their factors f and 1/4 - f^2 are divided out, and the leading coefficient is hi + lo.
 //! Method: docs/decisions/0011.
 
-use super::chebyshev::{Interpolation, MOST};
+use super::chebyshev::{Interpolation, MOST, PIECE};
 use super::interpolant::{EvenFunctions, Node};
 use crate::float::Dd;
 use crate::float::double_double::fast_two_sum;
@@ -19,12 +19,13 @@ use crate::lanes::{Columns, Evaluation, Formula, Lane, PIECES};
 const SCALE: f64 = 6.0;
 const NOT_QUITE: f64 = SCALE * (1.0 - 1.0 / 8_388_608.0);
 
-/// Terms of a polynomial: one of the counts of chebyshev.rs.
-const TERMS: usize = 16;
+/// Terms of a polynomial.
+const TERMS: usize = PIECE;
 
 /// Longest quarter period K. The nearest singularity is pi/2 from the base, and the piece there is K/24 wide: its Chebyshev
-/// coefficients fall by 10 from term to term, and what is left out is 2^-54 of a pole's function.
-pub(crate) const LONGEST_QUARTER: f64 = 14.0;
+/// coefficients fall by 10 from term to term, and what is left out of a pole's function is 2^-59 of it. Pieces far from the base
+/// are twice as wide: there the velocity falls by 3.6, so its last digits are still those of the leading term.
+pub(crate) const LONGEST_QUARTER: f64 = 15.5;
 
 /// The polynomials of one function: an array of the pieces for each coefficient.
 #[derive(Clone, Debug)]
@@ -111,13 +112,22 @@ impl Pieces {
         let interpolation = Interpolation::of(TERMS);
         let [hi, lo] = &interpolation.points;
         let mut pieces = Pieces { first: PiecewiseMonomials::ZERO, second: PiecewiseMonomials::ZERO };
+        let (mut nodes, mut values) = ([[[0.0; TERMS]; PIECES]; 4], [[[0.0; TERMS]; PIECES]; 4]);
         for piece in 0..PIECES {
-            let mut values = [[0.0; TERMS]; 4];
-            let at = AtNodes { functions, middle: MIDDLES[piece], half_width: half_width(piece) };
-            Columns::new([hi, lo], values.each_mut().map(|column| &mut column[..])).of(&at);
-            let [first, first_rest, second, second_rest] = &values;
-            pieces.first.set(piece, &interpolation.coefficients([first, first_rest]));
-            pieces.second.set(piece, &interpolation.coefficients([second, second_rest]));
+            nodes[0][piece].fill(MIDDLES[piece]);
+            nodes[1][piece].fill(half_width(piece));
+            nodes[2][piece].copy_from_slice(hi);
+            nodes[3][piece].copy_from_slice(lo);
+        }
+        let columns = nodes.each_ref().map(|column| column.as_flattened());
+        Columns::new(columns, values.each_mut().map(|column| column.as_flattened_mut()))
+            .of(&AtNodes(functions));
+        let [first, first_rest, second, second_rest] = &values;
+        for piece in 0..PIECES {
+            let coefficients =
+                |[hi, lo]: [&[[f64; TERMS]; PIECES]; 2]| interpolation.coefficients([&hi[piece], &lo[piece]]);
+            pieces.first.set(piece, &coefficients([first, first_rest]));
+            pieces.second.set(piece, &coefficients([second, second_rest]));
         }
         pieces
     }
@@ -137,26 +147,21 @@ impl Pieces {
     }
 }
 
-/// The two functions at the nodes of a piece, as high and low words.
-struct AtNodes<'a, C> {
-    functions: &'a C,
-    middle: f64,
-    half_width: f64,
-}
+/// The two functions, as high and low words, at nodes of pieces: middle f, half the width in w, and the node in [-1, 1].
+struct AtNodes<'a, C>(&'a C);
 
-impl<C: EvenFunctions> Formula<2, 4> for AtNodes<'_, C> {
+impl<C: EvenFunctions> Formula<4, 4> for AtNodes<'_, C> {
     type Place = C;
     #[inline(always)]
-    fn at<L: Lane>(&self, [hi, lo]: [L; 2]) -> [L; 4] {
-        let s = Unnormalised::new(hi, lo).scale(L::splat(self.half_width));
+    fn at<L: Lane>(&self, [middle, half_width, hi, lo]: [L; 4]) -> [L; 4] {
+        let s = Unnormalised::new(hi, lo).scale(half_width);
         let sixth = Unnormalised::splat(SIXTH);
-        let (middle, half) =
-            (Unnormalised::from_double(L::splat(self.middle)), Unnormalised::from_double(L::splat(0.5)));
+        let (middle, half) = (Unnormalised::from_double(middle), Unnormalised::from_double(L::splat(0.5)));
         let away = s * sixth;
         let f = middle + away;
         // Not 1/2 - f, which cancels next to the end.
         let to_ends = ((half - middle) - away) * (half + f);
-        let [first, second] = self.functions.at(Node { f, to_ends });
+        let [first, second] = self.0.at(Node { f, to_ends });
         [first.hi, first.lo, second.hi, second.lo]
     }
 }
@@ -170,7 +175,7 @@ mod tests {
 
     /// 1/(a^2 + f^2) alone and times 1 + f^2, with the poles of the longest motion.
     struct Poles;
-    const POLE: f64 = 0.00315;
+    const POLE: f64 = 0.002567;
 
     impl EvenFunctions for Poles {
         #[inline(always)]
