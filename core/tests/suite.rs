@@ -31,6 +31,7 @@ mod vectors_elliptic_family;
 mod vectors_pendulum;
 mod vectors_second;
 mod vectors_sensitivity;
+mod vectors_starts;
 
 use libration::InstructionSet;
 

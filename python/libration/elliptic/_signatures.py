@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 
-from .._arrays import Floats, Labelled, Mask, Real, Scalar
+from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._messages import explained
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
             m: Scalar | None = None,
             mc: Scalar | None = None,
             k: Scalar | None = None,
+            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
         ) -> np.float64: ...
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
             m: Real | None = None,
             mc: Real | None = None,
             k: Real | None = None,
+            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
         ) -> Floats: ...
@@ -49,6 +51,7 @@ if TYPE_CHECKING:
             m: Real | Labelled | None = None,
             mc: Real | Labelled | None = None,
             k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
         ) -> Labelled: ...
@@ -64,6 +67,7 @@ if TYPE_CHECKING:
             m: Scalar | None = None,
             mc: Scalar | None = None,
             k: Scalar | None = None,
+            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
         ) -> np.float64: ...
@@ -75,6 +79,7 @@ if TYPE_CHECKING:
             m: Real | None = None,
             mc: Real | None = None,
             k: Real | None = None,
+            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
         ) -> Floats: ...
@@ -86,6 +91,71 @@ if TYPE_CHECKING:
             m: Real | Labelled | None = None,
             mc: Real | Labelled | None = None,
             k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
+            out: Labelled | None = None,
+            where: Mask = True,
+        ) -> Labelled: ...
+
+    class OfAnyU(Protocol):
+        """A function of a real or complex argument u and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            u: Scalar,
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            q: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            u: Real,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            q: Real | None = None,
+            out: Floats | None = None,
+            where: Mask = True,
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            u: complex | np.complexfloating[Any, Any],
+            *,
+            m: Scalar | None = None,
+            mc: Scalar | None = None,
+            k: Scalar | None = None,
+            q: Scalar | None = None,
+            out: None = None,
+            where: bool = True,
+        ) -> np.complex128: ...
+        @overload
+        def __call__(
+            self,
+            u: Complex,
+            *,
+            m: Real | None = None,
+            mc: Real | None = None,
+            k: Real | None = None,
+            q: Real | None = None,
+            out: NDArray[np.complex128] | None = None,
+            where: Mask = True,
+        ) -> NDArray[np.complex128]: ...
+        @overload
+        def __call__(
+            self,
+            u: Real | Labelled,
+            *,
+            m: Real | Labelled | None = None,
+            mc: Real | Labelled | None = None,
+            k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
         ) -> Labelled: ...
@@ -101,6 +171,7 @@ if TYPE_CHECKING:
             m: Scalar | None = None,
             mc: Scalar | None = None,
             k: Scalar | None = None,
+            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
         ) -> np.float64: ...
@@ -112,6 +183,7 @@ if TYPE_CHECKING:
             m: Real | None = None,
             mc: Real | None = None,
             k: Real | None = None,
+            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
         ) -> Floats: ...
@@ -123,6 +195,7 @@ if TYPE_CHECKING:
             m: Real | Labelled | None = None,
             mc: Real | Labelled | None = None,
             k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
         ) -> Labelled: ...
@@ -138,6 +211,7 @@ if TYPE_CHECKING:
             m: Scalar | None = None,
             mc: Scalar | None = None,
             k: Scalar | None = None,
+            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
         ) -> np.float64: ...
@@ -149,6 +223,7 @@ if TYPE_CHECKING:
             m: Real | None = None,
             mc: Real | None = None,
             k: Real | None = None,
+            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
         ) -> Floats: ...
@@ -160,6 +235,7 @@ if TYPE_CHECKING:
             m: Real | Labelled | None = None,
             mc: Real | Labelled | None = None,
             k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
         ) -> Labelled: ...
@@ -175,6 +251,7 @@ if TYPE_CHECKING:
             m: Scalar | None = None,
             mc: Scalar | None = None,
             k: Scalar | None = None,
+            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
         ) -> np.float64: ...
@@ -186,6 +263,7 @@ if TYPE_CHECKING:
             m: Real | None = None,
             mc: Real | None = None,
             k: Real | None = None,
+            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
         ) -> Floats: ...
@@ -197,6 +275,7 @@ if TYPE_CHECKING:
             m: Real | Labelled | None = None,
             mc: Real | Labelled | None = None,
             k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
         ) -> Labelled: ...
@@ -213,6 +292,7 @@ if TYPE_CHECKING:
             m: Scalar | None = None,
             mc: Scalar | None = None,
             k: Scalar | None = None,
+            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
         ) -> np.float64: ...
@@ -225,6 +305,7 @@ if TYPE_CHECKING:
             m: Real | None = None,
             mc: Real | None = None,
             k: Real | None = None,
+            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
         ) -> Floats: ...
@@ -237,6 +318,7 @@ if TYPE_CHECKING:
             m: Real | Labelled | None = None,
             mc: Real | Labelled | None = None,
             k: Real | Labelled | None = None,
+            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
         ) -> Labelled: ...
@@ -281,6 +363,25 @@ if TYPE_CHECKING:
             where: Mask = True,
         ) -> Labelled: ...
 
+    class OfNome(Protocol):
+        """Two numbers of the nome alone."""
+
+        @overload
+        def __call__(self, q: Scalar, *, out: None = None, where: bool = True) -> tuple[np.float64, np.float64]: ...
+        @overload
+        def __call__(
+            self, q: Real, *, out: tuple[Floats, Floats] | None = None, where: Mask = True
+        ) -> tuple[Floats, Floats]: ...
+        @overload
+        def __call__(
+            self, q: Labelled, *, out: tuple[Labelled, Labelled] | None = None, where: Mask = True
+        ) -> tuple[Labelled, Labelled]: ...
+
+
+def of_nome(function: Callable[..., Any]) -> OfNome:
+    """Declare a function of the nome alone."""
+    return explained(function)
+
 
 def of_parameter(function: Callable[..., Any]) -> OfParameter:
     """Declare a function of the parameter alone."""
@@ -289,6 +390,11 @@ def of_parameter(function: Callable[..., Any]) -> OfParameter:
 
 def of_u(function: Callable[..., Any]) -> OfU:
     """Declare a function of an argument u and the parameter."""
+    return explained(function)
+
+
+def of_any_u(function: Callable[..., Any]) -> OfAnyU:
+    """Declare a function of a real or complex argument u and the parameter."""
     return explained(function)
 
 
