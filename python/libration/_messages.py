@@ -64,7 +64,6 @@ FUNCTIONS = {
     "elliprf": "carlson_rf",
     "elliprj": "carlson_rj",
     "jtheta": "theta1",
-    "period": "Pendulum(...).period",
     "degrees": "Pendulum.degrees",
     "compare": "approx.compare",
     "plot_period": "plot.plot_period",

@@ -221,8 +221,12 @@ def test_no_message_names_what_is_inside(function, odd):
     for name in names:
         if name in ("mc", "k", "q"):
             good.pop("m", None)
+        # A state needs an angle, and gravity a length.
+        angle = next((each for each in ("theta", "theta0") if f"{each}_from_top" in names), None)
+        beside = {angle: 0.5} if angle and name != f"{angle}_from_top" else {}
+        beside |= {"length": 1.0} if name == "gravity" else {}
         with pytest.raises((TypeError, ValueError)) as caught:
-            function(**good | {name: odd})
+            function(**good | beside | {name: odd})
         message = str(caught.value)
         assert message.startswith(f"{name} = ") and len(message) < 250
         assert "ufunc" not in message and "\n" not in message

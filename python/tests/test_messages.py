@@ -308,7 +308,7 @@ elliptic.sn(t3, m=t2)
 elliptic.arcsn(2, 0.5)
     TypeError: arcsn() takes x by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 elliptic.theta1(0.5, 0.1)
-    TypeError: theta1() takes z by position and one of q= (the nome), m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
+    TypeError: theta1() takes z by position and one of q= (the nome), m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
 elliptic.incomplete_f(0.5, 0.1)
     TypeError: incomplete_f() takes phi by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 elliptic.incomplete_pi(0.1, 0.5, 0.5)
@@ -323,8 +323,6 @@ libration.ellipk
     AttributeError: module 'libration' has no attribute 'ellipk': did you mean complete_k?
 libration.compare
     AttributeError: module 'libration' has no attribute 'compare': did you mean approx.compare?
-libration.period
-    AttributeError: module 'libration' has no attribute 'period': did you mean Pendulum(...).period?
 libration.sn
     AttributeError: module 'libration' has no attribute 'sn': did you mean elliptic.sn?
 elliptic.ellipj

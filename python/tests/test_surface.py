@@ -56,7 +56,10 @@ def test_every_public_name_is_there_and_documented():
 @pytest.mark.parametrize(
     ("function", "signature"),
     [
-        (Pendulum, "(theta0=None, velocity0=0.0, *, theta0_from_top=None, omega0=None, omega2=None, length=None, gravity=None)"),
+        (
+            Pendulum,
+            "(theta0=None, velocity0=0.0, *, theta0_from_top=None, omega0=None, omega2=None, length=None, gravity=None)",
+        ),
         (Pendulum.theta, "(self, t, out=None)"),
         (Pendulum.velocity, "(self, t, out=None)"),
         (Pendulum.motion, "(self, t)"),
@@ -76,7 +79,10 @@ def test_every_public_name_is_there_and_documented():
         (libration.regime, f"({STATE})"),
         (libration.next_crossing, f"(theta, {START.replace('*, ', '*, after=0.0, ')}, out=None, where=True)"),
         (libration.turns, f"(t, {START})"),
-        (libration.from_action_phase, f"(action, phase, omega0=None, *, direction=0.0, {FREQUENCY}, out=None, where=True)"),
+        (
+            libration.from_action_phase,
+            f"(action, phase, omega0=None, *, direction=0.0, {FREQUENCY}, out=None, where=True)",
+        ),
         (libration.sensitivities, f"(t, {START})"),
         (libration.theta, f"(t, {START}, out=None, where=True)"),
         (libration.velocity, f"(t, {START}, out=None, where=True)"),

@@ -60,8 +60,8 @@ _FROM_NOME = Result("m", "1", "parameter"), Result("mc", "1", "complement of the
 def from_nome(q: Any, *, out: Any = None, where: Any = True) -> Any:
     """Parameter m and its complement 1 - m of the nome q: ``(m, mc)``.
 
-    The inverse of `nome`: m = (theta2/theta3)**4, 1 - m = (theta4/theta3)**4 of z = 0. Both are given because the smaller of
-    them has digits that the other has not.
+    The inverse of `nome`: m = (theta2/theta3)**4, 1 - m = (theta4/theta3)**4 of z = 0. Both are given because the smaller
+    of them has digits that the other has not.
 
     Parameters
     ----------
@@ -84,8 +84,8 @@ def from_nome(q: Any, *, out: Any = None, where: Any = True) -> Any:
     --------
     >>> import libration
     >>> m, mc = libration.from_nome(0.1)
-    >>> print(f"{m:.9f} {mc:.9f} {libration.nome(m=m):.9f}")
-    0.802403298 0.197596702 0.100000000
+    >>> m.round(9), mc.round(9), libration.nome(m=m).round(9)
+    (np.float64(0.802403298), np.float64(0.197596702), np.float64(0.1))
     """
     return apply(_core.from_nome, q, results=_FROM_NOME, out=out, where=where)
 

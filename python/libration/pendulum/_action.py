@@ -70,7 +70,9 @@ def action(
     >>> libration.action([0.0, 0.0], [1.0, 3.0]).round(6)
     array([0.517316, 2.631985])
     """
-    if theta is not None and plain(theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
         return apply(_core.action, *state, results=(ACTION,), out=out, where=where)
     angles = {"theta": theta, "theta_from_top": theta_from_top}
@@ -123,7 +125,9 @@ def frequency(
     >>> libration.frequency(0.0, [1.0, 2.0, -3.0]).round(6)
     array([ 0.931808,  0.      , -2.604008])
     """
-    if theta is not None and plain(theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
         return apply(_core.frequency, *state, results=(FREQUENCY,), out=out, where=where)
     angles = {"theta": theta, "theta_from_top": theta_from_top}
@@ -177,7 +181,9 @@ def phase(
     >>> libration.phase([1.0, -1.0, 7.0], [0.0, 0.0, 3.0]).round(6)
     array([ 1.570796, -1.570796,  6.916943])
     """
-    if theta is not None and plain(theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
         return apply(_core.phase, *state, results=(PHASE,), out=out, where=where)
     angles = {"theta": theta, "theta_from_top": theta_from_top}
@@ -268,7 +274,7 @@ def from_action_phase(
     >>> print(theta.round(6), velocity.round(6))
     [0.       1.228194] [1.844231 2.190769]
     """
-    if plain(omega2, length, gravity):
+    if plain(1.0, omega2, length, gravity):
         given = action, phase, direction, 1.0 if omega0 is None else omega0
         return apply(_core.from_action_phase, *given, results=MOTION, out=out, where=where)
     force = factors(omega0, omega2, length, gravity)

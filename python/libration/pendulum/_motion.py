@@ -85,7 +85,9 @@ def theta(
     array([[ 1.      ,  3.      ],
            [-0.306201,  2.613057]])
     """
-    if theta0 is not None and plain(theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         if not _one_orbit(*state):
             return apply(_core.state_theta, t, *state, results=(THETA,), out=out, where=where)
@@ -144,7 +146,9 @@ def velocity(
     >>> libration.velocity([0.0, 1.0], 0.0, 1.0).round(6)
     array([1.      , 0.568569])
     """
-    if theta0 is not None and plain(theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         if not _one_orbit(*state):
             return apply(_core.state_velocity, t, *state, results=(VELOCITY,), out=out, where=where)
@@ -203,7 +207,9 @@ def motion(
     >>> print(f"{theta:.6f} {velocity:.6f}")
     -0.306201 -0.909047
     """
-    if theta0 is not None and plain(theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         if not _one_orbit(*state):
             return apply(_core.state_motion, t, *state, results=MOTION, out=out, where=where)
@@ -297,7 +303,7 @@ def advance(
     >>> print(f"{theta:.6f} {velocity:.6f}")
     -0.306201 -0.909047
     """
-    if plain(omega2, length, gravity):
+    if plain(1.0, omega2, length, gravity):
         step = theta, velocity, dt, 1.0 if omega0 is None else omega0
         return apply(_core.advance, *step, results=MOTION, out=out, where=where)
     force = factors(omega0, omega2, length, gravity)

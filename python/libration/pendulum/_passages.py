@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from .. import _core
 from .._dispatch import apply
 from ._results import CROSSING, TURNS
-from ._signatures import of_time, told
+from ._signatures import of_angle, told
 from ._states import factors, start
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def turns(
     return apply(_core.turns, t, *given, results=TURNS)
 
 
-@of_time
+@of_angle
 def next_crossing(
     theta: Any,
     theta0: Any = None,

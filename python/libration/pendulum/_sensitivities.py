@@ -73,7 +73,9 @@ def sensitivities(
     >>> np.linalg.det(slopes[..., :2]).round(6)
     array([1., 1., 1.])
     """
-    if theta0 is not None and plain(theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity):
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         found = apply(_core.state_sensitivities, *map(unindexed, (t, *state)), results=6 * (SENSITIVITIES,))
         return tensor(found, FIRST)

@@ -82,6 +82,12 @@ class OtherStart(OtherEnergy[Value], Generic[Value], total=False):
     theta0_from_top: Value | None
 
 
+class AfterStart(OtherStart[Value], Generic[Value], total=False):
+    """The same from a time on."""
+
+    after: Value
+
+
 if TYPE_CHECKING:
 
     class OfState(Protocol):
@@ -150,7 +156,7 @@ if TYPE_CHECKING:
         ) -> Labelled: ...
 
     class OfTime(Protocol):
-        """A number of each time, or angle, and initial state."""
+        """A number of each time and initial state."""
 
         @overload
         def __call__(
@@ -187,6 +193,46 @@ if TYPE_CHECKING:
             out: Labelled | None = None,
             where: Mask = True,
             **other: Unpack[OtherStart[Real | Labelled]],
+        ) -> Labelled: ...
+
+    class OfAngle(Protocol):
+        """A number of each angle and initial state, from a time on."""
+
+        @overload
+        def __call__(
+            self,
+            theta: Scalar,
+            theta0: Scalar | None = None,
+            velocity0: Scalar | None = None,
+            omega0: Scalar | None = None,
+            *,
+            out: None = None,
+            where: bool = True,
+            **other: Unpack[AfterStart[Scalar]],
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            theta: Real,
+            theta0: Real | None = None,
+            velocity0: Real | None = None,
+            omega0: Real | None = None,
+            *,
+            out: Floats | None = None,
+            where: Mask = True,
+            **other: Unpack[AfterStart[Real]],
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            theta: Real | Labelled,
+            theta0: Real | Labelled | None = None,
+            velocity0: Real | Labelled | None = None,
+            omega0: Real | Labelled | None = None,
+            *,
+            out: Labelled | None = None,
+            where: Mask = True,
+            **other: Unpack[AfterStart[Real | Labelled]],
         ) -> Labelled: ...
 
     class MotionOfTime(Protocol):
@@ -308,4 +354,9 @@ def of_state(function: Callable[..., Any]) -> OfState:
 
 def of_time(function: Callable[..., Any]) -> OfTime:
     """Declare a function of a time and an initial state."""
+    return told(function)  # type: ignore[no-any-return]
+
+
+def of_angle(function: Callable[..., Any]) -> OfAngle:
+    """Declare a function of an angle, an initial state and a time from which on is looked."""
     return told(function)  # type: ignore[no-any-return]

@@ -48,9 +48,9 @@ def start(angles: dict[str, Any], motions: dict[str, Any], direction: Any) -> tu
     return at, value, direction, kind(counted, known)
 
 
-def plain(*others: Any) -> bool:
+def plain(direction: Any, *others: Any) -> bool:
     """Whether a state is given by its angle, its velocity and omega0 alone."""
-    return all(other is None for other in others)
+    return type(direction) is float and direction == 1.0 and all(other is None for other in others)
 
 
 def factors(omega0: Any, omega2: Any, length: Any, gravity: Any) -> Any:
