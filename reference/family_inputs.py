@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import ends_inputs
 import mpmath as mp
+import nome_inverse
 from elliptic import jacobi_evaluate, parameters
 from elliptic_inputs import either, log_uniform, neighbours, sign
 from exact import mpf, real
@@ -395,5 +396,7 @@ def rows(name):
         "carlson.csv": carlson,
         "third_kind.csv": third_kind,
         "jacobi_complex.csv": jacobi_complex,
+        "glaisher_complex.csv": lambda: [row for row in rows("jacobi_complex.csv") if row["stratum"] != "zero"][::3],
+        "from_nome.csv": nome_inverse.nomes,
     }[name]
     return [*draw(), *ends_inputs.rows(name)]

@@ -27,6 +27,7 @@ mod vectors_damped;
 
 mod vectors_duffing;
 mod vectors_elliptic;
+mod vectors_elliptic_complex;
 mod vectors_elliptic_family;
 mod vectors_pendulum;
 mod vectors_second;
