@@ -382,8 +382,8 @@ def jacobi_complex():
         given, parameter = values[0]
         yield item("zero", given=given, parameter=parameter, re=0.0, im=0.0)
     for im in (400.0, -709.0, 720.0, 1e5):  # beyond the range of doubles
-        yield item("overflow", given="m", parameter=0.0, re=1.25, im=im)
-        yield item("overflow", given="m", parameter=1e-300, re=-0.75, im=im)
+        for parameter, re in ((0.0, 1.25), (1e-300, -0.75)):
+            yield item("overflow", given="m", parameter=parameter, re=re, im=im)
 
 
 def rows(name):

@@ -7,11 +7,8 @@
 //! Source: Landau & Lifshitz, Mechanics, section 11; DLMF 22.19(i).
 
 use super::frequency::Frequency;
-use super::period_inverse;
+use super::half_angle::half_angle;
 use super::regime::Regime;
-use super::start::StartMotion;
-use super::state::half_angle;
-use crate::domain::Domain;
 use crate::float::angle_reduction::reduce;
 use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::triple_double::exact_sum;
@@ -32,41 +29,7 @@ pub(super) struct EnergyRatio {
     pub kc: Dd,
 }
 
-const NOT_NEGATIVE: &str = "finite and not negative";
-
 impl EnergyRatio {
-    /// Of what is known of a motion under a force; `None` for a velocity.
-    pub fn of(motion: StartMotion, frequency: Frequency) -> Result<Option<EnergyRatio>, Domain> {
-        Ok(Some(match motion {
-            StartMotion::Velocity(_) => return Ok(None),
-            StartMotion::EnergyRatio(ratio) => {
-                Domain::check("energy_ratio", ratio, ratio.is_finite() && ratio >= 0.0, NOT_NEGATIVE)?;
-                EnergyRatio::new(Td::from(ratio), 0, Dd::sum(1.0, -ratio).into())
-            }
-            StartMotion::EnergyRatioC(rest) => {
-                Domain::check(
-                    "energy_ratio_c",
-                    rest,
-                    rest.is_finite() && rest <= 1.0,
-                    "finite and at most 1",
-                )?;
-                EnergyRatio::new(Dd::sum(1.0, -rest).into(), 0, Td::from(rest))
-            }
-            StartMotion::Energy(energy) => {
-                Domain::check("energy", energy, energy.is_finite() && energy >= 0.0, NOT_NEGATIVE)?;
-                EnergyRatio::of_energy(energy, frequency)
-            }
-            StartMotion::ThetaMax(angle) => {
-                EnergyRatio::of_turning_angle(checked_turning_angle("theta_max", angle)?, false)
-            }
-            StartMotion::ThetaMaxFromTop(angle) => {
-                EnergyRatio::of_turning_angle(checked_turning_angle("theta_max_from_top", angle)?, true)
-            }
-            StartMotion::Period(period) => period_inverse::libration(period, frequency)?,
-            StartMotion::PeriodOfRotation(period) => period_inverse::rotation(period, frequency)?,
-        }))
-    }
-
     /// From kappa^2 = m 4^power and its complement.
     pub fn new(m: Td, power: i32, mc: Td) -> EnergyRatio {
         let regime = match mc.hi {
@@ -88,7 +51,7 @@ impl EnergyRatio {
     }
 
     /// E c/(2 a b) of the factors of the frequency.
-    fn of_energy(energy: f64, frequency: Frequency) -> EnergyRatio {
+    pub fn of_energy(energy: f64, frequency: Frequency) -> EnergyRatio {
         let (a, b, c) = frequency.factors();
         if energy == 0.0 {
             return EnergyRatio::new(Td::ZERO, 0, Td::ONE);
@@ -111,7 +74,7 @@ impl EnergyRatio {
     }
 
     /// Of a turning angle counted from the stable equilibrium or from the other.
-    fn of_turning_angle(angle: f64, from_top: bool) -> EnergyRatio {
+    pub fn of_turning_angle(angle: f64, from_top: bool) -> EnergyRatio {
         let (sine, cosine, power) = half_angle(&reduce(angle), from_top, i32::MIN / 2);
         if sine.hi == 0.0 {
             return EnergyRatio::new(Td::ZERO, 0, Td::ONE);
@@ -124,8 +87,4 @@ impl EnergyRatio {
     pub fn root(&self) -> Td {
         self.m.sqrt()
     }
-}
-
-fn checked_turning_angle(name: &'static str, angle: f64) -> Result<f64, Domain> {
-    Domain::check(name, angle, (0.0..=core::f64::consts::PI).contains(&angle), "from 0 to pi")
 }

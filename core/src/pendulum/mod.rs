@@ -11,6 +11,7 @@ mod energy_ratio;
 mod force_free;
 pub mod fourier;
 pub mod frequency;
+mod half_angle;
 mod interpolant;
 pub mod motion;
 pub mod orbit;

@@ -5,7 +5,6 @@
 //! and the phase at t is start + rate t in half periods (libration, rotation) or in units of 1/omega0
 //! (separatrix). Source: Salas 2019 (23)-(25), corrected; DLMF 19.25.5, 22.15.
 
-use super::energy_ratio::EnergyRatio;
 use super::frequency::Frequency;
 use super::regime::Regime;
 use super::separatrix::Separatrix;
@@ -137,7 +136,7 @@ impl Orbit {
             let velocity0 = start.force_free_velocity()?;
             return Orbit::with_velocity(placed, velocity0, frequency);
         };
-        let Some(energy) = EnergyRatio::of(start.motion, frequency)? else {
+        let Some(energy) = start.motion.energy(frequency)? else {
             return Orbit::with_velocity(placed, 0.0, frequency);
         };
         let velocity = |x: Dd, power: i32| {

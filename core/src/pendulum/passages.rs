@@ -5,9 +5,10 @@
 //! bottom. x1^2 is c1^2 - (1 - kappa^2) away from the turning points and x0^2 + s0^2 - s1^2 next to them, in
 //! triple-double, so nothing cancels. Source: DLMF 19.25.5, 22.15(ii).
 
+use super::half_angle::{half_angle, scaled};
 use super::orbit::{Orbit, Solution};
 use super::separatrix::Separatrix;
-use super::state::{State, half_angle, scaled};
+use super::state::State;
 use super::theta_quotients::Elliptic;
 use crate::domain::Domain;
 use crate::elliptic::integrals::carlson_duplication::{rf, rf_of_roots};

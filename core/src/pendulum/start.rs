@@ -4,7 +4,9 @@
 //! the turning angle or by the period. What is given stays as it is: an orbit is set up from it in triple-double
 //! (energy_ratio.rs), so that nothing is rounded to a velocity next to the separatrix, where 1 - kappa^2 would be lost.
 
+use super::energy_ratio::EnergyRatio;
 use super::frequency::Frequency;
+use super::period_inverse;
 use crate::domain::{Domain, shown};
 use crate::float::angle_reduction::{ReducedAngle, reduce};
 use crate::float::{Dd, Scaled, TWO_PI, TWO_PI_LONG, Td};
@@ -41,7 +43,41 @@ pub enum StartMotion {
     PeriodOfRotation(f64),
 }
 
+const NOT_NEGATIVE: &str = "finite and not negative";
+
 impl StartMotion {
+    /// The energy under a force; `None` for a velocity.
+    pub(super) fn energy(self, frequency: Frequency) -> Result<Option<EnergyRatio>, Domain> {
+        Ok(Some(match self {
+            StartMotion::Velocity(_) => return Ok(None),
+            StartMotion::EnergyRatio(ratio) => {
+                Domain::check("energy_ratio", ratio, ratio.is_finite() && ratio >= 0.0, NOT_NEGATIVE)?;
+                EnergyRatio::new(Td::from(ratio), 0, Dd::sum(1.0, -ratio).into())
+            }
+            StartMotion::EnergyRatioC(rest) => {
+                Domain::check(
+                    "energy_ratio_c",
+                    rest,
+                    rest.is_finite() && rest <= 1.0,
+                    "finite and at most 1",
+                )?;
+                EnergyRatio::new(Dd::sum(1.0, -rest).into(), 0, Td::from(rest))
+            }
+            StartMotion::Energy(energy) => {
+                Domain::check("energy", energy, energy.is_finite() && energy >= 0.0, NOT_NEGATIVE)?;
+                EnergyRatio::of_energy(energy, frequency)
+            }
+            StartMotion::ThetaMax(angle) => {
+                EnergyRatio::of_turning_angle(checked_turning_angle("theta_max", angle)?, false)
+            }
+            StartMotion::ThetaMaxFromTop(angle) => {
+                EnergyRatio::of_turning_angle(checked_turning_angle("theta_max_from_top", angle)?, true)
+            }
+            StartMotion::Period(period) => period_inverse::libration(period, frequency)?,
+            StartMotion::PeriodOfRotation(period) => period_inverse::rotation(period, frequency)?,
+        }))
+    }
+
     /// The name of the argument.
     pub(super) fn name(self) -> &'static str {
         match self {
@@ -138,7 +174,7 @@ impl OrbitStart {
         match self.motion {
             StartMotion::Velocity(velocity) => Ok(velocity),
             StartMotion::Energy(energy) => {
-                Domain::check(name, energy, energy.is_finite() && energy >= 0.0, "finite and not negative")?;
+                Domain::check(name, energy, energy.is_finite() && energy >= 0.0, NOT_NEGATIVE)?;
                 // 2 E may be beyond the doubles.
                 Ok(direction * (Scaled::from(energy).shift(1)).sqrt().value())
             }
@@ -222,4 +258,8 @@ impl Placed {
             reduced: ReducedAngle { turns, side: -side, from_bottom: from_top, from_top: from_bottom },
         }
     }
+}
+
+fn checked_turning_angle(name: &'static str, angle: f64) -> Result<f64, Domain> {
+    Domain::check(name, angle, (0.0..=core::f64::consts::PI).contains(&angle), "from 0 to pi")
 }

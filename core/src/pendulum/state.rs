@@ -8,13 +8,13 @@
 
 use super::energy_ratio::EnergyRatio;
 use super::frequency::Frequency;
+use super::half_angle::{half_angle, scaled};
 use super::regime::Regime;
 use super::start::Placed;
 use crate::elliptic::parameter::Unit;
 use crate::float::angle_reduction::ReducedAngle;
 use crate::float::elementary::arctangent;
 use crate::float::exponent::{exponent, ldexp, mantissa};
-use crate::float::series;
 use crate::float::triple_double::exact_sum;
 use crate::float::{Dd, Td};
 use crate::lanes::Lane;
@@ -76,8 +76,6 @@ pub struct State {
     pub given: Option<[Td; 2]>,
 }
 
-/// Below 2^-200 the sine is the angle and the cosine 1, to triple-double.
-const TINY: f64 = 6.2e-61;
 /// x above 2^100: the force changes no digit.
 const FAST: i32 = 100;
 
@@ -183,11 +181,6 @@ impl State {
     }
 }
 
-/// Times a power of two, with one rounding of each word.
-pub(super) fn scaled(value: Td, power: i32) -> Td {
-    Td::new(ldexp(value.hi, power), ldexp(value.mid, power), ldexp(value.lo, power))
-}
-
 /// The turning angle of a libration, rounded.
 pub(super) fn turning_angle(kappa: Dd, kc: Dd) -> f64 {
     ldexp(arctangent(kappa, kc).value(), 1)
@@ -214,26 +207,6 @@ impl State {
 fn frame(base: Dd, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Frame {
     let half_turn = if upside_down { reduced.side } else { 0.0 };
     Frame { base, turns: reduced.turns, half_turn, side }
-}
-
-/// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.
-pub(super) fn half_angle(reduced: &ReducedAngle, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
-    let (low, high) = (reduced.from_bottom, reduced.from_top);
-    let near = if low.hi < high.hi { low } else { high };
-    let near_stable = (low.hi < high.hi) != upside_down;
-    // Half of the smallest double is still an angle: it decides the regime.
-    let least = if near.hi > 0.0 { f64::from_bits(1) } else { 0.0 };
-    let half = |angle: Td| Td::new((0.5 * angle.hi).max(least), 0.5 * angle.mid, 0.5 * angle.lo);
-    let (small, large) = if near.hi < TINY { (half(near), Td::ONE) } else { series::sin_cos(half(near)) };
-    if !near_stable {
-        return (large, small, 0);
-    }
-    // Take the power of two out of a tiny sine, or that of x where x is larger.
-    let power = if near.hi == 0.0 { x_power } else { x_power.max(exponent(near.hi) - 1) };
-    if near.hi < TINY && power < -300 {
-        return (Td::from(ldexp(near.hi, -1 - power)), Td::ONE, power);
-    }
-    (small, large, 0)
 }
 
 /// Regime, 1 - m and the square root of its size.

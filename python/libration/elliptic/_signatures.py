@@ -10,12 +10,27 @@ refusals are explained.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol, overload
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypedDict, TypeVar, overload
 
 import numpy as np
 
 from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._messages import explained
+
+if TYPE_CHECKING:
+    from typing import Unpack
+
+Value = TypeVar("Value")
+
+
+class ByOne(TypedDict, Generic[Value], total=False):
+    """Exactly one of the parameter, its complement, the modulus and the nome."""
+
+    m: Value | None
+    mc: Value | None
+    k: Value | None
+    q: Value | None
+
 
 if TYPE_CHECKING:
 
@@ -26,34 +41,25 @@ if TYPE_CHECKING:
         def __call__(
             self,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfU(Protocol):
@@ -64,36 +70,27 @@ if TYPE_CHECKING:
             self,
             u: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             u: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             u: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfAnyU(Protocol):
@@ -104,60 +101,45 @@ if TYPE_CHECKING:
             self,
             u: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             u: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             u: complex | np.complexfloating[Any, Any],
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.complex128: ...
         @overload
         def __call__(
             self,
             u: Complex,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: NDArray[np.complex128] | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> NDArray[np.complex128]: ...
         @overload
         def __call__(
             self,
             u: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfX(Protocol):
@@ -168,36 +150,27 @@ if TYPE_CHECKING:
             self,
             x: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             x: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             x: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfPhi(Protocol):
@@ -208,36 +181,27 @@ if TYPE_CHECKING:
             self,
             phi: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             phi: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             phi: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfN(Protocol):
@@ -248,36 +212,27 @@ if TYPE_CHECKING:
             self,
             n: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             n: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             n: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfNAndPhi(Protocol):
@@ -289,12 +244,9 @@ if TYPE_CHECKING:
             n: Scalar,
             phi: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
-            q: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
@@ -302,12 +254,9 @@ if TYPE_CHECKING:
             n: Real,
             phi: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
-            q: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
@@ -315,12 +264,9 @@ if TYPE_CHECKING:
             n: Real | Labelled,
             phi: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
-            q: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfZ(Protocol):
@@ -331,36 +277,27 @@ if TYPE_CHECKING:
             self,
             z: Scalar,
             *,
-            q: Scalar | None = None,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             z: Real,
             *,
-            q: Real | None = None,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             z: Real | Labelled,
             *,
-            q: Real | Labelled | None = None,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfNome(Protocol):

@@ -287,7 +287,7 @@ class _Words:
         words = self.words[np.where(np.isnan(numbers), -1, numbers).astype(int)]
         if isinstance(codes, np.ma.MaskedArray):
             return np.ma.array(words, mask=codes.mask)
-        return like(codes, words) if words.ndim else words[()]
+        return like(codes, words) if numbers.ndim else words
 
 
 _WORDS = _Words()
