@@ -357,14 +357,9 @@ def jacobi_complex():
                 columns = 0 if m > 0 else 1
                 pole = (float(2 * K * (i % 3) + columns * K), float(height))
             a, b = float(K), min(float(height), 300.0)
-            for quadrant in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
-                yield item(
-                    stratum,
-                    given=given,
-                    parameter=parameter,
-                    re=quadrant[0] * 2 * a * rng.random(),
-                    im=quadrant[1] * b * rng.random(),
-                )
+            for right, up in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+                re, im = right * 2 * a * rng.random(), up * b * rng.random()
+                yield item(stratum, given=given, parameter=parameter, re=re, im=im)
             size = log_uniform(rng, -40, -4)
             x, y = rng.choice(((size, size), (0.0, size), (size, 0.0), (size, -size / 3)))
             many = 0 if m == 1 else (0, 1000, 2**28)[i % 3]

@@ -82,7 +82,7 @@ impl Parameter {
     ///
     /// ```
     /// use libration::{Parameter, complete_k};
-    /// assert_eq!(format!("{:.12}", complete_k(Parameter::from_nome(0.1))), "2.266176666137");
+    /// assert_eq!(format!("{:.12}", complete_k(Parameter::from_nome(0.1))), "2.262700763194");
     /// ```
     #[must_use]
     pub fn from_nome(q: f64) -> Parameter {

@@ -125,7 +125,7 @@ impl Orbit {
     /// // A pencil on its tip, and the swing whose period is 1.25 times that of small ones.
     /// let pencil = of(StartAngle::FromTop(1e-17), StartMotion::Velocity(0.0));
     /// let swing = of(StartAngle::Bottom, StartMotion::Period(2.5 * core::f64::consts::PI));
-    /// assert_eq!(format!("{:.9} {:.9}", pencil.period(), swing.theta_max()), "162.119072577 1.798085155");
+    /// assert_eq!(format!("{:.9} {:.9}", pencil.period(), swing.theta_max()), "164.893552490 1.798085155");
     /// ```
     pub fn from_start(start: OrbitStart, frequency: Frequency) -> Result<Orbit, Domain> {
         let placed = start.placed(frequency)?;

@@ -247,7 +247,7 @@ impl Orbit {
     /// use libration::{Frequency, Orbit};
     /// let orbit = Orbit::new(0.0, 3.0, Frequency::from_omega0(1.0)?)?;
     /// let tops = orbit.times_of_every_turn(core::f64::consts::PI, 0.0, 7.0)?;
-    /// assert_eq!(tops.iter().map(|t| format!("{t:.6}")).collect::<Vec<_>>(), ["1.206437", "3.619311", "6.032185"]);
+    /// assert_eq!(tops.iter().map(|t| format!("{t:.6}")).collect::<Vec<_>>(), ["1.206445", "3.619335", "6.032225"]);
     /// # Ok::<(), libration::Domain>(())
     /// ```
     pub fn times_of_every_turn(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {

@@ -75,7 +75,7 @@ class ByEnergy(Orbit):
         >>> import libration
         >>> pendulum = libration.Pendulum.from_energy(energy_ratio_c=1e-17)
         >>> print(pendulum.regime, f"{pendulum.period:.9f} {pendulum.velocity0}")
-        libration 83.830670606 2.0
+        libration 83.833070606 2.0
         """
         energies = {"energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
         given = {name: real(name, value) for name, value in energies.items() if value is not None}

@@ -50,7 +50,7 @@ class Crossings(Constants):
         >>> libration.Pendulum(1.0).times(0.5, 0.0, 7.0).round(6)
         array([1.126844, 5.573131])
         >>> libration.Pendulum(0.0, 3.0).times(3.0, 0.0, 7.0, every_turn=True).round(6)
-        array([1.143099, 3.555988, 5.968877])
+        array([1.143165, 3.556055, 5.968945])
         """
         if not isinstance(every_turn, bool | np.bool):
             raise ValueError(f"every_turn = {shown(every_turn)}: must be True or False")

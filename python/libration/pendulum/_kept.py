@@ -64,7 +64,7 @@ def period(
     --------
     >>> import libration
     >>> libration.period(energy_ratio_c=[1e-17, -1e-17, 1e-20, -1e-20]).round(6)
-    array([83.830671, 41.915335, 97.648581, 48.824291])
+    array([83.833071, 41.916535, 97.648581, 48.824291])
     """
     angles = {"theta": theta, "theta_from_top": theta_from_top}
     motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}

@@ -62,7 +62,7 @@ def turns(
     >>> import libration
     >>> n, angle = libration.turns(10.0, 0.0, [1.0, 3.0])
     >>> print(n, angle.round(6))
-    [0 4] [0.10618  1.025388]
+    [0 4] [0.114252 1.025388]
     """
     angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
     motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
