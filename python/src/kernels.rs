@@ -84,10 +84,13 @@ fn advance((): &(), states: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
     libration::advance_into(states, columns);
 }
 
+/// A number that an orbit keeps.
+type Kept = fn(&Orbit) -> f64;
+
 /// What an orbit keeps: nothing but the orbit goes into them.
 fn constants(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let kept = |value: &f64, []: [f64; 0]| [*value];
-    let named: [(&str, fn(&Orbit) -> f64); 8] = [
+    let named: [(&str, Kept); 8] = [
         ("orbit_period", Orbit::period),
         ("orbit_theta_max", Orbit::theta_max),
         ("orbit_energy_ratio", Orbit::energy_ratio),

@@ -146,7 +146,7 @@ impl OrbitStart {
     /// From the operands, as [`OrbitStart::operands`] gives them; `None` for another number at the end.
     #[must_use]
     pub fn from_operands([angle, value, direction, kind]: [f64; 4]) -> Option<OrbitStart> {
-        if !(kind >= 0.0 && kind < 24.0 && kind.fract() == 0.0) {
+        if !(0.0..24.0).contains(&kind) || kind.fract() != 0.0 {
             return None;
         }
         let angle = match kind % 3.0 {
