@@ -55,7 +55,8 @@ def members() -> dict[str, dict]:
             if name.startswith("__") or id(value) in shown:
                 continue
             shown.add(id(value))
-            prefix = "" if name in top.__all__ else f"{room}."
+            # `approx.period` is another one than `period`.
+            prefix = "" if name in top.__all__ and inspect.unwrap(getattr(top, name)) is value else f"{room}."
             if inspect.isclass(value):
                 found[name] = member(value, name)
                 found |= {f"{name}.{own}": member(what, own, value) for own, what in attributes(value)}

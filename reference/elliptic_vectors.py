@@ -1,6 +1,6 @@
-"""Writes the vectors of the elliptic functions and integrals, twelve files.
+"""Writes the vectors of the elliptic functions and integrals, fourteen files.
 
-Run: python elliptic_vectors.py [FILE ...] (a minute for all). Four files are by mpmath (elliptic.py), eight in balls (family.py).
+Run: python elliptic_vectors.py [FILE ...] (a minute for all). Four files are by mpmath (elliptic.py), ten in balls (family.py).
 """
 
 import argparse

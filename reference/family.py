@@ -44,7 +44,7 @@ def three(u, m, mc):
 
 
 def twelve(s, c, d):
-    part = {"s": s, "c": c, "d": d, "n": arb(1)}
+    part = {"s": s, "c": c, "d": d, "n": type(s)(1)}
     return {name: part[name[0]] / part[name[1]] for name in GLAISHER}
 
 
@@ -294,6 +294,56 @@ def jacobi_complex_columns(given, parameter, re, im):
     return columns(jacobi_complex(given), inputs, (0, 1, 2), PARTS, step_of(given, parameter, re))
 
 
+NINE = [name for name in GLAISHER if name not in ("sn", "cn", "dn")]
+NINE_PARTS = [f"{name}_{part}" for name in NINE for part in ("re", "im")]
+
+
+def glaisher_complex(given):
+    """The nine that are quotients of sn, cn, dn and 1, of a complex ball that is no pole."""
+
+    def formula(p, re, im):
+        m, mc = of_given(given)(p)
+        values = twelve(*complex_three(acb(ball(re), ball(im)), m, mc))
+        # On the axes an odd function has no real or no imaginary part, an even one no imaginary part.
+        zeros = {f"{name}_im": 0.0 for name in NINE if im == 0 or (re == 0 and "s" not in name)}
+        zeros |= {f"{name}_re": 0.0 for name in NINE if re == 0 and "s" in name}
+        same = ("nd",) if m == 0 else ("cd", "dc") if m == 1 else ()
+        ones = {f"{name}_{part}": one for name in same for part, one in (("re", 1.0), ("im", 0.0))}
+        parts = {f"{name}_{part}": getattr(values[name], word) for name in NINE for part, word in AXES}
+        return parts | zeros | ones
+
+    return formula
+
+
+AXES = (("re", "real"), ("im", "imag"))
+
+
+def glaisher_complex_columns(given, parameter, re, im):
+    inputs = [Fraction(parameter), Fraction(re), Fraction(im)]
+    return columns(glaisher_complex(given), inputs, (0, 1, 2), NINE_PARTS, step_of(given, parameter, re))
+
+
+# -------------------------------------------------------------------------------------- nome to parameter
+
+
+def of_nome(q):
+    """m and 1 - m of a rational nome: Arb's theta functions at 0."""
+    height = -ball(abs(q)).log() / arb.pi()
+    _, two, three_, four = theta_of_tau(Fraction(0), height)
+    m, mc = (two / three_) ** 4, (four / three_) ** 4
+    return {"m": -m / mc, "mc": 1 / mc} if q < 0 else {"m": m, "mc": mc}
+
+
+def from_nome_columns(q):
+    if q == 0:
+        return columns(lambda: {"m": q, "mc": 1.0}, (), (), ["m", "mc"])
+    if q == 1:
+        return columns(lambda: {"m": 1.0, "mc": 0.0}, (), (), ["m", "mc"])
+    if not -1 < q < 1:
+        return columns(dict, (), (), ["m", "mc"])
+    return columns(of_nome, [Fraction(q)], (0,), ["m", "mc"])
+
+
 # ---------------------------------------------------------------------------------------------- files
 
 
@@ -315,6 +365,8 @@ TABLE = {
     "carlson.csv": (["function", "x", "y", "z", "p"], ["value"], carlson_columns),
     "third_kind.csv": (["function", "given", "parameter", "n", "phi"], ["value"], third_kind_columns),
     "jacobi_complex.csv": (["given", "parameter", "re", "im"], PARTS, jacobi_complex_columns),
+    "glaisher_complex.csv": (["given", "parameter", "re", "im"], NINE_PARTS, glaisher_complex_columns),
+    "from_nome.csv": (["q"], ["m", "mc"], from_nome_columns),
 }
 
 

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import ends_inputs
 import mpmath as mp
+import nome_inverse
 from elliptic import jacobi_evaluate, parameters
 from elliptic_inputs import either, log_uniform, neighbours, sign
 from exact import mpf, real
@@ -356,14 +357,9 @@ def jacobi_complex():
                 columns = 0 if m > 0 else 1
                 pole = (float(2 * K * (i % 3) + columns * K), float(height))
             a, b = float(K), min(float(height), 300.0)
-            for quadrant in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
-                yield item(
-                    stratum,
-                    given=given,
-                    parameter=parameter,
-                    re=quadrant[0] * 2 * a * rng.random(),
-                    im=quadrant[1] * b * rng.random(),
-                )
+            for right, up in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+                re, im = right * 2 * a * rng.random(), up * b * rng.random()
+                yield item(stratum, given=given, parameter=parameter, re=re, im=im)
             size = log_uniform(rng, -40, -4)
             x, y = rng.choice(((size, size), (0.0, size), (size, 0.0), (size, -size / 3)))
             many = 0 if m == 1 else (0, 1000, 2**28)[i % 3]
@@ -381,8 +377,8 @@ def jacobi_complex():
         given, parameter = values[0]
         yield item("zero", given=given, parameter=parameter, re=0.0, im=0.0)
     for im in (400.0, -709.0, 720.0, 1e5):  # beyond the range of doubles
-        yield item("overflow", given="m", parameter=0.0, re=1.25, im=im)
-        yield item("overflow", given="m", parameter=1e-300, re=-0.75, im=im)
+        for parameter, re in ((0.0, 1.25), (1e-300, -0.75)):
+            yield item("overflow", given="m", parameter=parameter, re=re, im=im)
 
 
 def rows(name):
@@ -395,5 +391,7 @@ def rows(name):
         "carlson.csv": carlson,
         "third_kind.csv": third_kind,
         "jacobi_complex.csv": jacobi_complex,
+        "glaisher_complex.csv": lambda: [row for row in rows("jacobi_complex.csv") if row["stratum"] != "zero"][::3],
+        "from_nome.csv": nome_inverse.nomes,
     }[name]
     return [*draw(), *ends_inputs.rows(name)]

@@ -4,7 +4,7 @@ A seeded sample of every file is derived again by its generator and must be the 
 Arb balls by other formulas (balls.py), the derivative and condition columns of the sample with central differences
 (slopes.py), and mutated rows must fail. The elliptic family is computed in balls, so it is compared with mpmath by other
 formulas (second_route.py), values and conditions of a sample; actions and amplitudes with samples of the motion
-(samples_route.py).
+(samples_route.py); orbits stated by an energy with Gauss's mean and the energy (starts_route.py).
 """
 
 import action
@@ -22,6 +22,8 @@ import samples_route
 import second
 import second_route
 import slopes
+import starts
+import starts_route
 from table import counted, fail, mutated
 
 GENERATORS = {
@@ -30,6 +32,7 @@ GENERATORS = {
     "action.csv": (action.HEADER, action.row),
     "second.csv": (second.HEADER, second.row),
     "approx_angle.csv": (approx_angle.HEADER, approx_angle.row),
+    "starts.csv": (starts.HEADER, starts.row),
     **elliptic.FILES,
     **family.FILES,
 }
@@ -51,6 +54,9 @@ SAMPLES = {
     "carlson.csv": 12,
     "third_kind.csv": 6,
     "jacobi_complex.csv": 575,
+    "glaisher_complex.csv": 60,
+    "from_nome.csv": 40,
+    "starts.csv": 8,
 }
 
 
@@ -65,7 +71,7 @@ def inputs_of(name):
         return exact.read(exact.ROOM / "inputs" / name)
     if name == "pendulum_corners.csv":
         return list(corners.inputs())
-    own = {"action.csv": action, "second.csv": second, "approx_angle.csv": approx_angle}
+    own = {"action.csv": action, "second.csv": second, "approx_angle.csv": approx_angle, "starts.csv": starts}
     if name in own:
         return list(own[name].inputs())
     return list((family_inputs if name in family.FILES else elliptic_inputs).rows(name))
@@ -104,6 +110,15 @@ def check(name, every, rng):
                 fail(name, "samples of the motion contradict", found, row)
         if not samples_route.wrong({**steady[0], "action_lo": steady[0]["action_hi"]}):
             fail(name, "a mutated action passes")
+    elif name == "starts.csv":
+        for row in rows:
+            if found := starts_route.wrong(row):
+                fail(name, "other formulas contradict", found, row)
+        for column in ("period_lo", "velocity_lo", "energy_ratio_c_lo", "energy_lo"):
+            given = next(row for row in rows if row["stratum"] == "ratio" and row["counted"] == "theta")
+            moved = float.fromhex(given[column]) + float.fromhex(given[f"{column[:-2]}hi"]) * 2.0**-90
+            if not starts_route.wrong({**given, column: moved.hex()}):
+                fail(name, "a mutated", column, "passes")
     elif name == "approx_angle.csv":
         approx_angle_route.main(fail, rng.sample(rows, len(rows)), every)
     elif name in family.FILES:

@@ -11,9 +11,10 @@ import math
 from fractions import Fraction
 
 import mpmath as mp
+import nome_inverse
 from elliptic import digits, jacobi_evaluate
 from exact import mpf, real
-from family import GLAISHER, PARTS, TABLE
+from family import GLAISHER, NINE, NINE_PARTS, PARTS, TABLE
 from integrals import of_given
 
 TOLERANCE = mpf(2) ** -104
@@ -257,6 +258,21 @@ def jacobi_complex(row):
     return formula
 
 
+def glaisher_complex(row):
+    """Quotients of the three above as complex numbers."""
+    three = jacobi_complex(row)
+
+    def formula(p, re, im):
+        found = three(p, re, im)
+        with mp.workdps(digits(*of_given(row["given"])(p), re, im) + 100):
+            s, c, d = (mp.mpc(found[f"{name}_re"], found[f"{name}_im"]) for name in ("sn", "cn", "dn"))
+            part = {"s": s, "c": c, "d": d, "n": mpf(1)}
+            values = [part[name[0]] / part[name[1]] for name in NINE]
+            return dict(zip(NINE_PARTS, (x for value in values for x in (value.real, value.imag)), strict=True))
+
+    return formula
+
+
 # ---------------------------------------------------------------------------------------------- check
 
 ROUTES = {
@@ -267,6 +283,8 @@ ROUTES = {
     "carlson.csv": carlson,
     "third_kind.csv": third_kind,
     "jacobi_complex.csv": jacobi_complex,
+    "glaisher_complex.csv": glaisher_complex,
+    "from_nome.csv": lambda _: nome_inverse.parameters,
 }
 BY_TRAPEZOID = ("carlson.csv", "third_kind.csv")
 COUNTED = {"rf": 3, "rc": 2, "rd": 3, "rj": 4, "complete_pi": 2}

@@ -5,6 +5,7 @@
 //! | wanted | here |
 //! |---|---|
 //! | angle, velocity, period ... of one orbit | [`Orbit`] |
+//! | an orbit by its energy, turning angle or period | [`OrbitStart`] |
 //! | the force: omega0, its square, or gravity and length | [`Frequency`] |
 //! | passages, action, phase, Fourier series of an orbit | [`Orbit`] |
 //! | its derivatives by start and force | [`Sensitivity`] |
@@ -17,10 +18,11 @@
 //! | approximations by name, and how far they are off | [`approx`] |
 //! | sn, cn, dn, am; all twelve | [`Jacobi`], [`Glaisher`] |
 //! | the twelve inverses | [`inverse_jacobi`] |
-//! | sn, cn, dn of complex u | [`JacobiComplex`] |
+//! | the twelve of complex u | [`JacobiComplex`] |
 //! | Jacobi's epsilon and zeta | [`SecondKind`] |
 //! | theta functions | [`Theta`] |
-//! | K, E, F, nome | [`complete_k`], [`complete_e`], [`incomplete_f`], [`incomplete_e`], [`nome`] |
+//! | K, E, F | [`complete_k`], [`complete_e`], [`incomplete_f`], [`incomplete_e`] |
+//! | nome, and back | [`nome`], [`parameter_of_nome`] |
 //! | Pi, Heuman's lambda | [`complete_pi`], [`incomplete_pi`], [`heuman_lambda`] |
 //! | Carlson's R_F, R_C, R_D, R_J | [`carlson_rf`], [`carlson_rc`], [`carlson_rd`], [`carlson_rj`] |
 //!
@@ -49,13 +51,14 @@ pub use elliptic::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, Parameter, SecondKind,
     Theta, ThetaFunction, carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_k,
     complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi, inverse_jacobi, nome,
+    parameter_of_nome,
 };
 pub use lanes::InstructionSet;
 pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
 pub use pendulum::frequency::STANDARD_GRAVITY;
 pub use pendulum::{
-    Extremes, Fourier, Frequency, Hessians, Jacobian, Orbit, Regime, Sensitivity, Turns, advance,
-    advance_into,
+    Extremes, Fourier, Frequency, Hessians, Jacobian, Orbit, OrbitStart, Regime, Sensitivity, StartAngle,
+    StartMotion, Turns, advance, advance_into,
 };
 
 /// Version of the core, and of everything built on it.

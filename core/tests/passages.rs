@@ -249,3 +249,43 @@ fn extremes_next_to_the_top() {
     let far = Orbit::new(1e308, 2.0, Frequency::from_omega0(0.0).unwrap()).unwrap();
     assert_eq!(far.times(-1e308, f64::NEG_INFINITY, f64::INFINITY).unwrap(), [-1e308]);
 }
+
+#[test]
+fn every_turn_is_passed_once() {
+    let pi = std::f64::consts::PI;
+    for (theta0, velocity0, omega2) in
+        [(0.0, 3.0, 1.0), (20.0, -2.5, 1.0), (1.0, -9.0, -4.0), (0.3, 2.0, 0.0), (-1e3, 2.000_000_1, 1.0)]
+    {
+        let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
+        for theta in [0.0, pi, -2.0, 100.0] {
+            let (start, stop) = (-7.0 * orbit.period(), 12.5 * orbit.period());
+            let times = orbit.times_of_every_turn(theta, start, stop).unwrap();
+            assert!(times.len() == 19 || times.len() == 20, "{theta0} {theta} {}", times.len());
+            for (i, time) in times.iter().enumerate() {
+                let turned = (orbit.theta(*time) - theta) / (2.0 * pi);
+                assert!((turned - turned.round()).abs() < 1e-12, "{theta0} {theta} {time} {turned}");
+                if i > 0 {
+                    assert!(((time - times[i - 1]) / orbit.period() - 1.0).abs() < 1e-12);
+                }
+            }
+            // The one in its own turn is among them.
+            for own in orbit.times(theta, start, stop).unwrap() {
+                assert!(times.iter().any(|time| (time - own).abs() < 1e-12 * orbit.period()), "{theta}");
+            }
+        }
+    }
+    // Other motions: modulo 2 pi already, once, and never.
+    let swing = Orbit::new(2.0, 0.0, unit()).unwrap();
+    assert_eq!(swing.times_of_every_turn(7.0, 0.0, 30.0).unwrap(), swing.times(7.0, 0.0, 30.0).unwrap());
+    let separatrix = Orbit::new(0.0, 2.0, unit()).unwrap();
+    let once = separatrix.times_of_every_turn(2.0 + 4.0 * pi, 0.0, 30.0).unwrap();
+    assert!(once.len() == 1 && (separatrix.theta(once[0]) - 2.0).abs() < 1e-14, "{once:?}");
+    let rest = Orbit::new(0.0, 0.0, unit()).unwrap();
+    assert!(rest.times_of_every_turn(0.0, 0.0, 30.0).unwrap().is_empty());
+    let rotation = Orbit::new(0.0, 3.0, unit()).unwrap();
+    assert!(
+        rotation.times_of_every_turn(0.0, 0.0, 1e9).unwrap_err().to_string().contains("at most 10000000")
+    );
+    assert!(rotation.times_of_every_turn(f64::NAN, 0.0, 1.0).is_err());
+    assert!(rotation.times_of_every_turn(0.0, 1.0, 0.0).is_err());
+}

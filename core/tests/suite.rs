@@ -27,10 +27,12 @@ mod vectors_damped;
 
 mod vectors_duffing;
 mod vectors_elliptic;
+mod vectors_elliptic_complex;
 mod vectors_elliptic_family;
 mod vectors_pendulum;
 mod vectors_second;
 mod vectors_sensitivity;
+mod vectors_starts;
 
 use libration::InstructionSet;
 

@@ -17,13 +17,13 @@ const SECOND: &str = include_str!("../../reference/vectors/second_kind.csv");
 const HEUMAN: &str = include_str!("../../reference/vectors/heuman.csv");
 const THIRD: &str = include_str!("../../reference/vectors/third_kind.csv");
 const THETA: &str = include_str!("../../reference/vectors/theta_functions.csv");
-const COMPLEX: &str = include_str!("../../reference/vectors/jacobi_complex.csv");
+pub const COMPLEX: &str = include_str!("../../reference/vectors/jacobi_complex.csv");
 const CARLSON: &str = include_str!("../../reference/vectors/carlson.csv");
 
 /// What is promised.
-const BOUND: f64 = 3.0;
+pub const BOUND: f64 = 3.0;
 
-fn parameter(row: &Row) -> Parameter {
+pub fn parameter(row: &Row) -> Parameter {
     let value = row.hex("parameter");
     match row.text("given") {
         "m" => Parameter::from_m(value),
@@ -35,7 +35,7 @@ fn parameter(row: &Row) -> Parameter {
 
 /// Errors by stratum and function.
 #[derive(Default)]
-struct Table(BTreeMap<(&'static str, String), (f64, String)>);
+pub struct Table(BTreeMap<(&'static str, String), (f64, String)>);
 
 impl Table {
     fn add(&mut self, row: &Row<'static>, columns: &str, name: &str, got: f64) {
@@ -53,11 +53,11 @@ impl Table {
             *entry = (error, format!("{text}: {got:e} {:e}", truth[0]));
         }
     }
-    fn worst(&self) -> f64 {
+    pub fn worst(&self) -> f64 {
         self.0.values().fold(0.0, |worst, (error, _)| f64::max(worst, *error))
     }
     /// Against the bound, and printed.
-    fn hold(&self) {
+    pub fn hold(&self) {
         for ((stratum, name), (error, place)) in &self.0 {
             let place = if *error > 2.0 { place.as_str() } else { "" };
             println!("{stratum:16} {name:12} {error:8.3} {place}");
@@ -67,7 +67,12 @@ impl Table {
 }
 
 /// Errors of functions that stand in columns of their own.
-fn of_columns(text: &'static str, count: usize, names: &[&str], values: impl Fn(&Row) -> Vec<f64>) -> Table {
+pub fn of_columns(
+    text: &'static str,
+    count: usize,
+    names: &[&str],
+    values: impl Fn(&Row) -> Vec<f64>,
+) -> Table {
     let mut table = Table::default();
     for row in rows(text, count) {
         for (name, got) in names.iter().zip(values(&row)) {
@@ -176,11 +181,11 @@ fn of_complex(values: impl Fn(&Row) -> Vec<f64>) -> Table {
 }
 
 /// Too large in the fourth last bit.
-fn nudged(value: f64) -> f64 {
+pub fn nudged(value: f64) -> f64 {
     value * (1.0 + 8.0 * f64::EPSILON)
 }
 
-fn spoiled(values: Vec<f64>, with: impl Fn(f64) -> f64) -> Vec<f64> {
+pub fn spoiled(values: Vec<f64>, with: impl Fn(f64) -> f64) -> Vec<f64> {
     values.into_iter().map(with).collect()
 }
 

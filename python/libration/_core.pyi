@@ -21,81 +21,128 @@ __all__ = [
     "arccd_k",
     "arccd_m",
     "arccd_mc",
+    "arccd_q",
     "arccn_k",
     "arccn_m",
     "arccn_mc",
+    "arccn_q",
     "arccs_k",
     "arccs_m",
     "arccs_mc",
+    "arccs_q",
     "arcdc_k",
     "arcdc_m",
     "arcdc_mc",
+    "arcdc_q",
     "arcdn_k",
     "arcdn_m",
     "arcdn_mc",
+    "arcdn_q",
     "arcds_k",
     "arcds_m",
     "arcds_mc",
+    "arcds_q",
     "arcnc_k",
     "arcnc_m",
     "arcnc_mc",
+    "arcnc_q",
     "arcnd_k",
     "arcnd_m",
     "arcnd_mc",
+    "arcnd_q",
     "arcns_k",
     "arcns_m",
     "arcns_mc",
+    "arcns_q",
     "arcsc_k",
     "arcsc_m",
     "arcsc_mc",
+    "arcsc_q",
     "arcsd_k",
     "arcsd_m",
     "arcsd_mc",
+    "arcsd_q",
     "arcsn_k",
     "arcsn_m",
     "arcsn_mc",
+    "arcsn_q",
     "carlson_rc",
     "carlson_rd",
     "carlson_rf",
     "carlson_rj",
+    "cd_complex_k",
+    "cd_complex_m",
+    "cd_complex_mc",
+    "cd_complex_q",
     "cd_k",
     "cd_m",
     "cd_mc",
+    "cd_q",
     "check_friction",
+    "cn_complex_k",
+    "cn_complex_m",
+    "cn_complex_mc",
+    "cn_complex_q",
     "cn_k",
     "cn_m",
     "cn_mc",
+    "cn_q",
     "column",
     "complete_e_k",
     "complete_e_m",
     "complete_e_mc",
+    "complete_e_q",
     "complete_k_k",
     "complete_k_m",
     "complete_k_mc",
+    "complete_k_q",
     "complete_pi_k",
     "complete_pi_m",
     "complete_pi_mc",
+    "complete_pi_q",
+    "cs_complex_k",
+    "cs_complex_m",
+    "cs_complex_mc",
+    "cs_complex_q",
     "cs_k",
     "cs_m",
     "cs_mc",
+    "cs_q",
     "cubic_quintic_motion",
     "cubic_quintic_u",
     "cubic_quintic_velocity",
+    "dc_complex_k",
+    "dc_complex_m",
+    "dc_complex_mc",
+    "dc_complex_q",
     "dc_k",
     "dc_m",
     "dc_mc",
+    "dc_q",
+    "dn_complex_k",
+    "dn_complex_m",
+    "dn_complex_mc",
+    "dn_complex_q",
     "dn_k",
     "dn_m",
     "dn_mc",
+    "dn_q",
+    "ds_complex_k",
+    "ds_complex_m",
+    "ds_complex_mc",
+    "ds_complex_q",
     "ds_k",
     "ds_m",
     "ds_mc",
+    "ds_q",
     "duffing_motion",
     "duffing_of_pendulum",
     "duffing_u",
     "duffing_velocity",
     "equivalent_length",
     "factors",
+    "factors_length",
+    "factors_omega2",
     "fit_columns",
     "fit_records",
     "fit_steps",
@@ -103,64 +150,115 @@ __all__ = [
     "friction_law",
     "friction_models",
     "from_action_phase",
+    "from_nome",
     "gravity_of_period",
     "gravity_of_pivots",
     "harmonic_distortion",
     "heuman_lambda_k",
     "heuman_lambda_m",
     "heuman_lambda_mc",
+    "heuman_lambda_q",
     "incomplete_e_k",
     "incomplete_e_m",
     "incomplete_e_mc",
+    "incomplete_e_q",
     "incomplete_f_k",
     "incomplete_f_m",
     "incomplete_f_mc",
+    "incomplete_f_q",
     "incomplete_pi_k",
     "incomplete_pi_m",
     "incomplete_pi_mc",
+    "incomplete_pi_q",
     "jacobi_complex_k",
     "jacobi_complex_m",
     "jacobi_complex_mc",
+    "jacobi_complex_q",
     "jacobi_epsilon_k",
     "jacobi_epsilon_m",
     "jacobi_epsilon_mc",
+    "jacobi_epsilon_q",
     "jacobi_k",
     "jacobi_m",
     "jacobi_mc",
+    "jacobi_q",
     "jacobi_zeta_k",
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
+    "jacobi_zeta_q",
+    "nc_complex_k",
+    "nc_complex_m",
+    "nc_complex_mc",
+    "nc_complex_q",
     "nc_k",
     "nc_m",
     "nc_mc",
+    "nc_q",
+    "nd_complex_k",
+    "nd_complex_m",
+    "nd_complex_mc",
+    "nd_complex_q",
     "nd_k",
     "nd_m",
     "nd_mc",
+    "nd_q",
     "nome_k",
     "nome_m",
     "nome_mc",
+    "nome_q",
     "normal_gravity",
+    "ns_complex_k",
+    "ns_complex_m",
+    "ns_complex_mc",
+    "ns_complex_q",
     "ns_k",
     "ns_m",
     "ns_mc",
+    "ns_q",
+    "orbit_action",
+    "orbit_advance",
+    "orbit_energy",
+    "orbit_energy_ratio",
+    "orbit_energy_ratio_c",
+    "orbit_frequency",
+    "orbit_from_action_phase",
     "orbit_motion",
+    "orbit_next_crossing",
+    "orbit_period",
     "orbit_phase",
+    "orbit_regime",
     "orbit_second_sensitivities",
     "orbit_sensitivities",
     "orbit_theta",
+    "orbit_theta_max",
     "orbit_velocity",
     "pendulum_of_duffing",
     "phase",
+    "sc_complex_k",
+    "sc_complex_m",
+    "sc_complex_mc",
+    "sc_complex_q",
     "sc_k",
     "sc_m",
     "sc_mc",
+    "sc_q",
     "schemes",
+    "sd_complex_k",
+    "sd_complex_m",
+    "sd_complex_mc",
+    "sd_complex_q",
     "sd_k",
     "sd_m",
     "sd_mc",
+    "sd_q",
+    "sn_complex_k",
+    "sn_complex_m",
+    "sn_complex_mc",
+    "sn_complex_q",
     "sn_k",
     "sn_m",
     "sn_mc",
+    "sn_q",
     "state_motion",
     "state_sensitivities",
     "state_theta",
@@ -192,132 +290,230 @@ advance: np.ufunc
 arccd_k: np.ufunc
 arccd_m: np.ufunc
 arccd_mc: np.ufunc
+arccd_q: np.ufunc
 arccn_k: np.ufunc
 arccn_m: np.ufunc
 arccn_mc: np.ufunc
+arccn_q: np.ufunc
 arccs_k: np.ufunc
 arccs_m: np.ufunc
 arccs_mc: np.ufunc
+arccs_q: np.ufunc
 arcdc_k: np.ufunc
 arcdc_m: np.ufunc
 arcdc_mc: np.ufunc
+arcdc_q: np.ufunc
 arcdn_k: np.ufunc
 arcdn_m: np.ufunc
 arcdn_mc: np.ufunc
+arcdn_q: np.ufunc
 arcds_k: np.ufunc
 arcds_m: np.ufunc
 arcds_mc: np.ufunc
+arcds_q: np.ufunc
 arcnc_k: np.ufunc
 arcnc_m: np.ufunc
 arcnc_mc: np.ufunc
+arcnc_q: np.ufunc
 arcnd_k: np.ufunc
 arcnd_m: np.ufunc
 arcnd_mc: np.ufunc
+arcnd_q: np.ufunc
 arcns_k: np.ufunc
 arcns_m: np.ufunc
 arcns_mc: np.ufunc
+arcns_q: np.ufunc
 arcsc_k: np.ufunc
 arcsc_m: np.ufunc
 arcsc_mc: np.ufunc
+arcsc_q: np.ufunc
 arcsd_k: np.ufunc
 arcsd_m: np.ufunc
 arcsd_mc: np.ufunc
+arcsd_q: np.ufunc
 arcsn_k: np.ufunc
 arcsn_m: np.ufunc
 arcsn_mc: np.ufunc
+arcsn_q: np.ufunc
 carlson_rc: np.ufunc
 carlson_rd: np.ufunc
 carlson_rf: np.ufunc
 carlson_rj: np.ufunc
+cd_complex_k: np.ufunc
+cd_complex_m: np.ufunc
+cd_complex_mc: np.ufunc
+cd_complex_q: np.ufunc
 cd_k: np.ufunc
 cd_m: np.ufunc
 cd_mc: np.ufunc
+cd_q: np.ufunc
+cn_complex_k: np.ufunc
+cn_complex_m: np.ufunc
+cn_complex_mc: np.ufunc
+cn_complex_q: np.ufunc
 cn_k: np.ufunc
 cn_m: np.ufunc
 cn_mc: np.ufunc
+cn_q: np.ufunc
 complete_e_k: np.ufunc
 complete_e_m: np.ufunc
 complete_e_mc: np.ufunc
+complete_e_q: np.ufunc
 complete_k_k: np.ufunc
 complete_k_m: np.ufunc
 complete_k_mc: np.ufunc
+complete_k_q: np.ufunc
 complete_pi_k: np.ufunc
 complete_pi_m: np.ufunc
 complete_pi_mc: np.ufunc
+complete_pi_q: np.ufunc
+cs_complex_k: np.ufunc
+cs_complex_m: np.ufunc
+cs_complex_mc: np.ufunc
+cs_complex_q: np.ufunc
 cs_k: np.ufunc
 cs_m: np.ufunc
 cs_mc: np.ufunc
-dc_k: np.ufunc
-dc_m: np.ufunc
-dc_mc: np.ufunc
-dn_k: np.ufunc
-dn_m: np.ufunc
-dn_mc: np.ufunc
-ds_k: np.ufunc
-ds_m: np.ufunc
-ds_mc: np.ufunc
+cs_q: np.ufunc
 cubic_quintic_motion: np.ufunc
 cubic_quintic_u: np.ufunc
 cubic_quintic_velocity: np.ufunc
+dc_complex_k: np.ufunc
+dc_complex_m: np.ufunc
+dc_complex_mc: np.ufunc
+dc_complex_q: np.ufunc
+dc_k: np.ufunc
+dc_m: np.ufunc
+dc_mc: np.ufunc
+dc_q: np.ufunc
+dn_complex_k: np.ufunc
+dn_complex_m: np.ufunc
+dn_complex_mc: np.ufunc
+dn_complex_q: np.ufunc
+dn_k: np.ufunc
+dn_m: np.ufunc
+dn_mc: np.ufunc
+dn_q: np.ufunc
+ds_complex_k: np.ufunc
+ds_complex_m: np.ufunc
+ds_complex_mc: np.ufunc
+ds_complex_q: np.ufunc
+ds_k: np.ufunc
+ds_m: np.ufunc
+ds_mc: np.ufunc
+ds_q: np.ufunc
 duffing_motion: np.ufunc
 duffing_u: np.ufunc
 duffing_velocity: np.ufunc
 factors: np.ufunc
+factors_length: np.ufunc
+factors_omega2: np.ufunc
 frequency: np.ufunc
 from_action_phase: np.ufunc
+from_nome: np.ufunc
 harmonic_distortion: np.ufunc
 heuman_lambda_k: np.ufunc
 heuman_lambda_m: np.ufunc
 heuman_lambda_mc: np.ufunc
+heuman_lambda_q: np.ufunc
 incomplete_e_k: np.ufunc
 incomplete_e_m: np.ufunc
 incomplete_e_mc: np.ufunc
+incomplete_e_q: np.ufunc
 incomplete_f_k: np.ufunc
 incomplete_f_m: np.ufunc
 incomplete_f_mc: np.ufunc
+incomplete_f_q: np.ufunc
 incomplete_pi_k: np.ufunc
 incomplete_pi_m: np.ufunc
 incomplete_pi_mc: np.ufunc
+incomplete_pi_q: np.ufunc
 jacobi_complex_k: np.ufunc
 jacobi_complex_m: np.ufunc
 jacobi_complex_mc: np.ufunc
+jacobi_complex_q: np.ufunc
 jacobi_epsilon_k: np.ufunc
 jacobi_epsilon_m: np.ufunc
 jacobi_epsilon_mc: np.ufunc
+jacobi_epsilon_q: np.ufunc
 jacobi_k: np.ufunc
 jacobi_m: np.ufunc
 jacobi_mc: np.ufunc
+jacobi_q: np.ufunc
 jacobi_zeta_k: np.ufunc
 jacobi_zeta_m: np.ufunc
 jacobi_zeta_mc: np.ufunc
+jacobi_zeta_q: np.ufunc
+nc_complex_k: np.ufunc
+nc_complex_m: np.ufunc
+nc_complex_mc: np.ufunc
+nc_complex_q: np.ufunc
 nc_k: np.ufunc
 nc_m: np.ufunc
 nc_mc: np.ufunc
+nc_q: np.ufunc
+nd_complex_k: np.ufunc
+nd_complex_m: np.ufunc
+nd_complex_mc: np.ufunc
+nd_complex_q: np.ufunc
 nd_k: np.ufunc
 nd_m: np.ufunc
 nd_mc: np.ufunc
+nd_q: np.ufunc
 nome_k: np.ufunc
 nome_m: np.ufunc
 nome_mc: np.ufunc
+nome_q: np.ufunc
+ns_complex_k: np.ufunc
+ns_complex_m: np.ufunc
+ns_complex_mc: np.ufunc
+ns_complex_q: np.ufunc
 ns_k: np.ufunc
 ns_m: np.ufunc
 ns_mc: np.ufunc
+ns_q: np.ufunc
+orbit_action: np.ufunc
+orbit_advance: np.ufunc
+orbit_energy: np.ufunc
+orbit_energy_ratio: np.ufunc
+orbit_energy_ratio_c: np.ufunc
+orbit_frequency: np.ufunc
+orbit_from_action_phase: np.ufunc
 orbit_motion: np.ufunc
+orbit_next_crossing: np.ufunc
+orbit_period: np.ufunc
 orbit_phase: np.ufunc
+orbit_regime: np.ufunc
 orbit_second_sensitivities: np.ufunc
 orbit_sensitivities: np.ufunc
 orbit_theta: np.ufunc
+orbit_theta_max: np.ufunc
 orbit_velocity: np.ufunc
 phase: np.ufunc
+sc_complex_k: np.ufunc
+sc_complex_m: np.ufunc
+sc_complex_mc: np.ufunc
+sc_complex_q: np.ufunc
 sc_k: np.ufunc
 sc_m: np.ufunc
 sc_mc: np.ufunc
+sc_q: np.ufunc
+sd_complex_k: np.ufunc
+sd_complex_m: np.ufunc
+sd_complex_mc: np.ufunc
+sd_complex_q: np.ufunc
 sd_k: np.ufunc
 sd_m: np.ufunc
 sd_mc: np.ufunc
+sd_q: np.ufunc
+sn_complex_k: np.ufunc
+sn_complex_m: np.ufunc
+sn_complex_mc: np.ufunc
+sn_complex_q: np.ufunc
 sn_k: np.ufunc
 sn_m: np.ufunc
 sn_mc: np.ufunc
+sn_q: np.ufunc
 state_motion: np.ufunc
 state_sensitivities: np.ufunc
 state_theta: np.ufunc
@@ -406,8 +602,19 @@ class Orbit:
         length: float | None = None,
         gravity: float | None = None,
     ) -> Orbit: ...
+    @staticmethod
+    def from_start(
+        angle: float,
+        value: float,
+        direction: float,
+        kind: float,
+        omega0: float | None = None,
+        omega2: float | None = None,
+        length: float | None = None,
+        gravity: float | None = None,
+    ) -> Orbit: ...
     @property
-    def operands(self) -> tuple[float, float, float, float, float]: ...
+    def operands(self) -> tuple[float, float, float, float, float, float, float]: ...
     @property
     def theta0(self) -> float: ...
     @property
@@ -433,7 +640,7 @@ class Orbit:
     def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
     def turns(self, /, t: float) -> tuple[np.int64, np.float64]: ...
     def phase(self, /, t: float) -> np.float64: ...
-    def times(self, /, theta: float, start: float, stop: float) -> np.ndarray: ...
+    def times(self, /, theta: float, start: float, stop: float, every_turn: bool) -> np.ndarray: ...
     def turning_times(self, /, start: float, stop: float) -> np.ndarray: ...
     def fourier(self, /, n: int) -> list[np.ndarray]: ...
     @staticmethod

@@ -134,7 +134,7 @@ def _dask(ufunc: Any, given: tuple[Any, ...], masked: bool) -> Any:
     labelled = [(array, tuple(range(most - array.ndim, most))) for array in arrays]
     _, arrays = library.unify_chunks(*(item for pair in labelled for item in pair))
     kinds = ufunc.types[0].partition("->")[2]
-    dtypes = [np.dtype(kind) for kind in kinds]
+    dtypes = getattr(ufunc, "dtypes", None) or [np.dtype(kind) for kind in kinds]
     return library.apply_gufunc(
         partial(_masked, ufunc) if masked else ufunc,
         ",".join(["()"] * len(arrays)) + "->" + ",".join(["()"] * ufunc.nout),

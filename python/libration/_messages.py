@@ -64,7 +64,6 @@ FUNCTIONS = {
     "elliprf": "carlson_rf",
     "elliprj": "carlson_rj",
     "jtheta": "theta1",
-    "period": "Pendulum(...).period",
     "degrees": "Pendulum.degrees",
     "compare": "approx.compare",
     "plot_period": "plot.plot_period",
@@ -74,6 +73,7 @@ FUNCTIONS = {
 REFUSALS = (TypeError, ValueError, OverflowError)
 # The arguments that are no numbers.
 OTHERS = {"self", "cls", "out", "where", "form", "formula", "name", "pendulum"}
+COMPLEX = {"jacobi_complex", *"sn cn dn ns nc nd sc cs sd ds cd dc".split()}
 PARAMETER = {"m": "the parameter", "mc": "its complement 1 - m", "k": "the modulus", "q": "the nome"}
 
 
@@ -211,7 +211,7 @@ def _not_real(function: str, name: str, value: Any) -> str:
         except ValueError:
             return "has rows of different lengths: must be one length, NaN where there is nothing"
     kind = element_kind(array)
-    complex_too = name == "u" and function == "jacobi_complex"
+    complex_too = name == "u" and function in COMPLEX
     if not kind:
         plain = isinstance(array, int | float | range) or (complex_too and isinstance(array, complex))
         known = plain or hasattr(array, "__array__") or hasattr(array, "iloc")

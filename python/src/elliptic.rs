@@ -1,24 +1,28 @@
-//! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, for the
-//! theta functions `_q` too. The parameter is set up once for the rows that share it; Carlson's integrals have none.
+//! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, `_q`. The parameter is
+//! set up once for the rows that share it; Carlson's integrals have none.
 
 use libration::elliptic::{Given, complete_e_into, complete_k_into};
 use libration::{
-    Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
+    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta,
+    ThetaFunction,
 };
-use libration::{carlson_rc, carlson_rd, carlson_rf, carlson_rj};
+use libration::{carlson_rc, carlson_rd, carlson_rf, carlson_rj, parameter_of_nome};
 use pyo3::prelude::*;
 
 use crate::ufunc::{add, each, nothing, whole};
 
 /// Adds the elliptic ufuncs to the module.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    for (keyword, given) in [("m", Given::M), ("mc", Given::Mc), ("k", Given::Modulus)] {
+    for (keyword, given) in [("m", Given::M), ("mc", Given::Mc), ("k", Given::Modulus), ("q", Given::Nome)] {
         let named = |name: &str| format!("{name}_{keyword}");
         jacobian(module, &named, given)?;
         second_kind(module, &named, given)?;
         integrals(module, &named, given)?;
-        theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
+        if given != Given::Nome {
+            theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
+        }
     }
+    add(module, "from_nome", nothing, each(|(): &(), [q]| <[f64; 2]>::from(parameter_of_nome(q))))?;
     theta(module, &|name| format!("{name}_q"), Theta::from_nome)?;
     add(module, "carlson_rf", nothing, each(|(): &(), [x, y, z]| [carlson_rf(x, y, z)]))?;
     add(module, "carlson_rc", nothing, each(|(): &(), [x, y]| [carlson_rc(x, y)]))?;
@@ -30,7 +34,7 @@ fn values(jacobi: &Jacobi, [u]: [&[f64]; 1], _: usize, columns: [&mut [f64]; 4])
     jacobi.values_into(u, columns);
 }
 
-/// Jacobi's functions: four together, each of the twelve and its inverse, and three of a complex argument.
+/// Jacobi's functions: four together, each of the twelve and its inverse, and both of a complex argument.
 fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
     let set_up = move |[value]: [f64; 1]| Some(Jacobi::new(given.parameter(value)));
     add(module, &named("jacobi"), set_up, whole::<[f64; 4], _>(values))?;
@@ -47,6 +51,15 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given
             move |[value]| Some(given.parameter(value)),
             each(inverse),
         )?;
+    }
+    for which in Glaisher::ALL {
+        let value = move |jacobi: &JacobiComplex, [re, im]: [f64; 2]| {
+            let Complex { re, im } = jacobi.glaisher(which, re, im);
+            [re, im]
+        };
+        let name = format!("{}_complex", which.name());
+        let set_up = move |[value]: [f64; 1]| Some(JacobiComplex::new(given.parameter(value)));
+        add(module, &named(&name), set_up, each(value))?;
     }
     let complex = |jacobi: &JacobiComplex, [re, im]: [f64; 2]| {
         let JacobiComplexValues { sn, cn, dn, .. } = jacobi.values(re, im);

@@ -1,24 +1,23 @@
 //! The ufuncs of the pendulum: which function of the core answers a row, and what is set up once for it.
 //!
-//! Two paths. `orbit_*` takes an orbit by its exact factors and is meant for one orbit and many times; `state_*` and
-//! `advance` take rows with states of their own. The elliptic functions are in elliptic.rs, the springs in oscillator.rs.
+//! Two paths. `orbit_*` takes an orbit by its start and its exact factors: one orbit and many times, or rows that are stated
+//! otherwise than by angle, velocity and omega0; `state_*` and `advance` take rows with states of their own. The elliptic functions are in elliptic.rs, the springs in oscillator.rs.
 
 use libration::pendulum;
 use libration::pendulum::action::state_of;
 use libration::pendulum::fourier::harmonic_distortion;
-use libration::{Frequency, Orbit, Sensitivity, Turns};
+use libration::{Frequency, Orbit, OrbitStart, Regime, Sensitivity, Turns};
 use pyo3::prelude::*;
 
 use crate::ufunc::{add, each, nothing, whole};
 
 /// Adds the ufuncs of the pendulum.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    add(
-        module,
-        "factors",
-        frequency,
-        each(|frequency: &Frequency, []| <[f64; 3]>::from(frequency.factors())),
-    )?;
+    let factors = |frequency: &Frequency, []: [f64; 0]| <[f64; 3]>::from(frequency.factors());
+    add(module, "factors", frequency, each(factors))?;
+    add(module, "factors_omega2", |[omega2]| Frequency::from_omega2(omega2).ok(), each(factors))?;
+    let of_length = |[length, gravity]: [f64; 2]| Frequency::from_gravity_length(gravity, length).ok();
+    add(module, "factors_length", of_length, each(factors))?;
 
     add(module, "orbit_theta", orbit, whole::<[f64; 1], _>(theta))?;
     add(module, "orbit_velocity", orbit, whole::<[f64; 1], _>(velocity))?;
@@ -32,6 +31,8 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
         whole::<[f64; 6], _>(slopes),
     )?;
     add(module, "orbit_second_sensitivities", orbit, each(second_slopes))?;
+    add(module, "orbit_next_crossing", orbit, each(next_crossing))?;
+    constants(module)?;
 
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
@@ -49,6 +50,9 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "frequency", |of| Some(state(of)?.frequency()), each(kept))?;
     add(module, "phase", |of| Some(state(of)?.phase(0.0)), each(kept))?;
     add(module, "from_action_phase", frequency, each(from_action_phase))?;
+    let by_factors = |[a, b, c]: [f64; 3]| Frequency::from_factors(a, b, c).ok();
+    add(module, "orbit_from_action_phase", by_factors, each(from_action_phase))?;
+    add(module, "orbit_advance", by_factors, each(advance_row))?;
     add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))
 }
 
@@ -80,9 +84,47 @@ fn advance((): &(), states: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
     libration::advance_into(states, columns);
 }
 
-/// One orbit, its frequency by the exact factors.
-fn orbit([theta0, velocity0, a, b, c]: [f64; 5]) -> Option<Orbit> {
-    Orbit::new(theta0, velocity0, Frequency::from_factors(a, b, c).ok()?).ok()
+/// A number that an orbit keeps.
+type Kept = fn(&Orbit) -> f64;
+
+/// What an orbit keeps: nothing but the orbit goes into them.
+fn constants(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let kept = |value: &f64, []: [f64; 0]| [*value];
+    let named: [(&str, Kept); 8] = [
+        ("orbit_period", Orbit::period),
+        ("orbit_theta_max", Orbit::theta_max),
+        ("orbit_energy_ratio", Orbit::energy_ratio),
+        ("orbit_energy_ratio_c", Orbit::energy_ratio_c),
+        ("orbit_energy", Orbit::energy),
+        ("orbit_action", Orbit::action),
+        ("orbit_frequency", Orbit::frequency),
+        ("orbit_regime", |orbit| match orbit.regime() {
+            Regime::Rest => 0.0,
+            Regime::Libration => 1.0,
+            Regime::Separatrix => 2.0,
+            Regime::Rotation => 3.0,
+        }),
+    ];
+    for (name, value) in named {
+        add(module, name, move |of| Some(value(&orbit(of)?)), each(kept))?;
+    }
+    Ok(())
+}
+
+/// One orbit by its start, its frequency by the exact factors.
+fn orbit([angle, value, direction, kind, a, b, c]: [f64; 7]) -> Option<Orbit> {
+    let start = OrbitStart::from_operands([angle, value, direction, kind])?;
+    Orbit::from_start(start, Frequency::from_factors(a, b, c).ok()?).ok()
+}
+
+/// The first time from the second operand on; NaN where the angle is not passed.
+fn next_crossing(orbit: &Orbit, [theta, after]: [f64; 2]) -> [f64; 1] {
+    [orbit.next_time(theta, after).ok().flatten().unwrap_or(f64::NAN)]
+}
+
+/// A state a step later.
+fn advance_row(frequency: &Frequency, [theta, velocity, dt]: [f64; 3]) -> [f64; 2] {
+    libration::advance(theta, velocity, dt, *frequency).into()
 }
 
 /// The orbit of a state of its own.

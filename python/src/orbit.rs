@@ -1,6 +1,6 @@
 //! One orbit as a Python object: built strictly, answering one instant per call without NumPy's machinery.
 
-use libration::{Domain, Extremes, Fourier, Frequency, Turns};
+use libration::{Domain, Extremes, Fourier, Frequency, OrbitStart, Turns};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -18,8 +18,7 @@ pub(crate) const ROWS: usize = 512;
 #[pyclass(frozen, weakref, module = "libration._core")]
 pub struct Orbit {
     pub(crate) orbit: libration::Orbit,
-    theta0: f64,
-    velocity0: f64,
+    start: OrbitStart,
     frequency: Frequency,
 }
 
@@ -37,7 +36,28 @@ impl Orbit {
     ) -> PyResult<Self> {
         let frequency = Frequency::from_arguments(omega0, omega2, length, gravity).map_err(refused)?;
         let orbit = libration::Orbit::new(theta0, velocity0, frequency).map_err(refused)?;
-        Ok(Self { orbit, theta0, velocity0, frequency })
+        Ok(Self { orbit, start: OrbitStart::of_state(theta0, velocity0), frequency })
+    }
+
+    /// The orbit of a start by its four operands: the angle, what is known of the motion, its direction, and what they are.
+    #[staticmethod]
+    #[pyo3(signature = (angle, value, direction, kind, omega0=None, omega2=None, length=None, gravity=None))]
+    #[allow(clippy::too_many_arguments)] // a start and a frequency, as Python gives them
+    fn from_start(
+        angle: f64,
+        value: f64,
+        direction: f64,
+        kind: f64,
+        omega0: Option<f64>,
+        omega2: Option<f64>,
+        length: Option<f64>,
+        gravity: Option<f64>,
+    ) -> PyResult<Self> {
+        let frequency = Frequency::from_arguments(omega0, omega2, length, gravity).map_err(refused)?;
+        let start = OrbitStart::from_operands([angle, value, direction, kind])
+            .ok_or_else(|| PyValueError::new_err("no start has this kind"))?;
+        let orbit = libration::Orbit::from_start(start, frequency).map_err(refused)?;
+        Ok(Self { orbit, start, frequency })
     }
 
     /// Angle at the time `t`, a NumPy float64.
@@ -67,16 +87,23 @@ impl Orbit {
         float64(py, self.orbit.phase(t))
     }
 
-    /// Times from `start` to `stop` at which `theta` is passed.
+    /// Times from `start` to `stop` at which `theta` is passed, in any turn or in its own.
     fn times<'py>(
         &self,
         py: Python<'py>,
         theta: f64,
         start: f64,
         stop: f64,
+        every_turn: bool,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let times =
-            signals::detached(py, |ended| self.orbit.times_unless(theta, start, stop, &|| ended(ROWS)))?;
+        let times = signals::detached(py, |ended| {
+            let ended = || ended(ROWS);
+            if every_turn {
+                self.orbit.times_of_every_turn_unless(theta, start, stop, &ended)
+            } else {
+                self.orbit.times_unless(theta, start, stop, &ended)
+            }
+        })?;
         Ok(times.map_err(refused)?.into_pyarray(py))
     }
 
@@ -139,23 +166,23 @@ impl Orbit {
         self.orbit.distortion()
     }
 
-    /// The five operands by which a ufunc knows this orbit: theta0, velocity0 and the factors a, b, c.
+    /// The seven operands by which a ufunc knows this orbit: those of its start and the factors a, b, c.
     #[getter]
-    fn operands(&self) -> (f64, f64, f64, f64, f64) {
-        let (a, b, c) = self.frequency.factors();
-        (self.theta0, self.velocity0, a, b, c)
+    fn operands(&self) -> (f64, f64, f64, f64, f64, f64, f64) {
+        let ([angle, value, direction, kind], (a, b, c)) = (self.start.operands(), self.frequency.factors());
+        (angle, value, direction, kind, a, b, c)
     }
 
     /// Initial angle.
     #[getter]
     fn theta0(&self) -> f64 {
-        self.theta0
+        self.orbit.theta0()
     }
 
     /// Initial angular velocity.
     #[getter]
     fn velocity0(&self) -> f64 {
-        self.velocity0
+        self.orbit.velocity0()
     }
 
     /// `rest`, `libration`, `separatrix` or `rotation`.

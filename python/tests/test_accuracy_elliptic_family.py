@@ -25,6 +25,8 @@ ROWS = {
     "carlson": 978,
     "third_kind": 914,
     "jacobi_complex": 575,
+    "glaisher_complex": 190,
+    "from_nome": 98,
 }
 PARTS = [f"{name}_{part}" for name in ("sn", "cn", "dn") for part in ("re", "im")]
 
@@ -34,6 +36,21 @@ def complex_parts(re, im, **given):
     u = np.empty(re.shape, complex)
     u.real, u.imag = re, im
     return tuple(part for value in libration.jacobi_complex(u, **given) for part in (value.real, value.imag))
+
+
+NINE = [name for name in TWELVE if name not in ("sn", "cn", "dn")]
+
+
+def quotient_parts(name):
+    """Both parts of one of the nine of a complex argument."""
+
+    def parts(re, im, **given):
+        u = np.empty(re.shape, complex)
+        u.real, u.imag = re, im
+        value = getattr(elliptic, name)(u, **given)
+        return value.real, value.imag
+
+    return parts
 
 
 # name: file, value of its column `function` if it has one, arguments, outputs, what computes them.
@@ -69,7 +86,17 @@ FUNCTIONS = {
         lambda n, phi, **g: libration.incomplete_pi(n, phi, **g),
     ),
     "jacobi_complex": ("jacobi_complex", None, ["re", "im"], PARTS, complex_parts),
+    **{
+        f"{name} of complex u": (
+            *("glaisher_complex", None, ["re", "im"], [f"{name}_re", f"{name}_im"]),
+            quotient_parts(name),
+        )
+        for name in NINE
+    },
+    "from_nome": ("from_nome", None, ["q"], ["m", "mc"], libration.from_nome),
 }
+# Those of several outputs are spoiled part by part.
+SEVERAL = ["jacobi_complex", "from_nome", *(f"{name} of complex u" for name in NINE)]
 
 
 def rows_of(function):
@@ -166,24 +193,26 @@ def shows(function, how):
 
 
 @pytest.mark.parametrize("how", SPOILED)
-@pytest.mark.parametrize("function", [name for name in FUNCTIONS if name != "jacobi_complex"])
+@pytest.mark.parametrize("function", [name for name in FUNCTIONS if name not in SEVERAL])
 def test_a_spoiled_sibling_turns_red(monkeypatch, function, how):
     *entry, call = FUNCTIONS[function]
     monkeypatch.setitem(FUNCTIONS, function, (*entry, SPOILED[how](call)))
     assert (failures(function) != {}) == shows(function, how)
 
 
-@pytest.mark.parametrize("part", range(6))
-def test_a_spoiled_part_turns_red(monkeypatch, part):
-    *entry, call = FUNCTIONS["jacobi_complex"]
+@pytest.mark.parametrize(
+    ("function", "part"), [(name, part) for name in SEVERAL for part in range(len(FUNCTIONS[name][3]))]
+)
+def test_a_spoiled_part_turns_red(monkeypatch, function, part):
+    *entry, call = FUNCTIONS[function]
 
     def spoiled(*x, **given):
         parts = list(call(*x, **given))
         parts[part] = parts[part] * (1 + 1e-15)
         return tuple(parts)
 
-    monkeypatch.setitem(FUNCTIONS, "jacobi_complex", (*entry, spoiled))
-    assert {output for _, output in failures("jacobi_complex")} == {PARTS[part]}
+    monkeypatch.setitem(FUNCTIONS, function, (*entry, spoiled))
+    assert {output for _, output in failures(function)} == {entry[3][part]}
 
 
 def test_turns_lost_turn_red(monkeypatch):

@@ -51,6 +51,10 @@ def test_only_finite_real_scalars(name, value):
     if value is None and name not in ("theta0", "velocity0"):
         assert Pendulum(**keywords).regime == "libration"
         return
+    if value is None and name == "theta0":
+        with pytest.raises(TypeError, match="needs theta0"):
+            Pendulum(**keywords)
+        return
     message = refused(**keywords)
     assert message.startswith(f"{name} = ")
     assert ": must be " in message
@@ -92,7 +96,7 @@ def test_every_real_scalar_is_taken(value):
 )
 def test_exactly_one_parameter(function, keywords, named):
     arguments = [] if function.startswith("complete") or function == "nome" else [1.0]
-    with pytest.raises(ValueError, match=f"^exactly one of m, mc and k must be given, not {named}$"):
+    with pytest.raises(ValueError, match=f"^exactly one of m, mc, k and q must be given, not {named}$"):
         getattr(libration, function)(*arguments, **keywords)
 
 
@@ -217,8 +221,12 @@ def test_no_message_names_what_is_inside(function, odd):
     for name in names:
         if name in ("mc", "k", "q"):
             good.pop("m", None)
+        # A state needs an angle, and gravity a length.
+        angle = next((each for each in ("theta", "theta0") if f"{each}_from_top" in names), None)
+        beside = {angle: 0.5} if angle and name != f"{angle}_from_top" else {}
+        beside |= {"length": 1.0} if name == "gravity" else {}
         with pytest.raises((TypeError, ValueError)) as caught:
-            function(**good | {name: odd})
+            function(**good | beside | {name: odd})
         message = str(caught.value)
         assert message.startswith(f"{name} = ") and len(message) < 250
         assert "ufunc" not in message and "\n" not in message

@@ -61,7 +61,7 @@ def said(capsys, tmp_path, monkeypatch):
         (["period", "--l", "1"], "unknown option '--l'; did you mean --length?"),
         (["period", "-g", "1"], "unknown option '-g'; did you mean --gravity?"),
         (["period", "--THETA0", "1"], "did you mean --theta0?"),
-        (["period", "--t", "1"], "did you mean --theta0 or --title?"),
+        (["period", "--t", "1"], "did you mean --theta0 or --turning-angle or --title?"),
         (["solve", "-o", "a.csv"], "did you mean --out?"),
         (["duffing", "--alpha", "1"], "did you mean --p?"),
         (["duffing", "--x0", "1"], "did you mean --u0?"),

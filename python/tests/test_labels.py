@@ -37,6 +37,14 @@ CALLS = {
     "action": (libration.action, [("action", "rad**2/s")]),
     "frequency": (libration.frequency, [("frequency", "rad/s")]),
     "phase": (libration.phase, [("phase", "rad")]),
+    "period": (lambda theta: libration.period(theta, length=0.5), [("period", "s")]),
+    "theta_max": (lambda theta: libration.theta_max(theta, omega2=2.0), [("theta_max", "rad")]),
+    "energy": (lambda energy: libration.energy(energy=energy), [("energy", "rad**2/s**2")]),
+    "energy_ratio": (libration.energy_ratio, [("energy_ratio", "1")]),
+    "energy_ratio_c": (lambda theta: libration.energy_ratio_c(theta_from_top=theta), [("energy_ratio_c", "1")]),
+    "turns": (lambda t: libration.turns(t, 0.0, 3.0, length=1.0), [("n", "1"), ("angle", "rad")]),
+    "next_crossing": (lambda theta: libration.next_crossing(theta, 0.0, 3.0), [("next_crossing", "s")]),
+    "from_nome": (elliptic.from_nome, [("m", "1"), ("mc", "1")]),
     "from_action_phase": (
         lambda t: libration.from_action_phase(t, 0.5),
         [("theta", "rad"), ("velocity", "rad/s")],
@@ -89,6 +97,7 @@ for name in elliptic.__all__:
 
 # Public functions and methods that take no array of any length, or make a matrix of every element.
 NO_ARRAYS = {
+    "regime",
     "sensitivities",
     "claims",
     "errata",
@@ -109,6 +118,9 @@ OTHERS = {
         "turning_times",
         "fourier",
         "from_action_phase",
+        "from_energy",
+        "from_period",
+        "from_turning_angle",
         "sensitivities",
         "second_sensitivities",
     },

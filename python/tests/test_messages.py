@@ -92,11 +92,11 @@ Pendulum(1, lenght=1)
 Pendulum(1, omega=2)
     TypeError: Pendulum() got an unexpected keyword argument 'omega': did you mean omega0?
 Pendulum(1, mass=2)
-    TypeError: Pendulum() got an unexpected keyword argument 'mass': it takes theta0, velocity0, omega0, omega2, length, gravity
+    TypeError: Pendulum() got an unexpected keyword argument 'mass': it takes theta0, velocity0, theta0_from_top, omega0, omega2, length, gravity
 Pendulum()
-    TypeError: Pendulum() needs theta0; it takes theta0, velocity0, omega0, omega2, length, gravity
+    TypeError: Pendulum() needs theta0, or theta0_from_top; the angle 0 is the bottom
 Pendulum(1, 0, 9.8, 1)
-    TypeError: Pendulum() takes theta0, velocity0 by position and omega0=, omega2=, length=, gravity= by name; 4 are given by position
+    TypeError: Pendulum() takes theta0, velocity0 by position and theta0_from_top=, omega0=, omega2=, length=, gravity= by name; 4 are given by position
 Pendulum(1, theta0=2)
     TypeError: Pendulum() got theta0 by position and by name
 Pendulum("1.0")
@@ -198,7 +198,7 @@ p.turns("1")
 p.times("30deg", 0, 7)
     ValueError: theta = '30deg': must be one real number, a Python or NumPy scalar; write np.radians(30)
 p.times(0.5, 7)
-    TypeError: Pendulum.times() needs stop; it takes theta, start, stop
+    TypeError: Pendulum.times() needs stop; it takes theta, start, stop, every_turn
 p.turning_times(0.0, pd.Timedelta("1s"))
     ValueError: stop = Timedelta('0 days 00:00:01'): must be one real number, a Python or NumPy scalar; write stop.total_seconds()
 p.phase(None)
@@ -220,9 +220,9 @@ libration.theta([0, 1, 2], [1, 2])
 libration.motion(t3, 1.0, 0.0, t2)
     ValueError: shapes of t (3,), omega0 (2,): must be equal, or 1 where they differ; for each t with each omega0 write t[:, None]
 libration.theta(1.0)
-    TypeError: theta() needs theta0; it takes t, theta0, velocity0, omega0, out, where
+    ValueError: theta0 must be given, or theta0_from_top; only beside an energy the bottom is meant
 libration.theta(1.0, 1.0, 0.0, 1.0, 5.0)
-    TypeError: theta() takes t, theta0, velocity0, omega0 by position and out=, where= by name; 5 are given by position
+    TypeError: theta() takes t, theta0, velocity0, omega0 by position and theta0_from_top=, energy_ratio=, energy_ratio_c=, energy=, direction=, omega2=, length=, gravity=, out=, where= by name; 5 are given by position
 libration.theta(1.0, 1.0, omega=2.0)
     TypeError: theta() got an unexpected keyword argument 'omega': did you mean omega0?
 libration.theta(1.0, "1")
@@ -236,47 +236,47 @@ libration.motion(t3, 1.0, out=(np.empty(3),))
 libration.motion(t3, 1.0, where=[True, False])
     ValueError: shapes of t (3,), where (2,): must be equal, or 1 where they differ
 libration.advance(1.0, 0.0)
-    TypeError: advance() needs dt; it takes theta, velocity, dt, omega0, out, where
+    TypeError: advance() needs dt; it takes theta, velocity, dt, omega0, omega2, length, gravity, out, where
 libration.advance(1.0, 0.0, dates)
     TypeError: dt = an array of shape (2,): must be real numbers, not datetime64[s]; write (dt - dt[0]) / np.timedelta64(1, 's')
 libration.action(None)
-    TypeError: theta = None: must be real numbers
+    ValueError: theta must be given, or theta_from_top; only beside an energy the bottom is meant
 libration.sensitivities(t3, t2)
     ValueError: shapes of t (3,), theta0 (2,): must be equal, or 1 where they differ; for each t with each theta0 write t[:, None]
 libration.complete_k(0.5)
-    TypeError: complete_k() takes nothing by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
+    TypeError: complete_k() takes nothing by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 libration.complete_k(m="0.5")
     TypeError: m = '0.5': must be real numbers; write float(m)
 libration.complete_k(m=0.5+0j)
     TypeError: m = (0.5+0j): must be real numbers; write m.real
 libration.complete_k(alpha=0.5)
-    TypeError: complete_k() got an unexpected keyword argument 'alpha': it takes m, mc, k, out, where
+    TypeError: complete_k() got an unexpected keyword argument 'alpha': it takes m, mc, k, q, out, where
 libration.complete_k(modulus=0.5)
     TypeError: complete_k() got an unexpected keyword argument 'modulus': did you mean k?
 libration.jacobi(1, 0.5)
-    TypeError: jacobi() takes u by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
+    TypeError: jacobi() takes u by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 libration.jacobi(m=0.5)
-    TypeError: jacobi() needs u; it takes u, m, mc, k, out, where
+    TypeError: jacobi() needs u; it takes u, m, mc, k, q, out, where
 libration.jacobi(1.0, m=t3, out=t3)
     TypeError: out is one array: must be an array where there is one result, a tuple of one for each result
-elliptic.sn(1 + 1j, m=0.5)
+elliptic.jacobi_epsilon(1 + 1j, m=0.5)
     TypeError: u = (1+1j): must be real numbers; jacobi_complex takes a complex u
-elliptic.sn([1j], m=0.5)
+elliptic.jacobi_zeta([1j], m=0.5)
     TypeError: u = [1j]: must be real numbers; jacobi_complex takes a complex u
 elliptic.sn(1, 0.5)
-    TypeError: sn() takes u by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
+    TypeError: sn() takes u by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 elliptic.sn("1", m=0.5)
-    TypeError: u = '1': must be real numbers; write float(u)
+    TypeError: u = '1': must be complex numbers; write float(u)
 elliptic.sn(t3, m=t2)
     ValueError: shapes of u (3,), m (2,): must be equal, or 1 where they differ; for each u with each m write u[:, None]
 elliptic.arcsn(2, 0.5)
-    TypeError: arcsn() takes x by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
+    TypeError: arcsn() takes x by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 elliptic.theta1(0.5, 0.1)
     TypeError: theta1() takes z by position and one of q= (the nome), m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
 elliptic.incomplete_f(0.5, 0.1)
-    TypeError: incomplete_f() takes phi by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
+    TypeError: incomplete_f() takes phi by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 elliptic.incomplete_pi(0.1, 0.5, 0.5)
-    TypeError: incomplete_pi() takes n, phi by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus) by name
+    TypeError: incomplete_pi() takes n, phi by position and one of m= (the parameter), mc= (its complement 1 - m), k= (the modulus), q= (the nome) by name
 elliptic.carlson_rf(1.0, 2.0)
     TypeError: carlson_rf() needs z; it takes x, y, z, out, where
 elliptic.carlson_rf(1.0, 2.0, "3")
@@ -287,8 +287,6 @@ libration.ellipk
     AttributeError: module 'libration' has no attribute 'ellipk': did you mean complete_k?
 libration.compare
     AttributeError: module 'libration' has no attribute 'compare': did you mean approx.compare?
-libration.period
-    AttributeError: module 'libration' has no attribute 'period': did you mean Pendulum(...).period?
 libration.sn
     AttributeError: module 'libration' has no attribute 'sn': did you mean elliptic.sn?
 elliptic.ellipj
@@ -383,7 +381,7 @@ def test_a_subclass_is_named_by_its_own_name():
 
     with pytest.raises(TypeError, match=r"^Clock\(\) got an unexpected keyword argument 'g': did you mean gravity\?$"):
         Clock(1.0, g=9.8)
-    with pytest.raises(TypeError, match=r"^Clock.times\(\) needs stop; it takes theta, start, stop$"):
+    with pytest.raises(TypeError, match=r"^Clock.times\(\) needs stop; it takes theta, start, stop, every_turn$"):
         Clock(1.0).times(0.5, 0.0)
 
 

@@ -19,6 +19,13 @@ from libration import Pendulum, Regime, _core
 PACKAGE = Path(libration.__file__).parent
 
 
+# What the signatures of the functions of states have in common.
+FREQUENCY = "omega2=None, length=None, gravity=None"
+ENERGY = f"energy_ratio=None, energy_ratio_c=None, energy=None, direction=1.0, {FREQUENCY}"
+STATE = f"theta=None, velocity=None, omega0=None, *, theta_from_top=None, {ENERGY}"
+START = f"theta0=None, velocity0=None, omega0=None, *, theta0_from_top=None, {ENERGY}"
+
+
 def close(got, truth, relative=1e-14):
     return abs(got - truth) <= relative * abs(truth)
 
@@ -32,11 +39,13 @@ def test_close_sees_nan_signs_and_negative_truth():
 
 def test_every_public_name_is_there_and_documented():
     names = [
-        "CubicQuintic DampedPendulum Duffing DuffingForm Estimate Fit Fourier Friction JacobiComplexValues JacobiValues",
-        "OscillatorRegime Pendulum Regime Together Torque __version__ action advance carlson_rc carlson_rd carlson_rf carlson_rj complete_e complete_k",
-        "complete_pi duffing_motion fit fit_together frequency from_action_phase gravity_of_period gravity_of_pivots harmonic_distortion heuman_lambda",
-        "incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex jacobi_epsilon jacobi_zeta motion nome",
-        "normal_gravity phase sensitivities theta theta1 theta2 theta3 theta4 velocity",
+        "CubicQuintic DampedPendulum Duffing DuffingForm Estimate Fit Fourier Friction JacobiComplexValues",
+        "JacobiValues OscillatorRegime Pendulum Regime Together Torque __version__ action advance carlson_rc",
+        "carlson_rd carlson_rf carlson_rj complete_e complete_k complete_pi duffing_motion energy energy_ratio",
+        "energy_ratio_c fit fit_together frequency from_action_phase from_nome gravity_of_period gravity_of_pivots",
+        "harmonic_distortion heuman_lambda incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex",
+        "jacobi_epsilon jacobi_zeta motion next_crossing nome normal_gravity period phase regime sensitivities",
+        "theta theta1 theta2 theta3 theta4 theta_max turns velocity",
     ]
     assert libration.__all__ == " ".join(names).split()
     for name in libration.__all__:
@@ -47,12 +56,15 @@ def test_every_public_name_is_there_and_documented():
 @pytest.mark.parametrize(
     ("function", "signature"),
     [
-        (Pendulum, "(theta0, velocity0=0.0, *, omega0=None, omega2=None, length=None, gravity=None)"),
+        (
+            Pendulum,
+            "(theta0=None, velocity0=0.0, *, theta0_from_top=None, omega0=None, omega2=None, length=None, gravity=None)",
+        ),
         (Pendulum.theta, "(self, t, out=None)"),
         (Pendulum.velocity, "(self, t, out=None)"),
         (Pendulum.motion, "(self, t)"),
         (Pendulum.turns, "(self, t)"),
-        (Pendulum.times, "(self, theta, start, stop)"),
+        (Pendulum.times, "(self, theta, start, stop, *, every_turn=False)"),
         (Pendulum.turning_times, "(self, start, stop)"),
         (Pendulum.phase, "(self, t, out=None)"),
         (Pendulum.sensitivities, "(self, t)"),
@@ -62,19 +74,26 @@ def test_every_public_name_is_there_and_documented():
             Pendulum.from_action_phase,
             "(action, phase, *, direction=0, omega0=None, omega2=None, length=None, gravity=None)",
         ),
-        (libration.action, "(theta, velocity=0.0, omega0=1.0, *, out=None, where=True)"),
-        (libration.from_action_phase, "(action, phase, omega0=1.0, *, direction=0.0, out=None, where=True)"),
-        (libration.sensitivities, "(t, theta0, velocity0=0.0, omega0=1.0)"),
-        (libration.theta, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
-        (libration.velocity, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
-        (libration.motion, "(t, theta0, velocity0=0.0, omega0=1.0, *, out=None, where=True)"),
-        (libration.advance, "(theta, velocity, dt, omega0=1.0, *, out=None, where=True)"),
-        (libration.jacobi, "(u, *, m=None, mc=None, k=None, out=None, where=True)"),
-        (libration.incomplete_f, "(phi, *, m=None, mc=None, k=None, out=None, where=True)"),
-        (libration.incomplete_e, "(phi, *, m=None, mc=None, k=None, out=None, where=True)"),
-        (libration.complete_k, "(*, m=None, mc=None, k=None, out=None, where=True)"),
-        (libration.complete_e, "(*, m=None, mc=None, k=None, out=None, where=True)"),
-        (libration.nome, "(*, m=None, mc=None, k=None, out=None, where=True)"),
+        (libration.action, f"({STATE}, out=None, where=True)"),
+        (libration.period, f"({STATE}, out=None, where=True)"),
+        (libration.regime, f"({STATE})"),
+        (libration.next_crossing, f"(theta, {START.replace('*, ', '*, after=0.0, ')}, out=None, where=True)"),
+        (libration.turns, f"(t, {START})"),
+        (
+            libration.from_action_phase,
+            f"(action, phase, omega0=None, *, direction=0.0, {FREQUENCY}, out=None, where=True)",
+        ),
+        (libration.sensitivities, f"(t, {START})"),
+        (libration.theta, f"(t, {START}, out=None, where=True)"),
+        (libration.velocity, f"(t, {START}, out=None, where=True)"),
+        (libration.motion, f"(t, {START}, out=None, where=True)"),
+        (libration.advance, f"(theta, velocity, dt, omega0=None, *, {FREQUENCY}, out=None, where=True)"),
+        (libration.jacobi, "(u, *, m=None, mc=None, k=None, q=None, out=None, where=True)"),
+        (libration.incomplete_f, "(phi, *, m=None, mc=None, k=None, q=None, out=None, where=True)"),
+        (libration.incomplete_e, "(phi, *, m=None, mc=None, k=None, q=None, out=None, where=True)"),
+        (libration.complete_k, "(*, m=None, mc=None, k=None, q=None, out=None, where=True)"),
+        (libration.complete_e, "(*, m=None, mc=None, k=None, q=None, out=None, where=True)"),
+        (libration.nome, "(*, m=None, mc=None, k=None, q=None, out=None, where=True)"),
     ],
 )
 def test_signature(function, signature):

@@ -55,6 +55,11 @@ def one_orbit() -> None:
     assert_type(PENDULUM.period, float)
     assert_type(PENDULUM.extremes, tuple[float, float])
     assert_type(Pendulum.from_action_phase(1.0, 0.5), Pendulum)
+    assert_type(Pendulum(theta0_from_top=1e-17), Pendulum)
+    assert_type(Pendulum.from_energy(energy_ratio_c=1e-17, length=1.0), Pendulum)
+    assert_type(Pendulum.from_turning_angle(2.0, theta0=0.5, direction=-1), Pendulum)
+    assert_type(Pendulum.from_period(7.0, regime="rotation"), Pendulum)
+    assert_type(PENDULUM.times(0.0, 0.0, 1.0, every_turn=True), Floats)
 
 
 def arrays_of_states() -> None:
@@ -68,6 +73,17 @@ def arrays_of_states() -> None:
     assert_type(libration.frequency(T), Floats)
     assert_type(libration.phase(NAMED), xarray.DataArray)
     assert_type(libration.from_action_phase(T, 0.0), tuple[Floats, Floats])
+    assert_type(libration.from_action_phase(T, 0.0, length=1.0), tuple[Floats, Floats])
+    assert_type(libration.period(energy_ratio_c=1e-17), np.float64)
+    assert_type(libration.period(energy_ratio_c=T, length=1.0), Floats)
+    assert_type(libration.energy(NAMED, omega2=2.0), xarray.DataArray)
+    assert_type(libration.motion(1.0, theta0_from_top=T, omega2=73.5), tuple[Floats, Floats])
+    assert_type(libration.next_crossing(1.0, T, after=2.0), Floats)
+    assert_type(libration.turns(1.0, 2.0, 3.0), tuple[np.int64, np.float64])
+    assert_type(libration.regime(T), NDArray[np.str_])
+    assert_type(libration.from_nome(T), tuple[Floats, Floats])
+    assert_type(elliptic.sc(1 + 0.5j, q=0.1), np.complex128)
+    assert_type(elliptic.ns(T, q=0.1), Floats)
     assert_type(libration.sensitivities(T, 1.0), Floats)
     assert_type(libration.harmonic_distortion(1.0), np.float64)
     assert_type(libration.duffing_motion(T, 1.0), tuple[Floats, Floats])
@@ -124,7 +140,7 @@ def mistakes() -> None:
     Pendulum(1.0, length=1.0, g=9.8)  # type: ignore[call-arg]
     PENDULUM.theta("now")  # type: ignore[arg-type]
     PENDULUM.period = 2.0  # type: ignore[misc]
-    libration.theta(1.0)  # type: ignore[call-overload]
+    libration.theta(1.0, omega2="1")  # type: ignore[arg-type]
     elliptic.complete_k(m=1j)  # type: ignore[call-overload]
     Pendulum("1")  # type: ignore[arg-type]
     papers.salas_23(1.0, "1")  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-//! A column of parameters, each stated by m, mc or the modulus: m and mc of all of them, a block of rows at a time.
+//! A column of parameters, each stated by m, mc, the modulus or the nome: m and mc of all of them, a block of rows at a time.
 
 use super::parameter::Parameter;
 use crate::float::Dd;
@@ -14,6 +14,8 @@ pub enum Given {
     Mc,
     /// The modulus k.
     Modulus,
+    /// The nome q.
+    Nome,
 }
 
 /// Rows whose m and mc are formed at a time.
@@ -27,6 +29,7 @@ impl Given {
             Given::M => Parameter::from_m(value),
             Given::Mc => Parameter::from_mc(value),
             Given::Modulus => Parameter::from_modulus(value),
+            Given::Nome => Parameter::from_nome(value),
         }
     }
 
@@ -36,7 +39,17 @@ impl Given {
         for from in (0..values.len()).step_by(BLOCK) {
             let rows = from..values.len().min(from + BLOCK);
             let mut halves = columns.each_mut().map(|column| &mut column[..rows.len()]);
-            Columns::new([&values[rows.clone()]], halves.each_mut().map(|half| &mut **half)).of(&self);
+            if self == Given::Nome {
+                // The theta functions of a nome are not over lanes.
+                for (row, value) in values[rows.clone()].iter().enumerate() {
+                    let Parameter { m, mc, .. } = self.parameter(*value);
+                    for (half, word) in halves.iter_mut().zip([m.hi, m.lo, mc.hi, mc.lo]) {
+                        half[row] = word;
+                    }
+                }
+            } else {
+                Columns::new([&values[rows.clone()]], halves.each_mut().map(|half| &mut **half)).of(&self);
+            }
             use_them(halves.map(|half| &*half), rows);
         }
     }
@@ -52,6 +65,8 @@ impl Formula<1, 4> for Given {
             Given::M => (Dd::from_double(value), Dd::sum(one, -value)),
             Given::Mc => (Dd::sum(one, -value), Dd::from_double(value)),
             Given::Modulus => (Dd::product(value, value), Dd::sum(one, -value) * Dd::sum(one, value)),
+            // Formed row by row.
+            Given::Nome => (Dd::new(nan, nan), Dd::new(nan, nan)),
         };
         let end = if *self == Given::Modulus { 1e150_f64.next_up() } else { f64::INFINITY };
         let inside = value.abs().less(L::splat(end));
@@ -82,7 +97,7 @@ mod tests {
             f64::INFINITY,
         ];
         values.extend((0..3000).map(|i| (f64::from(i) * 0.7).sin() * 10f64.powi(i % 40 - 20)));
-        for given in [Given::M, Given::Mc, Given::Modulus] {
+        for given in [Given::M, Given::Mc, Given::Modulus, Given::Nome] {
             given.blocks(&values, |columns, rows| {
                 for (i, row) in rows.enumerate() {
                     let Parameter { m, mc, .. } = given.parameter(values[row]);

@@ -20,6 +20,6 @@ pub use integrals::{
 pub use jacobi::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,
 };
-pub use nome::nome;
+pub use nome::{nome, parameter_of_nome};
 pub use parameter::Parameter;
 pub use theta::{Theta, ThetaFunction};

@@ -3,11 +3,13 @@
 //! Method: for m <= 1/2 the series in lambda, DLMF 19.5.5, where q <= e^-pi and five terms reach 2^-100;
 //! above, the complementary nome q1 of mc by the same series is what the theta functions need, and q itself
 //! follows from ln q ln q1 = pi^2. For m < 0, q(m) = -q(-m/(1 - m)) continues the series.
+//! Back by the quotients of theta functions, DLMF 22.2.2: m = (theta_2/theta_3)^4 and 1 - m = (theta_4/theta_3)^4 at 0,
+//! of q or, with m and 1 - m exchanged, of the complementary nome, so that q <= e^-pi and nothing cancels.
 
 use super::agm::agm;
 use super::parameter::Parameter;
 use crate::float::elementary::horner;
-use crate::float::{Dd, PI, elementary};
+use crate::float::{Dd, PI, Scaled, elementary};
 use crate::lanes::Lane;
 
 /// The nome of 0 <= m <= 1/2, from m and the complementary modulus k'.
@@ -67,4 +69,82 @@ pub fn nome(parameter: Parameter) -> f64 {
         elementary::exp(-minus_log_nome(unit.k, unit.kc)).value()
     };
     if m.hi < 0.0 { -size } else { size }
+}
+
+/// Below, the complement is next to the subnormal numbers, and its digits as a double-double are not all there.
+const LEAST_COMPLEMENT: i32 = -960;
+
+impl Parameter {
+    /// From the nome q, -0.985 <= q <= 0.985, else NaN: beyond, 1 - m or its inverse has no room among the doubles for all
+    /// its digits.
+    ///
+    /// **Source** DLMF 22.2.2, 20.7.3.
+    ///
+    /// ```
+    /// use libration::{Parameter, complete_k};
+    /// assert_eq!(format!("{:.12}", complete_k(Parameter::from_nome(0.1))), "2.262700763194");
+    /// ```
+    #[must_use]
+    pub fn from_nome(q: f64) -> Parameter {
+        let [m, mc] = parameter_of_nome_scaled(q);
+        let inside = mc.power().abs() <= -LEAST_COMPLEMENT && !mc.is_nan() && !mc.is_zero();
+        if inside { Parameter::new(m.to_dd(), mc.to_dd()) } else { Parameter::from_m(f64::NAN) }
+    }
+}
+
+/// The parameter m and its complement 1 - m of the nome q: the inverse of [`nome`], each rounded once.
+///
+/// | argument | domain |
+/// |---|---|
+/// | `q` | -1 < q <= 1, else NaN; m < 0 for q < 0, and infinite where it leaves the doubles |
+///
+/// **Error** of each at most 1 ulp, plus 2^-100 of its condition.
+///
+/// **Source** DLMF 22.2.2, 20.7.3.
+///
+/// ```
+/// let (m, mc) = libration::parameter_of_nome(0.1);
+/// assert_eq!(format!("{m:.12} {mc:.12}"), "0.802403298218 0.197596701782");
+/// ```
+#[must_use]
+pub fn parameter_of_nome(q: f64) -> (f64, f64) {
+    let [m, mc] = parameter_of_nome_scaled(q);
+    (m.value(), mc.value())
+}
+
+/// m and 1 - m of a nome, beyond the range too.
+fn parameter_of_nome_scaled(q: f64) -> [Scaled; 2] {
+    let size = q.abs();
+    if q == 1.0 {
+        return [Scaled::ONE, Scaled::ZERO];
+    }
+    if size.is_nan() || size >= 1.0 {
+        return [Scaled::NAN; 2];
+    }
+    let [m, mc] = if size <= LARGEST_SMALL_NOME {
+        of_small_nome(Scaled::from(size))
+    } else {
+        let [mc, m] = of_small_nome(Scaled::exp(-(PI.square() / -Dd::ln(size))));
+        [m, mc]
+    };
+    if q < 0.0 { [-(m / mc), Scaled::ONE / mc] } else { [m, mc] }
+}
+
+/// e^-pi, rounded up: the nome of m = 1/2.
+const LARGEST_SMALL_NOME: f64 = 0.044;
+
+/// m and 1 - m of a nome up to e^-pi: the terms left out are below 2^-104.
+fn of_small_nome(q: Scaled) -> [Scaled; 2] {
+    let x = q.to_dd();
+    let square = x.square();
+    let fourth = square.square();
+    let ninth = fourth.square() * x;
+    let sixteenth = fourth.square().square();
+    let twice = |sum: Dd| sum.scale(2.0);
+    let even = Dd::ONE + twice(fourth + sixteenth);
+    let odd = twice(x + ninth + sixteenth * ninth);
+    let second = Dd::ONE + square + fourth * square + fourth * fourth * fourth + sixteenth * fourth;
+    let third = even + odd;
+    let fourth_power = |quotient: Dd| Scaled::from(quotient.square().square());
+    [q.shift(4) * fourth_power(second / third), fourth_power((even - odd) / third)]
 }

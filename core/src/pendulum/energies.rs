@@ -3,8 +3,8 @@
 //! Per unit inertia and zero at rest at the stable equilibrium: theta'^2/2 and 2 omega0^2 sin^2(d/2), with d the distance
 //! from it, in triple-double, so that nothing cancels at either equilibrium. Source: Lima 2019 (4), divided by the inertia.
 
+use super::half_angle::half_angle;
 use super::orbit::Orbit;
-use super::state::half_angle;
 use crate::float::Td;
 use crate::float::angle_reduction;
 use crate::float::exponent::ldexp;

@@ -8,13 +8,13 @@
 use super::frequency::Frequency;
 use super::regime::Regime;
 use super::separatrix::Separatrix;
-use super::state::{Frame, State};
+use super::start::{OrbitStart, Placed, StartMotion};
+use super::state::{Frame, State, turning_angle};
 use super::theta_quotients::Elliptic;
 use crate::domain::Domain;
 use crate::elliptic::integrals::carlson_duplication::rf_of_roots;
 use crate::elliptic::phase::Phase;
 use crate::elliptic::theta::neville::NevilleTheta;
-use crate::float::elementary::arctangent;
 use crate::float::exponent::{carried, exponent, ldexp, mantissa};
 use crate::float::{Dd, Scaled, TWO_PI};
 use crate::lanes::COMPACT;
@@ -47,6 +47,7 @@ pub(crate) enum Solution {
 pub struct Orbit {
     pub(crate) theta0: f64,
     pub(crate) velocity0: f64,
+    pub(super) placed: Placed,
     pub(crate) frame: Frame,
     pub(crate) solution: Solution,
     pub(super) interpolant: LazyInterpolant<Option<ConformalMap>>,
@@ -67,6 +68,9 @@ pub struct Orbit {
     pub(crate) force: Frequency,
 }
 
+/// Power of two of kappa from which on the force changes no digit.
+const MOST_POWER: i32 = 100;
+
 /// k' as a divisor whose inverse stays in range: an angle of 1e-290 from the top is as good as none.
 fn divisor(kc: Dd) -> Dd {
     if kc.hi < 1e-290 { Dd::from(1e-290) } else { kc }
@@ -81,15 +85,85 @@ impl Orbit {
     /// Where the angle or the velocity is not finite.
     pub fn new(theta0: f64, velocity0: f64, frequency: Frequency) -> Result<Orbit, Domain> {
         Domain::check("theta0", theta0, theta0.is_finite(), "finite")?;
+        Orbit::with_velocity(Placed::new(theta0), velocity0, frequency)
+    }
+
+    fn with_velocity(placed: Placed, velocity0: f64, frequency: Frequency) -> Result<Orbit, Domain> {
         Domain::check("velocity0", velocity0, velocity0.is_finite(), "finite")?;
-        Ok(match State::new(theta0, velocity0, frequency) {
-            Some(state) => Orbit::shaped(theta0, velocity0, frequency, state),
-            None => Orbit::not_shaped(theta0, velocity0, frequency),
+        Ok(match State::with_velocity(&placed, velocity0, frequency) {
+            Some(state) => Orbit::shaped(placed, velocity0, frequency, state),
+            None => Orbit::not_shaped(placed, velocity0, frequency),
         })
     }
 
+    /// Sets up the orbit of a start that is stated in any of the ways of [`OrbitStart`]: by a velocity, an energy, a turning
+    /// angle or a period. Angle and velocity at t = 0 are those of the start, rounded; everything else is of the start as
+    /// given, so that no digit is lost next to the separatrix.
+    ///
+    /// | stated by | domain |
+    /// |---|---|
+    /// | energy ratio | finite, from 0; 1 is the separatrix |
+    /// | its complement | finite, up to 1; 0 is the separatrix, below is rotation |
+    /// | energy | finite, from 0 |
+    /// | turning angle, its distance to pi | from 0 to pi |
+    /// | period of a libration | from 2 pi/omega0 to 2676/omega0, or infinite for the separatrix |
+    /// | time of a turn | positive, up to 1338/omega0, or infinite |
+    ///
+    /// **Error** as for an orbit from a state. Source: Salas 2019 (23); DLMF 22.19(i).
+    ///
+    /// # Errors
+    /// For values out of these ranges, an angle that is not finite or that the energy does not reach (the rounded turning
+    /// angle is reached), a direction other than 1 and -1, and an energy beyond that of any velocity in doubles. Without a
+    /// force there is an energy and a period of a rotation, and none of the others.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit, OrbitStart, StartAngle, StartMotion};
+    /// let of = |angle, motion| {
+    ///     let start = OrbitStart::new(angle, motion, 1.0);
+    ///     Orbit::from_start(start, Frequency::from_omega0(1.0).unwrap()).unwrap()
+    /// };
+    /// // A pencil on its tip, and the swing whose period is 1.25 times that of small ones.
+    /// let pencil = of(StartAngle::FromTop(1e-17), StartMotion::Velocity(0.0));
+    /// let swing = of(StartAngle::Bottom, StartMotion::Period(2.5 * core::f64::consts::PI));
+    /// assert_eq!(format!("{:.9} {:.9}", pencil.period(), swing.theta_max()), "164.893552490 1.798085155");
+    /// ```
+    pub fn from_start(start: OrbitStart, frequency: Frequency) -> Result<Orbit, Domain> {
+        let placed = start.placed(frequency)?;
+        if let StartMotion::Velocity(velocity0) = start.motion {
+            return Orbit::with_velocity(placed, velocity0, frequency);
+        }
+        let Some((omega, omega_power)) = frequency.root() else {
+            let velocity0 = start.force_free_velocity()?;
+            return Orbit::with_velocity(placed, velocity0, frequency);
+        };
+        let Some(energy) = start.motion.energy(frequency)? else {
+            return Orbit::with_velocity(placed, 0.0, frequency);
+        };
+        let velocity = |x: Dd, power: i32| {
+            ldexp((x * omega.to_dd()).scale(2.0 * start.direction).value(), power + omega_power)
+        };
+        if energy.power > MOST_POWER {
+            let velocity0 = velocity(energy.root().to_dd(), energy.power);
+            let [_, value, ..] = start.operands();
+            let allowed = "such that the velocity stays in the range of doubles";
+            Domain::check(start.motion.name(), value, velocity0.is_finite(), allowed)?;
+            return Orbit::with_velocity(placed, velocity0, frequency);
+        }
+        let state = if energy.m.hi == 0.0 {
+            match State::with_velocity(&placed, 0.0, frequency) {
+                None => return Ok(Orbit::not_shaped(placed, 0.0, frequency)),
+                Some(_) => Err(0.0),
+            }
+        } else {
+            State::with_energy(&placed, &energy, start.direction, frequency)
+        };
+        let state = state.map_err(|theta_max| start.not_reached(&placed, theta_max))?;
+        Ok(Orbit::shaped(placed, velocity(state.x, state.power), frequency, state))
+    }
+
     /// At rest, or theta0 + velocity0 t.
-    fn not_shaped(theta0: f64, velocity0: f64, frequency: Frequency) -> Orbit {
+    fn not_shaped(placed: Placed, velocity0: f64, frequency: Frequency) -> Orbit {
+        let theta0 = placed.theta;
         let omega = frequency.root();
         let moving = velocity0 != 0.0;
         let (energy_ratio, energy_ratio_c) = match omega {
@@ -106,6 +180,7 @@ impl Orbit {
         Orbit {
             theta0,
             velocity0,
+            placed,
             frame: Frame::of_start(theta0),
             solution: if moving { Solution::ForceFree } else { Solution::Equilibrium },
             interpolant: LazyInterpolant::new(None),
@@ -123,8 +198,9 @@ impl Orbit {
         }
     }
 
-    fn shaped(theta0: f64, velocity0: f64, frequency: Frequency, state: State) -> Orbit {
-        let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame } = state;
+    fn shaped(placed: Placed, velocity0: f64, frequency: Frequency, state: State) -> Orbit {
+        let theta0 = placed.theta;
+        let State { s, c, x, k, kc, m, mc, omega, power, omega_power, regime, frame, .. } = state;
         let (rate, time_scale) = Scaled::new(omega, omega_power).carried();
         let (speed_power, velocity_power) = carried(power + omega_power);
         // s/k and x/k are sine and cosine of the amplitude; R_F takes their roots.
@@ -144,7 +220,7 @@ impl Orbit {
                     lattice,
                 };
                 let period = ldexp((halves.scale(2.0) / omega).value(), -omega_power);
-                let theta_max = ldexp(arctangent(k.ldexp(power), kc).value(), 1);
+                let theta_max = turning_angle(k.ldexp(power), kc);
                 (Solution::Libration(elliptic), period, theta_max)
             }
             Regime::Rotation => {
@@ -186,6 +262,7 @@ impl Orbit {
         Orbit {
             theta0,
             velocity0,
+            placed,
             frame,
             solution,
             interpolant: LazyInterpolant::new(map),
@@ -262,6 +339,16 @@ impl Orbit {
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.energy
+    }
+    /// Angle at t = 0 in rad, rounded where it was counted from the top.
+    #[must_use]
+    pub fn theta0(&self) -> f64 {
+        self.theta0
+    }
+    /// Angular velocity at t = 0 in rad/s, rounded where the energy was given.
+    #[must_use]
+    pub fn velocity0(&self) -> f64 {
+        self.velocity0
     }
     /// Angular frequency of small swings, sqrt|omega0^2|, in rad/s.
     #[must_use]

@@ -5,16 +5,16 @@
 //! bottom. x1^2 is c1^2 - (1 - kappa^2) away from the turning points and x0^2 + s0^2 - s1^2 next to them, in
 //! triple-double, so nothing cancels. Source: DLMF 19.25.5, 22.15(ii).
 
+use super::half_angle::{half_angle, scaled};
 use super::orbit::{Orbit, Solution};
 use super::separatrix::Separatrix;
-use super::state::{State, half_angle};
+use super::state::State;
 use super::theta_quotients::Elliptic;
 use crate::domain::Domain;
 use crate::elliptic::integrals::carlson_duplication::{rf, rf_of_roots};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::float::angle_reduction::{self, ReducedAngle};
 use crate::float::elementary::arctangent;
-use crate::float::exponent::ldexp;
 use crate::float::{Dd, PI, Scaled, TWO_PI, Td};
 use crate::motion::passages::Interval;
 
@@ -37,19 +37,25 @@ struct Passage {
     half_cosine: Dd,
 }
 
-fn scaled(value: Td, power: i32) -> Td {
-    Td::new(ldexp(value.hi, power), ldexp(value.mid, power), ldexp(value.lo, power))
+impl Passage {
+    /// Time over 1/omega0 since the bottom.
+    fn since_bottom(&self) -> Dd {
+        self.sine * rf_of_roots(self.cosine, self.half_cosine)
+    }
 }
 
 /// x1^2 over 4^power, next to a turning point.
 fn near_turning(orbit: &Orbit, state: &State, sine: Td, cosine: Td) -> Dd {
+    if let Some([m, mc]) = state.given {
+        let square = if state.power != 0 || sine.hi < 0.7 { m - sine.square() } else { cosine.square() - mc };
+        return square.to_dd();
+    }
     let x = Td::from(state.x);
     let difference = if state.power != 0 {
         let start = Td::from(state.s.abs());
         (start - sine) * (start + sine)
     } else {
-        let (start, start_cosine, _) =
-            half_angle(&angle_reduction::reduce(orbit.theta0), orbit.force.upside_down(), 0);
+        let (start, start_cosine, _) = half_angle(&orbit.placed.reduced, orbit.force.upside_down(), 0);
         if sine.hi > 0.7 {
             (cosine - start_cosine) * (cosine + start_cosine)
         } else {
@@ -197,7 +203,6 @@ impl Orbit {
             });
         };
         let Some(passage) = self.passage(&state, theta) else { return Ok(Vec::new()) };
-        let since_bottom = || passage.sine * rf_of_roots(passage.cosine, passage.half_cosine);
         match &self.solution {
             Solution::Libration(elliptic) => {
                 let began = elliptic.phase.start;
@@ -207,7 +212,7 @@ impl Orbit {
                     let at = if other { nearest + Dd::ONE } else { nearest };
                     return interval.repeated(elliptic.phase.rate, self.time_scale, &[at], 2.0);
                 }
-                let up = since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                let up = passage.since_bottom() / elliptic.lattice.quarter.scale(2.0);
                 interval.repeated(
                     elliptic.phase.rate,
                     self.time_scale,
@@ -216,7 +221,7 @@ impl Orbit {
                 )
             }
             Solution::Rotation(elliptic) => {
-                let rest = state.k * since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                let rest = state.k * passage.since_bottom() / elliptic.lattice.quarter.scale(2.0);
                 let far = passage.turns.abs() >= 0.5 * LAST_HALF_PERIOD;
                 Domain::check("theta", theta, !far, "within 2^52 turns of theta0")?;
                 Ok(within(interval, self.time_of(&elliptic.phase, rest + Dd::from(passage.turns))))
@@ -224,9 +229,66 @@ impl Orbit {
             Solution::Separatrix(Separatrix { phase, .. })
                 if passage.turns == 0.0 && passage.half_cosine.hi > 0.0 =>
             {
-                Ok(within(interval, self.time_of(phase, since_bottom())))
+                Ok(within(interval, self.time_of(phase, passage.since_bottom())))
             }
             _ => Ok(Vec::new()),
+        }
+    }
+
+    /// [`Orbit::times`] at which the motion passes `theta` in any turn: all tops of a rotation. In libration, which counts
+    /// modulo 2 pi already, and at rest the same.
+    ///
+    /// **Error** and source as for [`Orbit::times`].
+    ///
+    /// # Errors
+    /// As for [`Orbit::times`], in rotation too.
+    ///
+    /// ```
+    /// use libration::{Frequency, Orbit};
+    /// let orbit = Orbit::new(0.0, 3.0, Frequency::from_omega0(1.0)?)?;
+    /// let tops = orbit.times_of_every_turn(core::f64::consts::PI, 0.0, 7.0)?;
+    /// assert_eq!(tops.iter().map(|t| format!("{t:.6}")).collect::<Vec<_>>(), ["1.206445", "3.619335", "6.032225"]);
+    /// # Ok::<(), libration::Domain>(())
+    /// ```
+    pub fn times_of_every_turn(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
+        self.times_of_every_turn_unless(theta, start, stop, &|| false)
+    }
+
+    /// [`Orbit::times_of_every_turn`], where `ended` is asked as for [`Orbit::times_unless`].
+    ///
+    /// # Errors
+    /// As for [`Orbit::times`], in rotation too.
+    pub fn times_of_every_turn_unless(
+        &self,
+        theta: f64,
+        start: f64,
+        stop: f64,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<Vec<f64>, Domain> {
+        Domain::check("theta", theta, theta.is_finite(), "finite")?;
+        let interval = Interval::new(start, stop, ended)?;
+        match (&self.solution, self.state) {
+            (Solution::Rotation(elliptic), Some(state)) => {
+                let Some(passage) = self.passage(&state, theta) else { return Ok(Vec::new()) };
+                let at = state.k * passage.since_bottom() / elliptic.lattice.quarter.scale(2.0);
+                let phase = &elliptic.phase;
+                interval.repeated(phase.rate, self.time_scale, &[at - phase.start], 1.0)
+            }
+            (Solution::Separatrix(Separatrix { phase, .. }), Some(state)) => {
+                Ok(match self.passage(&state, theta) {
+                    Some(passage) if passage.half_cosine.hi > 0.0 => {
+                        within(interval, self.time_of(phase, passage.since_bottom()))
+                    }
+                    _ => Vec::new(),
+                })
+            }
+            (Solution::ForceFree, _) => {
+                let (rate, scale) = (Scaled::from(self.velocity0).abs() / Scaled::from(TWO_PI)).carried();
+                let turned = (Scaled::from(theta) - Scaled::from(self.theta0)) / Scaled::from(TWO_PI);
+                let at = turned.signed(self.velocity0).to_dd();
+                interval.repeated(rate, scale, &[at], 1.0)
+            }
+            _ => self.times_unless(theta, start, stop, ended),
         }
     }
 

@@ -2,15 +2,19 @@
 //!
 //! With theta0 = 2 pi n + r, |r| <= pi, and the sign of the velocity taken out,
 //!   s = sin(r/2), c = cos(r/2), x = |velocity0|/(2 omega0), m = s^2 + x^2, 1 - m = (c - x)(c + x).
-//! All in triple-double, c from the distance to the top, and 1 - x^2 exactly where it decides.
+//! All in triple-double, c from the distance to the top, and 1 - x^2 exactly where it decides. Where m and 1 - m are given
+//! (energy_ratio.rs), x^2 is m - s^2 near the bottom and c^2 - (1 - m) near the top.
 //! Source: Salas 2019 (23); docs/decisions/0001.
 
+use super::energy_ratio::EnergyRatio;
 use super::frequency::Frequency;
+use super::half_angle::{half_angle, scaled};
 use super::regime::Regime;
+use super::start::Placed;
 use crate::elliptic::parameter::Unit;
-use crate::float::angle_reduction::{self, ReducedAngle};
+use crate::float::angle_reduction::ReducedAngle;
+use crate::float::elementary::arctangent;
 use crate::float::exponent::{exponent, ldexp, mantissa};
-use crate::float::series;
 use crate::float::triple_double::exact_sum;
 use crate::float::{Dd, Td};
 use crate::lanes::Lane;
@@ -68,10 +72,10 @@ pub struct State {
     pub omega: Dd,
     /// Power of two of omega0.
     pub omega_power: i32,
+    /// m / 4^power and 1 - m where they were given.
+    pub given: Option<[Td; 2]>,
 }
 
-/// Below 2^-200 the sine is the angle and the cosine 1, to triple-double.
-const TINY: f64 = 6.2e-61;
 /// x above 2^100: the force changes no digit.
 const FAST: i32 = 100;
 
@@ -79,14 +83,19 @@ impl State {
     /// From finite theta and velocity. `None` where the force shapes no motion: at rest at the stable equilibrium,
     /// without a force, and for a velocity 2^100 times what the force could change.
     pub fn new(theta: f64, velocity: f64, frequency: Frequency) -> Option<State> {
+        State::with_velocity(&Placed::new(theta), velocity, frequency)
+    }
+
+    /// From an angle and a finite velocity, as [`State::new`].
+    pub(super) fn with_velocity(placed: &Placed, velocity: f64, frequency: Frequency) -> Option<State> {
         let (omega, omega_power) = frequency.root()?;
-        let reduced = angle_reduction::reduce(theta);
+        let Placed { ref reduced, base, .. } = *placed;
         let x_power = if velocity == 0.0 { i32::MIN / 2 } else { exponent(velocity) - 1 - omega_power };
         if x_power > FAST {
             return None;
         }
         let upside_down = frequency.upside_down();
-        let (sine, cosine, power) = half_angle(&reduced, upside_down, x_power);
+        let (sine, cosine, power) = half_angle(reduced, upside_down, x_power);
         let x = if velocity == 0.0 {
             Td::ZERO
         } else {
@@ -109,7 +118,7 @@ impl State {
         let m = (sine.square() + x.square()).to_dd();
         Some(State {
             regime,
-            frame: frame(theta, &reduced, upside_down, side),
+            frame: frame(base, reduced, upside_down, side),
             s,
             c: cosine.to_dd(),
             x: x.to_dd(),
@@ -120,8 +129,61 @@ impl State {
             kc,
             omega: omega.to_dd(),
             omega_power,
+            given: None,
         })
     }
+
+    /// From an angle and an energy above 0 and below 4^100 of that of the top, under a force. `Err` where the energy does
+    /// not reach the angle. A turning angle may be given as it rounds to a double.
+    pub(super) fn with_energy(
+        placed: &Placed,
+        energy: &EnergyRatio,
+        direction: f64,
+        frequency: Frequency,
+    ) -> Result<State, f64> {
+        let (omega, omega_power) = frequency.root().unwrap_or((Td::ONE, 0));
+        let EnergyRatio { regime, mc, kc, power: own_power, .. } = *energy;
+        let Placed { ref reduced, base, .. } = *placed;
+        let upside_down = frequency.upside_down();
+        let (sine, cosine, power) = half_angle(reduced, upside_down, own_power);
+        let shift = own_power - power;
+        let m = scaled(energy.m, 2 * shift);
+        let k = scaled(energy.root(), shift);
+        // The difference of the smaller terms; both are right to triple-double.
+        let square = if power != 0 || sine.hi < 0.7 { m - sine.square() } else { cosine.square() - mc };
+        let start_side = if upside_down { -reduced.side } else { reduced.side };
+        let sign = direction * start_side;
+        let (s, c, x) = if square.hi >= 0.0 {
+            (sine.to_dd() * sign, cosine.to_dd(), square.sqrt().to_dd())
+        } else {
+            let theta_max = turning_angle(k.to_dd().ldexp(power), kc);
+            let distance = if upside_down { reduced.from_top } else { reduced.from_bottom };
+            if regime == Regime::Rotation || distance.to_dd().value() != theta_max {
+                return Err(theta_max);
+            }
+            (k.to_dd() * sign, kc, Dd::ZERO)
+        };
+        Ok(State {
+            regime,
+            frame: frame(base, reduced, upside_down, direction),
+            s,
+            c,
+            x,
+            k: k.to_dd(),
+            m: m.to_dd(),
+            power,
+            mc: mc.to_dd(),
+            kc,
+            omega: omega.to_dd(),
+            omega_power,
+            given: Some([m, mc]),
+        })
+    }
+}
+
+/// The turning angle of a libration, rounded.
+pub(super) fn turning_angle(kappa: Dd, kc: Dd) -> f64 {
+    ldexp(arctangent(kappa, kc).value(), 1)
 }
 
 impl State {
@@ -142,31 +204,9 @@ impl State {
     }
 }
 
-fn frame(theta: f64, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Frame {
-    let distance = reduced.from_bottom * reduced.side;
-    let base = if reduced.turns.hi == 0.0 { Dd::ZERO } else { (Td::from(theta) - distance).to_dd() };
+fn frame(base: Dd, reduced: &ReducedAngle, upside_down: bool, side: f64) -> Frame {
     let half_turn = if upside_down { reduced.side } else { 0.0 };
     Frame { base, turns: reduced.turns, half_turn, side }
-}
-
-/// Sine (over 2^power) and cosine of half the distance from the stable equilibrium, both >= 0.
-pub(super) fn half_angle(reduced: &ReducedAngle, upside_down: bool, x_power: i32) -> (Td, Td, i32) {
-    let (low, high) = (reduced.from_bottom, reduced.from_top);
-    let near = if low.hi < high.hi { low } else { high };
-    let near_stable = (low.hi < high.hi) != upside_down;
-    // Half of the smallest double is still an angle: it decides the regime.
-    let least = if near.hi > 0.0 { f64::from_bits(1) } else { 0.0 };
-    let half = |angle: Td| Td::new((0.5 * angle.hi).max(least), 0.5 * angle.mid, 0.5 * angle.lo);
-    let (small, large) = if near.hi < TINY { (half(near), Td::ONE) } else { series::sin_cos(half(near)) };
-    if !near_stable {
-        return (large, small, 0);
-    }
-    // Take the power of two out of a tiny sine, or that of x where x is larger.
-    let power = if near.hi == 0.0 { x_power } else { x_power.max(exponent(near.hi) - 1) };
-    if near.hi < TINY && power < -300 {
-        return (Td::from(ldexp(near.hi, -1 - power)), Td::ONE, power);
-    }
-    (small, large, 0)
 }
 
 /// Regime, 1 - m and the square root of its size.

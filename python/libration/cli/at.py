@@ -10,8 +10,8 @@ from libration.cli.friction import FORCES, ForceOptions, damped, force_options, 
 from libration.cli.help import Topic
 from libration.cli.offers import units
 from libration.cli.parameters import given_parameters, keyed, table_parameters
-from libration.cli.parser import Refusal, Word, command
-from libration.cli.quantities import TIME, quantities
+from libration.cli.parser import Refusal, Value, Word, command, refusal, shown
+from libration.cli.quantities import ANGLE, TIME, quantities, quantity
 from libration.cli.results import OutOptions, check_printed, out_options, written
 from libration.cli.sampling import nans
 from libration.cli.state import UNITS, State, StateOptions, pendulum, state, state_options
@@ -41,6 +41,7 @@ EXAMPLES = (
     "libration at 7.3s --theta0 150deg --length 1m",
     "libration at 1s,2s,1min --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --digits 5",
     "libration at 1min --theta0 150deg --length 1m --linear 0.02/s --quadratic 0.01",
+    "libration at --crossing 90deg --theta0 1e-17 --from-top --omega2 73.5 --digits 17",
 )
 DIGITS = 10
 TOO_LARGE = "the angle is too large"
@@ -51,19 +52,27 @@ class AtOptions(StateOptions, ForceOptions, StyleOptions, OutOptions):
     """The options of `libration at`."""
 
     times: str | None
+    crossing: str | None
 
 
 def run(options: AtOptions) -> None:
     """Print the angle and the velocity at the instants that the words give."""
-    if options.times is None:
+    if options.times is None and options.crossing is None:
         raise Refusal("missing TIME, the instant, such as libration at 7.3s --theta0 150deg --length 1m")
+    if options.times is not None and options.crossing is not None:
+        raise Refusal(f"TIME = {shown(options.times)} and --crossing = {shown(options.crossing)}: give one of the two")
     given = state(options)
     if not given.has_frequency:
         raise Refusal("missing --length or --omega0, such as --length 1m")
     check_printed(options)
-    instants = quantities("TIME", options.times, TIME)
     style, acting = number_style(options), forces(options)
+    if options.times is not None:
+        instants = quantities("TIME", options.times, TIME)
+    elif acting is not None:
+        raise refusal("--crossing", options.crossing, "is for a motion without friction and torque; give TIME")
     motion = pendulum(given) if acting is None else damped(given, acting, options)
+    if options.crossing is not None and isinstance(motion, exact_kind()):
+        instants = [first_crossing(motion, options.crossing)]
     known = [] if acting is None else [*acting.parameters, *undamped(given)]
     if options.out is not None:
         with staged_table(options.out, keep=[] if acting is None else acting.kept) as file:
@@ -82,6 +91,16 @@ def run(options: AtOptions) -> None:
         why = TOO_FAR if acting is None else NOT_REACHED
         print_one(columns, style, why) if len(instants) == 1 else print_several(columns, style, why)
         print_lines([("written", path) for path in written(options.out)])
+
+
+def first_crossing(motion: "Pendulum", text: str) -> float:
+    """The first instant at which the angle is passed, or a Refusal."""
+    from libration import _core
+
+    instant = float(_core.orbit_next_crossing(quantity("--crossing", text, ANGLE), 0.0, *motion._operands))
+    if math.isnan(instant):
+        raise refusal("--crossing", text, "is an angle that the motion does not pass from t = 0 on")
+    return instant
 
 
 def exact_kind() -> "type[Pendulum]":
@@ -185,6 +204,13 @@ COMMAND = command(
             "the instant, or several, separated by commas (required)",
             "the instants",
             offered=units(TIME),
+        ),
+        Value(
+            "--crossing",
+            "ANGLE",
+            "instead of TIME: the first instant at which it passes this angle",
+            "the instants",
+            offered=units(ANGLE),
         ),
         *state_options("(this, --omega0 or --omega2 is required)"),
         *force_options(),

@@ -154,6 +154,14 @@ def named(error: ValueError, options: ForceOptions) -> Refusal:
     return Refusal(f"--torque-file = {shown(options.torque_file)}: {text}")
 
 
+def start(given: State) -> dict[str, float]:
+    """The keyword arguments of DampedPendulum; an energy is that at the start, and its velocity is rounded."""
+    if not given.known:
+        return given.arguments
+    motion = pendulum(given)
+    return {**given.arguments, "theta0": motion.theta0, "velocity0": motion.velocity0}
+
+
 def damped(given: State, acting: Forces, options: ForceOptions) -> "DampedPendulum":
     """The pendulum with friction and torque, or a Refusal that names the option."""
     from libration import DampedPendulum
@@ -161,6 +169,6 @@ def damped(given: State, acting: Forces, options: ForceOptions) -> "DampedPendul
     # Refuses what no pendulum has.
     pendulum(given)
     try:
-        return DampedPendulum(**given.arguments, friction=acting.friction, torque=acting.torque)
+        return DampedPendulum(**start(given), friction=acting.friction, torque=acting.torque)
     except ValueError as error:
         raise named(error, options) from error

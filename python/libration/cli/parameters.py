@@ -25,7 +25,11 @@ UNIT = {
 def given_parameters(given: State, motion: "Pendulum | DampedPendulum") -> list[Parameter]:
     """What was given, and the frequency that follows from it."""
     values: list[Parameter] = [("angles", "from the top", "")] if given.from_top else []
-    values += [(name, given.values[name], unit) for name, unit in UNIT.items() if name in given.values]
+    values += [("given", given.known, "")] if given.known else []
+    # The angle and, where an energy is given, the velocity as the motion rounds it; what it found stands with the rest.
+    start = {name: float(getattr(motion, name)) for name in ("theta0", "velocity0")} if given.known else {}
+    numbers = {name: value for name, value in given.values.items() if name != given.known} | start
+    values += [(name, numbers[name], unit) for name, unit in UNIT.items() if name in numbers]
     if "omega0" not in given.values:
         values.append(("omega0", float(motion.omega0), UNIT["omega0"]))
     return values

@@ -30,13 +30,16 @@ from libration.cli.state import (
     UNITS,
     State,
     StateOptions,
+    known_energy,
     missing_angle,
     others,
     pendulum,
     period_phase,
     small_swing_period,
+    state,
     state_options,
     upright,
+    with_energy,
 )
 from libration.cli.style import NumberStyle, StyleOptions, number_style, style_options
 from libration.cli.summary import angle_text, digits, period_text, print_lines, print_table
@@ -74,6 +77,8 @@ EXAMPLES = (
     "libration period --theta0 20deg,60deg --length 1m --decimal comma --out periods.csv",
     "libration period --theta0 150deg --plot period.svg",
     "libration period --theta0 0 --velocity0 400deg/s --omega0 0.5Hz --json",
+    "libration period --energy-ratio-c 1e-17 --omega0 1",
+    "libration period --period 2.5s --length 1m",
 )
 EXACT = "exact"
 
@@ -147,12 +152,17 @@ def run(options: PeriodOptions) -> None:
 
 def made_swings(options: PeriodOptions) -> list[Swing]:
     """A row for each angle, or a Refusal."""
+    wanted, known = chosen(options.only), known_energy(options)
     if options.theta0 is None:
-        raise missing_angle()
+        if not known:
+            raise missing_angle()
+        given = state(options)
+        motion = pendulum(given)
+        return [Swing("lowest point", given, motion, compared(motion, wanted))]
     angles = quantities("--theta0", options.theta0, ANGLE)
     typed = [each.strip() for each in options.theta0.split(";" if ";" in options.theta0 else ",")]
-    values, wanted = others(options), chosen(options.only)
-    states = [State({"theta0": angle, **values}, options.from_top) for angle in angles]
+    values = others(options)
+    states = [with_energy(options, {"theta0": angle, **values}, known) for angle in angles]
     motions = [pendulum(each) for each in states]
     rows = zip(typed, states, motions, strict=True)
     return [Swing(text, given, motion, compared(motion, wanted)) for text, given, motion in rows]
@@ -294,10 +304,10 @@ def one_object(swing: Swing) -> dict[str, Json]:
     """One motion as a JSON object."""
     given, motion = swing.given, swing.motion
     answer: dict[str, Json] = (
-        keyed(given_parameters(given, motion)) if given.has_frequency else {"theta0_rad": given.values["theta0"]}
+        keyed(given_parameters(given, motion)) if given.has_frequency else {"theta0_rad": motion.theta0}
     )
     if not given.has_frequency:
-        answer["velocity0_per_omega0"] = given.values["velocity0"]
+        answer["velocity0_per_omega0"] = motion.velocity0
     answer["regime"] = swing.regime
     if given.has_frequency:
         answer |= {"period_s": motion.period, "small_swing_period_s": small_swing_period(given)}
@@ -322,7 +332,7 @@ def several_objects(swings: Sequence[Swing], names: Sequence[str], files: list[s
     unit = "s" if swings[0].given.has_frequency else "ratio"
     answer["swings"] = [
         {
-            "theta0_rad": each.given.values["theta0"],
+            "theta0_rad": each.motion.theta0,
             "regime": each.regime,
             **{f"period_{unit}": each.exact},
             "formulas": {name: each.value(name) for name in names if name != EXACT},

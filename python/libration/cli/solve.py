@@ -59,6 +59,7 @@ EXAMPLES = (
     "libration solve --theta0 0 --velocity0 2.5 --omega0 1 --times instants.csv --out a.npz",
     "libration solve --theta0 2 --length 1m --linear 0.02/s --dry 0.1 --plot decay.png",
     "libration solve --theta0 0 --omega0 1 --torque-amplitude 0.3 --torque-frequency 0.1Hz",
+    "libration solve --turning-angle 170deg --length 1m --downwards --out motion.csv",
 )
 
 

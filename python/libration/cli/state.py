@@ -3,7 +3,7 @@
 import math
 import re
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import click
@@ -16,11 +16,13 @@ from libration.cli.quantities import (
     FREQUENCY,
     GRAVITY,
     LENGTH,
+    NUMBERS,
     ONE,
     TIME,
     VELOCITY,
     Dimension,
     has_unit,
+    plain,
     quantity,
 )
 
@@ -31,6 +33,17 @@ OMEGA2 = Dimension("squares of angular frequencies", {"1/s2": ONE, "rad2/s2": ON
 # The parameters that a message of Pendulum may name; each is an option after `--`.
 NAMES = re.compile(r"(?<![\w-])(theta0|velocity0|omega0|omega2|length|gravity)\b")
 FREQUENCIES = ("length", "omega0", "omega2")
+ENERGY = Dimension("energies per unit inertia", {"rad2/s2": ONE, "1/s2": ONE}, {})
+# The options that say the energy, each instead of a velocity, with their dimensions.
+ENERGIES = {
+    "energy_ratio": NUMBERS,
+    "energy_ratio_c": NUMBERS,
+    "energy": ENERGY,
+    "turning_angle": ANGLE,
+    "period": TIME,
+}
+# What Pendulum's methods call them, at the start of a refusal.
+REFUSED = re.compile(r"(energy_ratio_c|energy_ratio|energy|theta_max_from_top|theta_max|period)(?= = )")
 
 
 def unit_list(dimension: Dimension) -> str:
@@ -48,6 +61,7 @@ UNITS = Topic(
         ("gravity", unit_list(GRAVITY)),
         ("omega0", f"{unit_list(FREQUENCY)} (Hz times 2 pi)"),
         ("omega2", unit_list(OMEGA2)),
+        ("energy", unit_list(ENERGY)),
     ),
     """\
 A number without a unit is in the first: 3 is 3 rad. Write 25cm, "25 cm", 2.5e-1m or 0,25m, and 150deg or 150°. The
@@ -65,6 +79,13 @@ class StateOptions(Options):
     omega0: str | None
     omega2: str | None
     from_top: bool
+    energy_ratio: str | None
+    energy_ratio_c: str | None
+    energy: str | None
+    turning_angle: str | None
+    period: str | None
+    rotation: bool
+    downwards: bool
 
 
 def state_options(frequency: str, angle: str = "initial angle from the lowest point (required)") -> list[click.Option]:
@@ -86,6 +107,22 @@ def state_options(frequency: str, angle: str = "initial angle from the lowest po
             offered=units(FREQUENCY),
         ),
         Value("--omega2", "OMEGA2", omega2, group, offered=units(OMEGA2)),
+        *energy_options(),
+    ]
+
+
+def energy_options() -> list[click.Option]:
+    """The options that say the energy instead of a velocity."""
+    group = "the energy, instead of --velocity0"
+    period = "time of a full swing, at least that of small ones, or with --rotation of a turn"
+    return [
+        Value("--energy-ratio", "NUMBER", "energy over that at the top: below 1 it swings, above it turns", group),
+        Value("--energy-ratio-c", "NUMBER", "1 less that ratio, with all its digits next to the top", group),
+        Value("--energy", "ENERGY", "per unit inertia, 0 at the lowest point", group, offered=units(ENERGY)),
+        Value("--turning-angle", "ANGLE", "angle at which it turns back", group, offered=units(ANGLE)),
+        Value("--period", "TIME", period, group, offered=units(TIME)),
+        Flag("--rotation", "--period is that of a turn", group),
+        Flag("--downwards", "begin downwards; without --theta0 it begins at the lowest point", group),
     ]
 
 
@@ -95,6 +132,10 @@ class State:
 
     values: dict[str, float]
     from_top: bool
+    # The option that says the energy, "" where the velocity is given, and what belongs to it.
+    known: str = ""
+    rotation: bool = False
+    downwards: bool = False
 
     @property
     def has_frequency(self) -> bool:
@@ -104,14 +145,15 @@ class State:
     @property
     def arguments(self) -> dict[str, float]:
         """The keyword arguments of Pendulum; from the top, the pendulum is one whose omega2 is below 0."""
+        values = {name: value for name, value in self.values.items() if name not in ENERGIES}
         if not self.from_top:
-            return self.values
+            return values
         square = self.squared
         named = next((name for name in ("length", "omega0") if name in self.values), None)
         if named and not sys.float_info.min <= square <= sys.float_info.max:
             reason = "with --from-top gives a square of omega0 that is beyond the doubles"
             raise refusal(f"--{named}", f"{self.values[named]:g}", reason)
-        kept = {name: self.values[name] for name in ("theta0", "velocity0")}
+        kept = {name: values[name] for name in ("theta0", "velocity0") if name in values}
         return kept | {"omega2": -square}
 
     @property
@@ -124,18 +166,57 @@ class State:
 
     def at(self, theta0: float) -> "State":
         """The same with another initial angle."""
-        return State(self.values | {"theta0": theta0}, self.from_top)
+        return replace(self, values=self.values | {"theta0": theta0})
 
     def with_frequency(self, omega0: float) -> "State":
         """The same with a frequency, if none is given."""
-        return self if self.has_frequency else State(self.values | {"omega0": omega0}, self.from_top)
+        return self if self.has_frequency else replace(self, values=self.values | {"omega0": omega0})
 
 
 def state(options: StateOptions) -> State:
     """The state that the options give, or a Refusal."""
-    if options.theta0 is None:
+    known = known_energy(options)
+    if options.theta0 is None and not known:
         raise missing_angle()
-    return State({"theta0": quantity("--theta0", options.theta0, ANGLE), **others(options)}, options.from_top)
+    angle = {} if options.theta0 is None else {"theta0": quantity("--theta0", options.theta0, ANGLE)}
+    return with_energy(options, {**angle, **others(options)}, known)
+
+
+def with_energy(options: StateOptions, values: dict[str, float], known: str) -> State:
+    """The state of these values and of the energy that the options say, if they do."""
+    if not known:
+        for flag in ("rotation", "downwards"):
+            if getattr(options, flag):
+                raise Refusal(
+                    f"--{flag}: needs an energy beside it, such as --{'period' if flag == 'rotation' else 'energy'}"
+                )
+        return State(values, options.from_top)
+    text = getattr(options, known)
+    if options.rotation and known != "period":
+        raise Refusal("--rotation: needs --period beside it, the time of a turn")
+    if known == "period" and not any(name in values for name in FREQUENCIES):
+        raise refusal("--period", text, "needs --length or --omega0 beside it")
+    if known == "energy" and has_unit(text) and not any(name in values for name in FREQUENCIES):
+        raise refusal("--energy", text, "has a unit, but no frequency is given; add --length or --omega0")
+    read = plain(option(known), text) if ENERGIES[known] is NUMBERS else quantity(option(known), text, ENERGIES[known])
+    values = {**values, known: read}
+    del values["velocity0"]
+    return State(values, options.from_top, known, options.rotation, options.downwards)
+
+
+def option(name: str) -> str:
+    """The option of a name."""
+    return f"--{name.replace('_', '-')}"
+
+
+def known_energy(options: StateOptions) -> str:
+    """The name of the option that says the energy, "" for none, or a Refusal of two, or of one beside a velocity."""
+    names = [name for name in (*ENERGIES, "velocity0") if getattr(options, name) is not None]
+    if len(names) > 1:
+        first, second = names[:2]
+        a, b = (f"{option(name)} = {shown(getattr(options, name))}" for name in (first, second))
+        raise Refusal(f"{a} and {b}: give one of the two")
+    return names[0] if names and names[0] in ENERGIES else ""
 
 
 def missing_angle() -> Refusal:
@@ -174,7 +255,29 @@ def others(options: StateOptions) -> dict[str, float]:
 
 def pendulum(given: State) -> "Pendulum":
     """The Pendulum, or a Refusal that names the option."""
-    return made(given.arguments, given.values)
+    if not given.known:
+        return made(given.arguments, given.values)
+    from libration import Pendulum
+
+    value, arguments = given.values[given.known], given.arguments
+    sense = {"direction": -1} if given.downwards else {}
+    try:
+        if given.known == "turning_angle":
+            name = "theta_max_from_top" if given.from_top else "theta_max"
+            motion = Pendulum.from_turning_angle(**{name: value}, **arguments, **sense)
+        elif given.known == "period":
+            regime = "rotation" if given.rotation else "libration"
+            motion = Pendulum.from_period(value, regime=regime, **arguments, **sense)
+        else:
+            motion = Pendulum.from_energy(**{given.known: value}, **arguments, **sense)
+    except ValueError as error:
+        raise Refusal(named(str(error), given.known)) from error
+    return checked(motion, given.values)
+
+
+def named(text: str, known: str = "") -> str:
+    """A refusal of Pendulum with the options in the place of the arguments."""
+    return NAMES.sub(r"--\1", REFUSED.sub(option(known), text, count=1) if REFUSED.match(text) else text)
 
 
 def made(arguments: dict[str, float], values: dict[str, float]) -> "Pendulum":
@@ -182,9 +285,13 @@ def made(arguments: dict[str, float], values: dict[str, float]) -> "Pendulum":
     from libration import Pendulum
 
     try:
-        motion = Pendulum(**arguments)
+        return checked(Pendulum(**arguments), values)
     except ValueError as error:
-        raise Refusal(NAMES.sub(r"--\1", str(error))) from error
+        raise Refusal(named(str(error))) from error
+
+
+def checked(motion: "Pendulum", values: dict[str, float]) -> "Pendulum":
+    """The Pendulum, if its frequency is finite, else a Refusal."""
     if not math.isfinite(motion.omega0):
         reason = f"with --gravity = {values['gravity']:g} gives an infinite omega0"
         raise refusal("--length", f"{values['length']:g}", reason)
@@ -208,6 +315,6 @@ def small_swing_period(given: State) -> float:
 
 def period_phase(given: State, motion: "Pendulum") -> float:
     """The period times omega0; from rest it depends on the angle alone and is the period for omega0 = 1."""
-    if given.values["velocity0"] == 0 and motion.omega2 != 0:
+    if given.values.get("velocity0") == 0 and motion.omega2 != 0:
         return made({"theta0": given.values["theta0"], "omega2": math.copysign(1.0, motion.omega2)}, {}).period
     return motion.period * motion.omega0

@@ -1,11 +1,11 @@
-"""Elliptic functions and integrals of any real parameter, by exactly one of three keywords.
+"""Elliptic functions and integrals of any real parameter, by exactly one of four keywords.
 
-``m`` is the parameter, ``mc = 1 - m`` its complement, ``k`` the modulus with m = k**2: nobody passes one for another
-unnoticed, and `mc` keeps its digits where m is next to 1. The theta functions take the nome ``q`` as well.
+``m`` is the parameter, ``mc = 1 - m`` its complement, ``k`` the modulus with m = k**2, ``q`` the nome: nobody passes one for
+another unnoticed, and `mc` keeps its digits where m is next to 1.
 
 - ``jacobi``: sn, cn, dn and am together; ``jacobi_complex``: sn, cn, dn of a complex argument
-- ``sn cn dn ns nc nd sc cs sd ds cd dc`` and their inverses ``arcsn`` to ``arcdc``
-- ``jacobi_epsilon``, ``jacobi_zeta``; ``theta1`` to ``theta4``, ``nome``
+- ``sn cn dn ns nc nd sc cs sd ds cd dc``, of complex arguments too, and their inverses ``arcsn`` to ``arcdc``
+- ``jacobi_epsilon``, ``jacobi_zeta``; ``theta1`` to ``theta4``, ``nome``, ``from_nome``
 - ``complete_k``, ``complete_e``, ``complete_pi``, ``incomplete_f``, ``incomplete_e``, ``incomplete_pi``, ``heuman_lambda``
 - ``carlson_rf``, ``carlson_rc``, ``carlson_rd``, ``carlson_rj``
 
@@ -59,7 +59,7 @@ from ._legendre import (
     incomplete_pi,
 )
 from ._second_kind import jacobi_epsilon, jacobi_zeta
-from ._theta import nome, theta1, theta2, theta3, theta4
+from ._theta import from_nome, nome, theta1, theta2, theta3, theta4
 
 __all__ = [
     "JacobiComplexValues",
@@ -89,6 +89,7 @@ __all__ = [
     "dc",
     "dn",
     "ds",
+    "from_nome",
     "heuman_lambda",
     "incomplete_e",
     "incomplete_f",

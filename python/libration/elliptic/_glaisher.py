@@ -1,4 +1,4 @@
-"""Glaisher's twelve functions pq(u | m) = pr/qr and their inverses arcpq(x | m): one table, two templates.
+"""Glaisher's twelve functions pq(u | m) = pr/qr, of complex u too, and their inverses arcpq(x | m): one table, two templates.
 
 p and q are letters of s, c, d, n, and sn, cn, dn, nn = 1 the functions above and below the line. Source: DLMF 22.2.10,
 22.15.
@@ -6,11 +6,13 @@ p and q are letters of s, c, d, n, and sn, cn, dn, nn = 1 the functions above an
 
 from typing import TYPE_CHECKING, Any
 
-from ._parameter import function
-from ._signatures import of_u, of_x
+from .._labels import Result
+from ._complex import Joined, is_complex, parts
+from ._parameter import Function, function
+from ._signatures import of_any_u, of_x
 
 if TYPE_CHECKING:
-    from ._signatures import OfU, OfX
+    from ._signatures import OfAnyU, OfX
 
 _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
 
@@ -19,9 +21,11 @@ _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
     Parameters
     ----------
     u : scalar or array
-        Argument, any real number; more than 2**100 half periods give NaN. Infinite: the limit at m = 1, NaN elsewhere.
-    m, mc, k : scalar or array, exactly one of them
+        Argument, any real or complex number; more than 2**100 half periods give NaN. Infinite: the limit at m = 1 of a real
+        one, NaN elsewhere.
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number, abs(k) <= 1e150; else NaN.
+        Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -29,17 +33,18 @@ _FUNCTION = """Jacobi's elliptic function {name}(u | m) = {quotient}.
 
     Returns
     -------
-    float64 or array of the broadcast shape
+    float64 or array of the broadcast shape, complex128 where `u` is complex
 
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
-    Error promised: 5 (ulp + 2**-100 of the condition in u and the parameter), next to zeros and poles too. Source: DLMF
-    {source}, 22.17.
+    Error promised: 5 (ulp + 2**-100 of the condition in u and the parameter), next to zeros and poles too; of a complex one
+    for the real and the imaginary part each. An exact pole of a complex u is infinite in the real part, with NaN beside it.
+    Source: DLMF {source}, 22.8.1 to 22.8.3, 22.17.
 
     Examples
     --------
@@ -56,8 +61,9 @@ _INVERSE = """Inverse of Jacobi's elliptic function {name}: the u with {name}(u 
     ----------
     x : scalar or array
         Value of {name}: {domain}; else NaN.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number, abs(k) <= 1e150; else NaN.
+        Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -70,7 +76,7 @@ _INVERSE = """Inverse of Jacobi's elliptic function {name}: the u with {name}(u 
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -171,18 +177,24 @@ _TABLE = {
 }
 
 
-def _function(name: str) -> "OfU":
+def _function(name: str) -> "OfAnyU":
     """pq of the table."""
     pq_of = function(name, f"Jacobi's elliptic function {name}")
+    complex_of = Function(f"{name}_complex", Result(name, "1", f"Jacobi's elliptic function {name}"))
+    complex_of.ufuncs = tuple(map(Joined, complex_of.ufuncs))
     quotient, example, *_, source, _ = _TABLE[name]
 
-    def pq(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
-        return pq_of.of((u,), m, mc, k, out, where)
+    def pq(
+        u: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+    ) -> Any:
+        if is_complex(u):
+            return complex_of.of(parts(u), m, mc, k, out, where, q)
+        return pq_of.of((u,), m, mc, k, out, where, q)
 
     nature = _ODD if name[0] == "s" else _POLE.format(name=name) if name[1] == "s" else _EVEN
     pq.__name__ = pq.__qualname__ = name
     pq.__doc__ = _FUNCTION.format(name=name, quotient=quotient, nature=nature, source=source, example=example)
-    return of_u(pq)
+    return of_any_u(pq)
 
 
 def _inverse(name: str) -> "OfX":
@@ -190,8 +202,10 @@ def _inverse(name: str) -> "OfX":
     arcpq_of = function(f"arc{name}", f"inverse of Jacobi's elliptic function {name}")
     _, _, domain, x, example, _, source = _TABLE[name]
 
-    def arcpq(x: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
-        return arcpq_of.of((x,), m, mc, k, out, where)
+    def arcpq(
+        x: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+    ) -> Any:
+        return arcpq_of.of((x,), m, mc, k, out, where, q)
 
     branch = _AROUND if "s" in name else _LEAST.format(range=": in [0, K] for m < 1" if name in ("dn", "nd") else "")
     arcpq.__name__ = arcpq.__qualname__ = f"arc{name}"

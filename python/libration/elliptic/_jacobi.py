@@ -11,9 +11,9 @@ from typing import Any, Generic, NamedTuple, TypeVar, overload
 import numpy as np
 
 from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
-from .._labels import Result, like
+from .._labels import Result
 from .._messages import explained
-from .._scalars import shown
+from ._complex import Joined, parts
 from ._parameter import Function
 
 Value = TypeVar("Value")
@@ -64,6 +64,7 @@ def jacobi(
     m: Scalar | None = None,
     mc: Scalar | None = None,
     k: Scalar | None = None,
+    q: Scalar | None = None,
     out: None = None,
     where: bool = True,
 ) -> JacobiValues[np.float64]: ...
@@ -74,6 +75,7 @@ def jacobi(
     m: Real | None = None,
     mc: Real | None = None,
     k: Real | None = None,
+    q: Real | None = None,
     out: tuple[Floats, Floats, Floats, Floats] | None = None,
     where: Mask = True,
 ) -> JacobiValues[Floats]: ...
@@ -84,12 +86,13 @@ def jacobi(
     m: Real | Labelled | None = None,
     mc: Real | Labelled | None = None,
     k: Real | Labelled | None = None,
+    q: Real | Labelled | None = None,
     out: tuple[Labelled, Labelled, Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> JacobiValues[Labelled]: ...
 @explained
 def jacobi(
-    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
+    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
 ) -> JacobiValues[Any]:
     """Jacobi's elliptic functions and amplitude, together: ``(sn, cn, dn, am)`` of u.
 
@@ -101,8 +104,9 @@ def jacobi(
     u : scalar or array
         Argument, any real number; more than 2**100 half periods give NaN. Infinite: the limits at m = 1, NaN
         elsewhere.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number, abs(k) <= 1e150; else NaN.
+        Or the nome, abs(q) <= 0.985.
     out : four ndarrays, optional
         Where to put the results.
     where : array of bool, optional
@@ -116,7 +120,7 @@ def jacobi(
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -129,45 +133,11 @@ def jacobi(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f} {values.am:.6f}")
     0.803002 0.595977 0.823161 0.932315
     """
-    return JacobiValues(*_JACOBI.of((u,), m, mc, k, out, where))
-
-
-class _Joined:
-    """The ufunc of two real parts as one of complex results, with what `dispatch.apply` asks of a ufunc."""
-
-    nout = 3
-    types = ("ddd->DDD",)
-
-    def __init__(self, ufunc: np.ufunc) -> None:
-        self.ufunc = ufunc
-
-    def __call__(self, *operands: Any, out: Any = None, where: Any = True) -> Any:
-        if out is None:
-            parts = self.ufunc(*operands, where=where)
-            return tuple(_join(*parts[i : i + 2]) for i in (0, 2, 4))
-        if not isinstance(out, tuple) or [getattr(each, "dtype", None) for each in out] != 3 * [np.complex128]:
-            raise TypeError(f"out = {shown(out)}: must be a tuple of three arrays of complex128")
-        self.ufunc(*operands, out=tuple(part for whole in out for part in (whole.real, whole.imag)), where=where)
-        return out
-
-
-def _join(re: Any, im: Any) -> Any:
-    """re + 1j im without arithmetic, which would make an infinity NaN."""
-    whole = np.empty(np.shape(re), np.complex128)
-    whole.real, whole.imag = re, im
-    return like(re, whole) if whole.ndim else whole[()]
-
-
-def _parts(u: Any) -> tuple[Any, Any]:
-    """Real and imaginary part, with the labels of the whole."""
-    if hasattr(u, "real"):
-        return u.real, u.imag
-    values = np.asarray(u)
-    return like(u, values.real), like(u, values.imag)
+    return JacobiValues(*_JACOBI.of((u,), m, mc, k, out, where, q))
 
 
 _JACOBI_COMPLEX = Function("jacobi_complex", _SN, _CN, _DN)
-_JACOBI_COMPLEX.ufuncs = tuple(ufunc and _Joined(ufunc) for ufunc in _JACOBI_COMPLEX.ufuncs)
+_JACOBI_COMPLEX.ufuncs = tuple(map(Joined, _JACOBI_COMPLEX.ufuncs))
 
 
 @overload
@@ -177,6 +147,7 @@ def jacobi_complex(
     m: Scalar | None = None,
     mc: Scalar | None = None,
     k: Scalar | None = None,
+    q: Scalar | None = None,
     out: None = None,
     where: bool = True,
 ) -> JacobiComplexValues[np.complex128]: ...
@@ -187,6 +158,7 @@ def jacobi_complex(
     m: Real | None = None,
     mc: Real | None = None,
     k: Real | None = None,
+    q: Real | None = None,
     out: tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.complex128]] | None = None,
     where: Mask = True,
 ) -> JacobiComplexValues[NDArray[np.complex128]]: ...
@@ -197,12 +169,13 @@ def jacobi_complex(
     m: Real | Labelled | None = None,
     mc: Real | Labelled | None = None,
     k: Real | Labelled | None = None,
+    q: Real | Labelled | None = None,
     out: tuple[Labelled, Labelled, Labelled] | None = None,
     where: Mask = True,
 ) -> JacobiComplexValues[Labelled]: ...
 @explained
 def jacobi_complex(
-    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
+    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
 ) -> JacobiComplexValues[Any]:
     """Jacobi's elliptic functions of a complex argument, together: ``(sn, cn, dn)`` of u.
 
@@ -212,8 +185,9 @@ def jacobi_complex(
     ----------
     u : scalar or array
         Argument, any complex number; real or imaginary part beyond 2**100 half periods give NaN.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number, abs(k) <= 1e150; else NaN.
+        Or the nome, abs(q) <= 0.985.
     out : three ndarrays, optional
         Where to put the results, complex.
     where : array of bool, optional
@@ -227,7 +201,7 @@ def jacobi_complex(
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -241,4 +215,4 @@ def jacobi_complex(
     >>> print(f"{values.sn:.6f} {values.cn:.6f} {values.dn:.6f}")
     0.891000+0.239754j 0.618716-0.345266j 0.805834-0.132547j
     """
-    return JacobiComplexValues(*_JACOBI_COMPLEX.of(_parts(u), m, mc, k, out, where))
+    return JacobiComplexValues(*_JACOBI_COMPLEX.of(parts(u), m, mc, k, out, where, q))

@@ -18,15 +18,18 @@ _HEUMAN_LAMBDA = function("heuman_lambda", "Heuman's lambda function")
 
 
 @of_parameter
-def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def complete_k(
+    *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Legendre's complete elliptic integral of the first kind, K.
 
     K(m) is the integral of 1/sqrt(1 - m sin(x)**2) from 0 to pi/2, a quarter period of sn.
 
     Parameters
     ----------
-    m, mc, k : scalar or array, exactly one of them
-        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). m = 1 gives inf, above 1 NaN.
+    m, mc, k, q : scalar or array, exactly one of them
+        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). m = 1 gives inf, above 1 NaN. Or the nome,
+        abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -39,7 +42,7 @@ def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -51,19 +54,22 @@ def complete_k(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     >>> f"{libration.complete_k(m=0.5):.8f} {libration.complete_k(mc=1e-300):.8f}"
     '1.85407468 346.77405831'
     """
-    return _COMPLETE_K.of((), m, mc, k, out, where)
+    return _COMPLETE_K.of((), m, mc, k, out, where, q)
 
 
 @of_parameter
-def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def complete_e(
+    *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Legendre's complete elliptic integral of the second kind, E.
 
     E(m) is the integral of sqrt(1 - m sin(x)**2) from 0 to pi/2.
 
     Parameters
     ----------
-    m, mc, k : scalar or array, exactly one of them
-        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). Above m = 1: NaN.
+    m, mc, k, q : scalar or array, exactly one of them
+        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). Above m = 1: NaN. Or the nome, abs(q) <=
+        0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -76,7 +82,7 @@ def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -88,11 +94,13 @@ def complete_e(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None,
     >>> f"{libration.complete_e(m=0.5):.8f}"
     '1.35064388'
     """
-    return _COMPLETE_E.of((), m, mc, k, out, where)
+    return _COMPLETE_E.of((), m, mc, k, out, where, q)
 
 
 @of_n
-def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def complete_pi(
+    n: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Legendre's complete elliptic integral of the third kind, Pi(n).
 
     Pi(n | m) is the integral of 1/((1 - n sin(x)**2) sqrt(1 - m sin(x)**2)) from 0 to pi/2, for n > 1 Cauchy's principal
@@ -102,8 +110,9 @@ def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     ----------
     n : scalar or array
         Characteristic, any real number; n = 1 gives inf. The sign is that of DLMF, where n = alpha**2.
-    m, mc, k : scalar or array, exactly one of them
-        Parameter < 1, its complement 1 - m > 0, or the modulus (m = k**2). m = 1 gives inf, -inf for n > 1; above 1 NaN.
+    m, mc, k, q : scalar or array, exactly one of them
+        Parameter < 1, its complement 1 - m > 0, or the modulus (m = k**2). m = 1 gives inf, -inf for n > 1; above 1
+        NaN. Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -116,7 +125,7 @@ def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -128,11 +137,13 @@ def complete_pi(n: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     >>> f"{libration.complete_pi(0.3, m=0.5):.8f} {libration.complete_pi(3.0, m=0.5):.8f}"
     '2.25037682 -0.19298821'
     """
-    return _COMPLETE_PI.of((n,), m, mc, k, out, where)
+    return _COMPLETE_PI.of((n,), m, mc, k, out, where, q)
 
 
 @of_phi
-def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def incomplete_f(
+    phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Legendre's incomplete elliptic integral of the first kind, F.
 
     F(phi | m) is the integral of 1/sqrt(1 - m sin(x)**2) from 0 to phi, the inverse of the amplitude.
@@ -141,9 +152,9 @@ def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     ----------
     phi : scalar or array
         Amplitude in rad, any real number while m < 1; beyond pi/2 infinite at m = 1.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
-        the way.
+        the way. Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -156,7 +167,7 @@ def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -168,11 +179,13 @@ def incomplete_f(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.incomplete_f(1.0, m=0.5):.8f}"
     '1.08321677'
     """
-    return _INCOMPLETE_F.of((phi,), m, mc, k, out, where)
+    return _INCOMPLETE_F.of((phi,), m, mc, k, out, where, q)
 
 
 @of_phi
-def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def incomplete_e(
+    phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Legendre's incomplete elliptic integral of the second kind, E(phi).
 
     E(phi | m) is the integral of sqrt(1 - m sin(x)**2) from 0 to phi.
@@ -181,9 +194,9 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     ----------
     phi : scalar or array
         Amplitude in rad, any real number while m <= 1.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
-        the way.
+        the way. Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -196,7 +209,7 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -208,12 +221,12 @@ def incomplete_e(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.incomplete_e(1.0, m=0.5):.8f}"
     '0.92732988'
     """
-    return _INCOMPLETE_E.of((phi,), m, mc, k, out, where)
+    return _INCOMPLETE_E.of((phi,), m, mc, k, out, where, q)
 
 
 @of_n_and_phi
 def incomplete_pi(
-    n: Any, phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True
+    n: Any, phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
 ) -> Any:
     """Legendre's incomplete elliptic integral of the third kind, Pi(n; phi).
 
@@ -226,9 +239,9 @@ def incomplete_pi(
         Characteristic, any real number. The sign is that of DLMF, where n = alpha**2.
     phi : scalar or array
         Amplitude in rad, any real number while m < 1; beyond pi/2 infinite at m = 1 and at n = 1.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2, abs(k) <= 1e150). NaN where m sin(x)**2 exceeds 1 on
-        the way.
+        the way. Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -241,7 +254,7 @@ def incomplete_pi(
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -253,11 +266,13 @@ def incomplete_pi(
     >>> f"{libration.incomplete_pi(0.3, 1.0, m=0.5):.8f}"
     '1.19232544'
     """
-    return _INCOMPLETE_PI.of((n, phi), m, mc, k, out, where)
+    return _INCOMPLETE_PI.of((n, phi), m, mc, k, out, where, q)
 
 
 @of_phi
-def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def heuman_lambda(
+    phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Heuman's lambda function, Lambda_0(phi).
 
     Lambda_0(phi | m) = 2/pi (E(m) F(phi | 1 - m) + K(m) (E(phi | 1 - m) - F(phi | 1 - m))): odd in phi, 1 at pi/2, and
@@ -267,9 +282,9 @@ def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out
     ----------
     phi : scalar or array
         Angle in rad, any real number.
-    m, mc, k : scalar or array, exactly one of them
-        Parameter in [0, 1], its complement 1 - m, or the modulus (m = k**2); else NaN. The sine at m = 0 up to pi/2,
-        2 phi/pi at m = 1.
+    m, mc, k, q : scalar or array, exactly one of them
+        Parameter in [0, 1], its complement 1 - m, or the modulus (m = k**2); else NaN. The sine at m = 0 up to pi/2, 2
+        phi/pi at m = 1. Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -282,7 +297,7 @@ def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -295,4 +310,4 @@ def heuman_lambda(phi: Any, *, m: Any = None, mc: Any = None, k: Any = None, out
     >>> f"{libration.heuman_lambda(1.0, m=0.5):.8f}"
     '0.74740064'
     """
-    return _HEUMAN_LAMBDA.of((phi,), m, mc, k, out, where)
+    return _HEUMAN_LAMBDA.of((phi,), m, mc, k, out, where, q)

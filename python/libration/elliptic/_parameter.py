@@ -13,14 +13,14 @@ ONLY = {tuple(other != index for other in range(4)): index for index in range(4)
 class Function:
     """A function with a ufunc for each keyword, which calls the one that was given."""
 
-    def __init__(self, name: str, *results: Result, keywords: tuple[str, ...] = ("m", "mc", "k")) -> None:
+    def __init__(self, name: str, *results: Result, keywords: tuple[str, ...] = ("m", "mc", "k", "q")) -> None:
         self.keywords = keywords
         self.ufuncs: tuple[Any, ...] = tuple(
             getattr(_core, f"{name}_{keyword}", None) for keyword in ("m", "mc", "k", "q")
         )
         self.results = results
 
-    def of(self, arguments: tuple[Any, ...], m: Any, mc: Any, k: Any, out: Any, where: Any, q: Any = None) -> Any:
+    def of(self, arguments: tuple[Any, ...], m: Any, mc: Any, k: Any, out: Any, where: Any, q: Any) -> Any:
         """The function of ``arguments`` and of the one of ``m``, ``mc``, ``k`` and ``q`` that is not None."""
         index = ONLY.get((m is None, mc is None, k is None, q is None))
         if index is None:
@@ -36,6 +36,6 @@ class Function:
         return apply(self.ufuncs[index], *operands, results=self.results, out=out, where=where)
 
 
-def function(name: str, meaning: str, keywords: tuple[str, ...] = ("m", "mc", "k")) -> Function:
+def function(name: str, meaning: str, keywords: tuple[str, ...] = ("m", "mc", "k", "q")) -> Function:
     """A function of one result, a number without units."""
     return Function(name, Result(name, "1", meaning), keywords=keywords)

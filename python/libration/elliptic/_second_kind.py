@@ -13,7 +13,9 @@ _JACOBI_ZETA = function("jacobi_zeta", "Jacobi's zeta function")
 
 
 @of_u
-def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def jacobi_epsilon(
+    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Jacobi's epsilon function, E(am u).
 
     epsilon(u | m) is the integral of dn**2 from 0 to u: Legendre's integral of the second kind in the argument u.
@@ -22,8 +24,9 @@ def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     ----------
     u : scalar or array
         Argument, any real number.
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter, its complement 1 - m, or the modulus (m = k**2): any finite real number, abs(k) <= 1e150; else NaN.
+        Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -36,7 +39,7 @@ def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -48,11 +51,13 @@ def jacobi_epsilon(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out:
     >>> f"{libration.jacobi_epsilon(1.0, m=0.5):.8f} {libration.jacobi_epsilon(1.0, m=2.0):.8f}"
     '0.87227528 0.58904863'
     """
-    return _JACOBI_EPSILON.of((u,), m, mc, k, out, where)
+    return _JACOBI_EPSILON.of((u,), m, mc, k, out, where, q)
 
 
 @of_u
-def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def jacobi_zeta(
+    u: Any, *, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True
+) -> Any:
     """Jacobi's zeta function, the periodic part of epsilon.
 
     zeta(u | m) = epsilon(u | m) - u E/K, odd and of period 2 K; tanh(u) at m = 1.
@@ -61,8 +66,9 @@ def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     ----------
     u : scalar or array
         Argument, any real number; more than 2**100 half periods give NaN.
-    m, mc, k : scalar or array, exactly one of them
-        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2); above m = 1 NaN.
+    m, mc, k, q : scalar or array, exactly one of them
+        Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2); above m = 1 NaN. Or the nome, abs(q) <=
+        0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -75,7 +81,7 @@ def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -87,4 +93,4 @@ def jacobi_zeta(u: Any, *, m: Any = None, mc: Any = None, k: Any = None, out: An
     >>> f"{libration.jacobi_zeta(1.0, m=0.5):.8f}"
     '0.14380199'
     """
-    return _JACOBI_ZETA.of((u,), m, mc, k, out, where)
+    return _JACOBI_ZETA.of((u,), m, mc, k, out, where, q)

@@ -10,12 +10,27 @@ refusals are explained.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol, overload
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypedDict, TypeVar, overload
 
 import numpy as np
 
-from .._arrays import Floats, Labelled, Mask, Real, Scalar
+from .._arrays import Complex, Floats, Labelled, Mask, NDArray, Real, Scalar
 from .._messages import explained
+
+if TYPE_CHECKING:
+    from typing import Unpack
+
+Value = TypeVar("Value")
+
+
+class ByOne(TypedDict, Generic[Value], total=False):
+    """Exactly one of the parameter, its complement, the modulus and the nome."""
+
+    m: Value | None
+    mc: Value | None
+    k: Value | None
+    q: Value | None
+
 
 if TYPE_CHECKING:
 
@@ -26,31 +41,25 @@ if TYPE_CHECKING:
         def __call__(
             self,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfU(Protocol):
@@ -61,33 +70,76 @@ if TYPE_CHECKING:
             self,
             u: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             u: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             u: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
+        ) -> Labelled: ...
+
+    class OfAnyU(Protocol):
+        """A function of a real or complex argument u and the parameter."""
+
+        @overload
+        def __call__(
+            self,
+            u: Scalar,
+            *,
+            out: None = None,
+            where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
+        ) -> np.float64: ...
+        @overload
+        def __call__(
+            self,
+            u: Real,
+            *,
+            out: Floats | None = None,
+            where: Mask = True,
+            **given: Unpack[ByOne[Real]],
+        ) -> Floats: ...
+        @overload
+        def __call__(
+            self,
+            u: complex | np.complexfloating[Any, Any],
+            *,
+            out: None = None,
+            where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
+        ) -> np.complex128: ...
+        @overload
+        def __call__(
+            self,
+            u: Complex,
+            *,
+            out: NDArray[np.complex128] | None = None,
+            where: Mask = True,
+            **given: Unpack[ByOne[Real]],
+        ) -> NDArray[np.complex128]: ...
+        @overload
+        def __call__(
+            self,
+            u: Real | Labelled,
+            *,
+            out: Labelled | None = None,
+            where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfX(Protocol):
@@ -98,33 +150,27 @@ if TYPE_CHECKING:
             self,
             x: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             x: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             x: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfPhi(Protocol):
@@ -135,33 +181,27 @@ if TYPE_CHECKING:
             self,
             phi: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             phi: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             phi: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfN(Protocol):
@@ -172,33 +212,27 @@ if TYPE_CHECKING:
             self,
             n: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             n: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             n: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfNAndPhi(Protocol):
@@ -210,11 +244,9 @@ if TYPE_CHECKING:
             n: Scalar,
             phi: Scalar,
             *,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
@@ -222,11 +254,9 @@ if TYPE_CHECKING:
             n: Real,
             phi: Real,
             *,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
@@ -234,11 +264,9 @@ if TYPE_CHECKING:
             n: Real | Labelled,
             phi: Real | Labelled,
             *,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
 
     class OfZ(Protocol):
@@ -249,37 +277,47 @@ if TYPE_CHECKING:
             self,
             z: Scalar,
             *,
-            q: Scalar | None = None,
-            m: Scalar | None = None,
-            mc: Scalar | None = None,
-            k: Scalar | None = None,
             out: None = None,
             where: bool = True,
+            **given: Unpack[ByOne[Scalar]],
         ) -> np.float64: ...
         @overload
         def __call__(
             self,
             z: Real,
             *,
-            q: Real | None = None,
-            m: Real | None = None,
-            mc: Real | None = None,
-            k: Real | None = None,
             out: Floats | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real]],
         ) -> Floats: ...
         @overload
         def __call__(
             self,
             z: Real | Labelled,
             *,
-            q: Real | Labelled | None = None,
-            m: Real | Labelled | None = None,
-            mc: Real | Labelled | None = None,
-            k: Real | Labelled | None = None,
             out: Labelled | None = None,
             where: Mask = True,
+            **given: Unpack[ByOne[Real | Labelled]],
         ) -> Labelled: ...
+
+    class OfNome(Protocol):
+        """Two numbers of the nome alone."""
+
+        @overload
+        def __call__(self, q: Scalar, *, out: None = None, where: bool = True) -> tuple[np.float64, np.float64]: ...
+        @overload
+        def __call__(
+            self, q: Real, *, out: tuple[Floats, Floats] | None = None, where: Mask = True
+        ) -> tuple[Floats, Floats]: ...
+        @overload
+        def __call__(
+            self, q: Labelled, *, out: tuple[Labelled, Labelled] | None = None, where: Mask = True
+        ) -> tuple[Labelled, Labelled]: ...
+
+
+def of_nome(function: Callable[..., Any]) -> OfNome:
+    """Declare a function of the nome alone."""
+    return explained(function)
 
 
 def of_parameter(function: Callable[..., Any]) -> OfParameter:
@@ -289,6 +327,11 @@ def of_parameter(function: Callable[..., Any]) -> OfParameter:
 
 def of_u(function: Callable[..., Any]) -> OfU:
     """Declare a function of an argument u and the parameter."""
+    return explained(function)
+
+
+def of_any_u(function: Callable[..., Any]) -> OfAnyU:
+    """Declare a function of a real or complex argument u and the parameter."""
     return explained(function)
 
 

@@ -5,8 +5,11 @@ The four differ in their series alone, so one template serves them. Source: DLMF
 
 from typing import TYPE_CHECKING, Any
 
+from .. import _core
+from .._dispatch import apply
+from .._labels import Result
 from ._parameter import function
-from ._signatures import of_parameter, of_z
+from ._signatures import of_nome, of_parameter, of_z
 
 if TYPE_CHECKING:
     from ._signatures import OfZ
@@ -15,14 +18,14 @@ _NOME = function("nome", "nome")
 
 
 @of_parameter
-def nome(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where: Any = True) -> Any:
+def nome(*, m: Any = None, mc: Any = None, k: Any = None, q: Any = None, out: Any = None, where: Any = True) -> Any:
     """Nome q = exp(-pi K(1 - m)/K(m)) of the theta functions.
 
     Parameters
     ----------
-    m, mc, k : scalar or array, exactly one of them
+    m, mc, k, q : scalar or array, exactly one of them
         Parameter <= 1, its complement 1 - m >= 0, or the modulus (m = k**2). Above m = 1: NaN; below 0 the nome is
-        negative.
+        negative. Or the nome, abs(q) <= 0.985.
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -35,7 +38,7 @@ def nome(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where
     Raises
     ------
     ValueError
-        Unless exactly one of `m`, `mc` and `k` is given.
+        Unless exactly one of `m`, `mc`, `k` and `q` is given.
 
     Notes
     -----
@@ -47,7 +50,44 @@ def nome(*, m: Any = None, mc: Any = None, k: Any = None, out: Any = None, where
     >>> f"{libration.nome(m=0.5):.8f}"
     '0.04321392'
     """
-    return _NOME.of((), m, mc, k, out, where)
+    return _NOME.of((), m, mc, k, out, where, q)
+
+
+_FROM_NOME = Result("m", "1", "parameter"), Result("mc", "1", "complement of the parameter")
+
+
+@of_nome
+def from_nome(q: Any, *, out: Any = None, where: Any = True) -> Any:
+    """Parameter m and its complement 1 - m of the nome q: ``(m, mc)``.
+
+    The inverse of `nome`: m = (theta2/theta3)**4, 1 - m = (theta4/theta3)**4 of z = 0. Both are given because the smaller
+    of them has digits that the other has not.
+
+    Parameters
+    ----------
+    q : scalar or array
+        Nome, -1 < q <= 1, negative for m < 0; else NaN.
+    out : pair of ndarray, optional
+        Where to put the results.
+    where : array of bool, optional
+        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+
+    Returns
+    -------
+    pair of float64 or of arrays of the shape of `q`
+
+    Notes
+    -----
+    Error promised: 3 (ulp + 2**-100 of the condition in q). Source: DLMF 22.2.2, 20.7.3.
+
+    Examples
+    --------
+    >>> import libration
+    >>> m, mc = libration.from_nome(0.1)
+    >>> m.round(9), mc.round(9), libration.nome(m=m).round(9)
+    (np.float64(0.802403298), np.float64(0.197596702), np.float64(0.1))
+    """
+    return apply(_core.from_nome, q, results=_FROM_NOME, out=out, where=where)
 
 
 _DOCUMENT = """Jacobi's theta function theta_{index}(z, q).
@@ -110,7 +150,7 @@ def _theta(index: int) -> "OfZ":
         out: Any = None,
         where: Any = True,
     ) -> Any:
-        return theta_of.of((z,), m, mc, k, out, where, q=q)
+        return theta_of.of((z,), m, mc, k, out, where, q)
 
     theta.__name__ = theta.__qualname__ = f"theta{index}"
     theta.__doc__ = _DOCUMENT.format(

@@ -12,7 +12,9 @@ Examples
 from ._action import action, frequency, from_action_phase, phase
 from ._constants import Regime
 from ._fourier import Fourier, harmonic_distortion
+from ._kept import energy, energy_ratio, energy_ratio_c, period, regime, theta_max
 from ._motion import advance, motion, theta, velocity
+from ._passages import next_crossing, turns
 from ._pendulum import Pendulum
 from ._sensitivities import sensitivities
 
@@ -22,13 +24,21 @@ __all__ = [
     "Regime",
     "action",
     "advance",
+    "energy",
+    "energy_ratio",
+    "energy_ratio_c",
     "frequency",
     "from_action_phase",
     "harmonic_distortion",
     "motion",
+    "next_crossing",
+    "period",
     "phase",
+    "regime",
     "sensitivities",
     "theta",
+    "theta_max",
+    "turns",
     "velocity",
 ]
 

@@ -11,48 +11,45 @@ Source: Landau & Lifshitz, Mechanics, sections 11 and 49.
 
 from __future__ import annotations
 
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
-from .._messages import explained
 from ._results import ACTION, FREQUENCY, MOTION, PHASE
+from ._signatures import OtherFrequency, of_state, told
+from ._states import factors, plain, start
+
+if TYPE_CHECKING:
+    from typing import Unpack
 
 
-@overload
+@of_state
 def action(
-    theta: Scalar, velocity: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
-) -> np.float64: ...
-@overload
-def action(
-    theta: Real, velocity: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
-) -> Floats: ...
-@overload
-def action(
-    theta: Real | Labelled,
-    velocity: Real | Labelled = 0.0,
-    omega0: Real | Labelled = 1.0,
+    theta: Any = None,
+    velocity: Any = None,
+    omega0: Any = None,
     *,
-    out: Labelled | None = None,
-    where: Mask = True,
-) -> Labelled: ...
-@explained
-def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    theta_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
     """Action of pendulums in the states (theta, velocity).
 
     What `Pendulum.action` is, element by element.
 
     Parameters
     ----------
-    theta : scalar or array
-        Angle in rad, finite.
-    velocity : scalar or array, default 0.0
-        Angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <state>
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -73,40 +70,41 @@ def action(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = Non
     >>> libration.action([0.0, 0.0], [1.0, 3.0]).round(6)
     array([0.517316, 2.631985])
     """
-    return apply(_core.action, theta, velocity, omega0, results=(ACTION,), out=out, where=where)
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+        return apply(_core.action, *state, results=(ACTION,), out=out, where=where)
+    angles = {"theta": theta, "theta_from_top": theta_from_top}
+    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_action, *given, results=(ACTION,), out=out, where=where)
 
 
-@overload
+@of_state
 def frequency(
-    theta: Scalar, velocity: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
-) -> np.float64: ...
-@overload
-def frequency(
-    theta: Real, velocity: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
-) -> Floats: ...
-@overload
-def frequency(
-    theta: Real | Labelled,
-    velocity: Real | Labelled = 0.0,
-    omega0: Real | Labelled = 1.0,
+    theta: Any = None,
+    velocity: Any = None,
+    omega0: Any = None,
     *,
-    out: Labelled | None = None,
-    where: Mask = True,
-) -> Labelled: ...
-@explained
-def frequency(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    theta_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
     """Mean angular frequency of pendulums in the states (theta, velocity), negative in rotation downwards.
 
     What `Pendulum.frequency` is, element by element.
 
     Parameters
     ----------
-    theta : scalar or array
-        Angle in rad, finite.
-    velocity : scalar or array, default 0.0
-        Angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <state>
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -127,28 +125,34 @@ def frequency(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = 
     >>> libration.frequency(0.0, [1.0, 2.0, -3.0]).round(6)
     array([ 0.931808,  0.      , -2.604008])
     """
-    return apply(_core.frequency, theta, velocity, omega0, results=(FREQUENCY,), out=out, where=where)
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+        return apply(_core.frequency, *state, results=(FREQUENCY,), out=out, where=where)
+    angles = {"theta": theta, "theta_from_top": theta_from_top}
+    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_frequency, *given, results=(FREQUENCY,), out=out, where=where)
 
 
-@overload
+@of_state
 def phase(
-    theta: Scalar, velocity: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
-) -> np.float64: ...
-@overload
-def phase(
-    theta: Real, velocity: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
-) -> Floats: ...
-@overload
-def phase(
-    theta: Real | Labelled,
-    velocity: Real | Labelled = 0.0,
-    omega0: Real | Labelled = 1.0,
+    theta: Any = None,
+    velocity: Any = None,
+    omega0: Any = None,
     *,
-    out: Labelled | None = None,
-    where: Mask = True,
-) -> Labelled: ...
-@explained
-def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    theta_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
     """Phase of pendulums in the states (theta, velocity).
 
     What ``Pendulum(theta, velocity).phase(0)`` is, element by element: in (-pi, pi] in libration, along with the angle in
@@ -156,12 +160,7 @@ def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None
 
     Parameters
     ----------
-    theta : scalar or array
-        Angle in rad, finite.
-    velocity : scalar or array, default 0.0
-        Angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <state>
     out : ndarray, optional
         Where to put the result.
     where : array of bool, optional
@@ -182,46 +181,60 @@ def phase(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, out: Any = None
     >>> libration.phase([1.0, -1.0, 7.0], [0.0, 0.0, 3.0]).round(6)
     array([ 1.570796, -1.570796,  6.916943])
     """
-    return apply(_core.phase, theta, velocity, omega0, results=(PHASE,), out=out, where=where)
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+        return apply(_core.phase, *state, results=(PHASE,), out=out, where=where)
+    angles = {"theta": theta, "theta_from_top": theta_from_top}
+    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_phase, 0.0, *given, results=(PHASE,), out=out, where=where)
 
 
 @overload
 def from_action_phase(
     action: Scalar,
     phase: Scalar,
-    omega0: Scalar = 1.0,
+    omega0: Scalar | None = None,
     *,
     direction: Scalar = 0.0,
     out: None = None,
     where: bool = True,
+    **other: Unpack[OtherFrequency[Scalar]],
 ) -> tuple[np.float64, np.float64]: ...
 @overload
 def from_action_phase(
     action: Real,
     phase: Real,
-    omega0: Real = 1.0,
+    omega0: Real | None = None,
     *,
     direction: Real = 0.0,
     out: tuple[Floats, Floats] | None = None,
     where: Mask = True,
+    **other: Unpack[OtherFrequency[Real]],
 ) -> tuple[Floats, Floats]: ...
 @overload
 def from_action_phase(
     action: Real | Labelled,
     phase: Real | Labelled,
-    omega0: Real | Labelled = 1.0,
+    omega0: Real | Labelled | None = None,
     *,
     direction: Real | Labelled = 0.0,
     out: tuple[Labelled, Labelled] | None = None,
     where: Mask = True,
+    **other: Unpack[OtherFrequency[Real | Labelled]],
 ) -> tuple[Labelled, Labelled]: ...
-@explained
+@told
 def from_action_phase(
     action: Any,
     phase: Any,
-    omega0: Any = 1.0,
+    omega0: Any = None,
     *,
     direction: Any = 0.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
     out: Any = None,
     where: Any = True,
 ) -> Any:
@@ -236,8 +249,7 @@ def from_action_phase(
         In rad**2/s: from 0 and below 8 omega0/pi in libration, above 4 omega0/pi in rotation; else NaN.
     phase : scalar or array
         In rad, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <frequency>
     direction : scalar or array, default 0.0
         0 for a libration, 1 and -1 for a rotation upwards and downwards; else NaN.
     out : pair of ndarray, optional
@@ -262,4 +274,8 @@ def from_action_phase(
     >>> print(theta.round(6), velocity.round(6))
     [0.       1.228194] [1.844231 2.190769]
     """
-    return apply(_core.from_action_phase, action, phase, direction, omega0, results=MOTION, out=out, where=where)
+    if plain(1.0, omega2, length, gravity):
+        given = action, phase, direction, 1.0 if omega0 is None else omega0
+        return apply(_core.from_action_phase, *given, results=MOTION, out=out, where=where)
+    force = factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_from_action_phase, action, phase, direction, *force, results=MOTION, out=out, where=where)

@@ -4,8 +4,8 @@ from enum import StrEnum
 
 from .._messages import explained
 from .._scalars import count
+from ._by_energy import ByEnergy
 from ._fourier import Fourier
-from ._orbit import Orbit
 
 
 class Regime(StrEnum):
@@ -23,7 +23,7 @@ class Regime(StrEnum):
     ROTATION = "rotation"
 
 
-class Constants(Orbit):
+class Constants(ByEnergy):
     """The part of a `Pendulum` that does not depend on time."""
 
     __slots__ = ()

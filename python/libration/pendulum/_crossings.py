@@ -1,8 +1,10 @@
 """When an orbit is at an angle, and when it turns back."""
 
+import numpy as np
+
 from .._arrays import Floats
 from .._messages import explained
-from .._scalars import real
+from .._scalars import real, shown
 from ._constants import Constants
 
 
@@ -12,18 +14,20 @@ class Crossings(Constants):
     __slots__ = ()
 
     @explained
-    def times(self, theta: float, start: float, stop: float) -> Floats:
+    def times(self, theta: float, start: float, stop: float, *, every_turn: bool = False) -> Floats:
         """All times from `start` to `stop`, both included, at which the angle is `theta`.
 
         In libration modulo 2 pi: 30 degrees is passed whatever turn the pendulum hangs in. In rotation and on the
-        separatrix the angle is the unwrapped one, and passed once at most.
+        separatrix the angle is the unwrapped one, and passed once at most, unless every turn is asked for.
 
         Parameters
         ----------
         theta : scalar
             Angle in rad, finite; in rotation within 2**52 turns of `theta0`. A turning angle, also as `theta_max` and `extremes` round it, is passed once a swing.
         start, stop : scalar
-            Ends of the interval in s, start <= stop, in libration within 2**53 half periods.
+            Ends of the interval in s, start <= stop, in libration and for every turn within 2**53 half periods.
+        every_turn : bool, default False
+            Whether a rotation's angle counts modulo 2 pi as well: all tops of it are ``times(math.pi, ..., every_turn=True)``.
 
         Returns
         -------
@@ -45,8 +49,12 @@ class Crossings(Constants):
         >>> import libration
         >>> libration.Pendulum(1.0).times(0.5, 0.0, 7.0).round(6)
         array([1.126844, 5.573131])
+        >>> libration.Pendulum(0.0, 3.0).times(3.0, 0.0, 7.0, every_turn=True).round(6)
+        array([1.143165, 3.556055, 5.968945])
         """
-        return self._orbit.times(real("theta", theta), real("start", start), real("stop", stop))
+        if not isinstance(every_turn, bool | np.bool):
+            raise ValueError(f"every_turn = {shown(every_turn)}: must be True or False")
+        return self._orbit.times(real("theta", theta), real("start", start), real("stop", stop), bool(every_turn))
 
     @explained
     def turning_times(self, start: float, stop: float) -> Floats:

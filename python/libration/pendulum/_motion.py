@@ -1,7 +1,8 @@
 """Functions of arrays of times and states, each element exact: ``theta``, ``velocity``, ``motion``, ``advance``.
 
 Two paths, decided by the call and never by memory layout: orbit arguments without dimensions take the path of one
-orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own.
+orbit, set up once; orbit arguments with dimensions take the path of rows with states of their own. Rows that are stated
+otherwise than by angle, velocity and omega0 are set up one by one.
 Source: DLMF 22.19(i).
 """
 
@@ -10,37 +11,46 @@ Source: DLMF 22.19(i).
 
 from __future__ import annotations
 
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
-from .._messages import explained
 from ._results import MOTION, THETA, VELOCITY
+from ._signatures import OtherFrequency, of_time, told
+from ._states import factors, plain, start
+
+if TYPE_CHECKING:
+    from typing import Unpack
+
+    from ._signatures import MotionOfTime
 
 
-@overload
+def _of_motion(function: Any) -> MotionOfTime:
+    """Declare a function of a time and an initial state that gives angle and velocity."""
+    return told(function)  # type: ignore[no-any-return]
+
+
+@of_time
 def theta(
-    t: Scalar, theta0: Scalar, velocity0: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
-) -> np.float64: ...
-@overload
-def theta(
-    t: Real, theta0: Real, velocity0: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
-) -> Floats: ...
-@overload
-def theta(
-    t: Real | Labelled,
-    theta0: Real | Labelled,
-    velocity0: Real | Labelled = 0.0,
-    omega0: Real | Labelled = 1.0,
+    t: Any,
+    theta0: Any = None,
+    velocity0: Any = None,
+    omega0: Any = None,
     *,
-    out: Labelled | None = None,
-    where: Mask = True,
-) -> Labelled: ...
-@explained
-def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    theta0_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
     """Angle of pendulums at the times `t`, continuous through whole turns.
 
     The solution of theta'' + omega0**2 sin(theta) = 0 from the state (theta0, velocity0) at t = 0.
@@ -50,12 +60,7 @@ def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: 
     t : scalar or array
         Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
         limit.
-    theta0 : scalar or array
-        Initial angle in rad, finite.
-    velocity0 : scalar or array, default 0.0
-        Initial angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <start>
     out : ndarray, optional
         Where to put the result, as for every NumPy ufunc.
     where : array of bool, optional
@@ -80,33 +85,35 @@ def theta(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: 
     array([[ 1.      ,  3.      ],
            [-0.306201,  2.613057]])
     """
-    if _one_orbit(theta0, velocity0, omega0):
-        factors = apply(_core.factors, omega0)
-        return apply(_core.orbit_theta, t, theta0, velocity0, *factors, results=(THETA,), out=out, where=where)
-    return apply(_core.state_theta, t, theta0, velocity0, omega0, results=(THETA,), out=out, where=where)
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+        if not _one_orbit(*state):
+            return apply(_core.state_theta, t, *state, results=(THETA,), out=out, where=where)
+    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_theta, t, *given, results=(THETA,), out=out, where=where)
 
 
-@overload
+@of_time
 def velocity(
-    t: Scalar, theta0: Scalar, velocity0: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
-) -> np.float64: ...
-@overload
-def velocity(
-    t: Real, theta0: Real, velocity0: Real = 0.0, omega0: Real = 1.0, *, out: Floats | None = None, where: Mask = True
-) -> Floats: ...
-@overload
-def velocity(
-    t: Real | Labelled,
-    theta0: Real | Labelled,
-    velocity0: Real | Labelled = 0.0,
-    omega0: Real | Labelled = 1.0,
+    t: Any,
+    theta0: Any = None,
+    velocity0: Any = None,
+    omega0: Any = None,
     *,
-    out: Labelled | None = None,
-    where: Mask = True,
-) -> Labelled: ...
-@explained
-def velocity(
-    t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True
+    theta0_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
 ) -> Any:
     """Angular velocity of pendulums at the times `t`.
 
@@ -117,12 +124,7 @@ def velocity(
     t : scalar or array
         Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
         limit.
-    theta0 : scalar or array
-        Initial angle in rad, finite.
-    velocity0 : scalar or array, default 0.0
-        Initial angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <start>
     out : ndarray, optional
         Where to put the result, as for every NumPy ufunc.
     where : array of bool, optional
@@ -144,38 +146,36 @@ def velocity(
     >>> libration.velocity([0.0, 1.0], 0.0, 1.0).round(6)
     array([1.      , 0.568569])
     """
-    if _one_orbit(theta0, velocity0, omega0):
-        factors = apply(_core.factors, omega0)
-        return apply(_core.orbit_velocity, t, theta0, velocity0, *factors, results=(VELOCITY,), out=out, where=where)
-    return apply(_core.state_velocity, t, theta0, velocity0, omega0, results=(VELOCITY,), out=out, where=where)
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+        if not _one_orbit(*state):
+            return apply(_core.state_velocity, t, *state, results=(VELOCITY,), out=out, where=where)
+    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_velocity, t, *given, results=(VELOCITY,), out=out, where=where)
 
 
-@overload
+@_of_motion
 def motion(
-    t: Scalar, theta0: Scalar, velocity0: Scalar = 0.0, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
-) -> tuple[np.float64, np.float64]: ...
-@overload
-def motion(
-    t: Real,
-    theta0: Real,
-    velocity0: Real = 0.0,
-    omega0: Real = 1.0,
+    t: Any,
+    theta0: Any = None,
+    velocity0: Any = None,
+    omega0: Any = None,
     *,
-    out: tuple[Floats, Floats] | None = None,
-    where: Mask = True,
-) -> tuple[Floats, Floats]: ...
-@overload
-def motion(
-    t: Real | Labelled,
-    theta0: Real | Labelled,
-    velocity0: Real | Labelled = 0.0,
-    omega0: Real | Labelled = 1.0,
-    *,
-    out: tuple[Labelled, Labelled] | None = None,
-    where: Mask = True,
-) -> tuple[Labelled, Labelled]: ...
-@explained
-def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+    theta0_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
     """Angle and angular velocity of pendulums at the times `t`, together: ``(theta, velocity)``.
 
     The same digits as `theta` and `velocity`, for little more than the price of one.
@@ -185,12 +185,7 @@ def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out:
     t : scalar or array
         Time in s. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free rotation have no such
         limit.
-    theta0 : scalar or array
-        Initial angle in rad, finite.
-    velocity0 : scalar or array, default 0.0
-        Initial angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <start>
     out : pair of ndarray, optional
         Where to put the results; an input may be among them.
     where : array of bool, optional
@@ -212,38 +207,64 @@ def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0, *, out:
     >>> print(f"{theta:.6f} {velocity:.6f}")
     -0.306201 -0.909047
     """
-    if _one_orbit(theta0, velocity0, omega0):
-        factors = apply(_core.factors, omega0)
-        return apply(_core.orbit_motion, t, theta0, velocity0, *factors, results=MOTION, out=out, where=where)
-    return apply(_core.state_motion, t, theta0, velocity0, omega0, results=MOTION, out=out, where=where)
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+        if not _one_orbit(*state):
+            return apply(_core.state_motion, t, *state, results=MOTION, out=out, where=where)
+    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_motion, t, *given, results=MOTION, out=out, where=where)
 
 
 @overload
 def advance(
-    theta: Scalar, velocity: Scalar, dt: Scalar, omega0: Scalar = 1.0, *, out: None = None, where: bool = True
+    theta: Scalar,
+    velocity: Scalar,
+    dt: Scalar,
+    omega0: Scalar | None = None,
+    *,
+    out: None = None,
+    where: bool = True,
+    **other: Unpack[OtherFrequency[Scalar]],
 ) -> tuple[np.float64, np.float64]: ...
 @overload
 def advance(
     theta: Real,
     velocity: Real,
     dt: Real,
-    omega0: Real = 1.0,
+    omega0: Real | None = None,
     *,
     out: tuple[Floats, Floats] | None = None,
     where: Mask = True,
+    **other: Unpack[OtherFrequency[Real]],
 ) -> tuple[Floats, Floats]: ...
 @overload
 def advance(
     theta: Real | Labelled,
     velocity: Real | Labelled,
     dt: Real | Labelled,
-    omega0: Real | Labelled = 1.0,
+    omega0: Real | Labelled | None = None,
     *,
     out: tuple[Labelled, Labelled] | None = None,
     where: Mask = True,
+    **other: Unpack[OtherFrequency[Real | Labelled]],
 ) -> tuple[Labelled, Labelled]: ...
-@explained
-def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any = None, where: Any = True) -> Any:
+@told
+def advance(
+    theta: Any,
+    velocity: Any,
+    dt: Any,
+    omega0: Any = None,
+    *,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+    out: Any = None,
+    where: Any = True,
+) -> Any:
     """State of pendulums a time `dt` later: ``(theta, velocity)``.
 
     The exact flow of theta'' + omega0**2 sin(theta) = 0, by the addition theorem, without inverse functions: no
@@ -258,8 +279,7 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     dt : scalar or array
         Time to go in s, of any sign. NaN, and more than 2**53 half periods, give NaN; rest, the separatrix and free
         rotation have no such limit.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <frequency>
     out : pair of ndarray, optional
         Where to put the results; ``out=(theta, velocity)`` advances the states in place.
     where : array of bool, optional
@@ -283,7 +303,11 @@ def advance(theta: Any, velocity: Any, dt: Any, omega0: Any = 1.0, *, out: Any =
     >>> print(f"{theta:.6f} {velocity:.6f}")
     -0.306201 -0.909047
     """
-    return apply(_core.advance, theta, velocity, dt, omega0, results=MOTION, out=out, where=where)
+    if plain(1.0, omega2, length, gravity):
+        step = theta, velocity, dt, 1.0 if omega0 is None else omega0
+        return apply(_core.advance, *step, results=MOTION, out=out, where=where)
+    force = factors(omega0, omega2, length, gravity)
+    return apply(_core.orbit_advance, theta, velocity, dt, *force, results=MOTION, out=out, where=where)
 
 
 def _one_orbit(theta0: Any, velocity0: Any, omega0: Any) -> bool:

@@ -1,4 +1,7 @@
-"""What an orbit is made of: its strict set-up from a state or from action and phase, kept in compiled form."""
+"""What an orbit is made of: its strict set-up from a state or from action and phase, kept in compiled form.
+
+In _by_energy.py it is made from an energy, a turning angle or a period.
+"""
 
 import math
 import sys
@@ -11,6 +14,7 @@ from .. import _core
 from .._immutable import Immutable
 from .._messages import explained
 from .._scalars import radians, real
+from ._states import kind
 
 TWO_TURNS = 4 * math.pi
 
@@ -48,33 +52,51 @@ def frequency_given(omega0: Any, omega2: Any, length: Any, gravity: Any) -> dict
 class Orbit(Immutable):
     """One orbit as it was given; `Pendulum` is its public name."""
 
-    __slots__ = ("_frequency", "_operands", "_orbit")
+    __slots__ = ("_frequency", "_operands", "_orbit", "_stated")
 
     _frequency: dict[str, float]
+    # The method that made it, "" for the class itself, and its arguments but for the frequency.
+    _stated: tuple[str, dict[str, Any]]
     _operands: tuple[np.ndarray, ...]
     _orbit: _core.Orbit
 
     @explained
     def __new__(
         cls,
-        theta0: float,
+        theta0: float | None = None,
         velocity0: float = 0.0,
         *,
+        theta0_from_top: float | None = None,
         omega0: float | None = None,
         omega2: float | None = None,
         length: float | None = None,
         gravity: float | None = None,
     ) -> Self:
         frequency = frequency_given(omega0, omega2, length, gravity)
+        if theta0_from_top is not None:
+            if theta0 is not None:
+                raise ValueError("exactly one of theta0 and theta0_from_top must be given, not both")
+            beyond = real("theta0_from_top", theta0_from_top)
+            given = {"theta0_from_top": beyond, "velocity0": real("velocity0", velocity0)}
+            start = beyond, given["velocity0"], 1.0, kind("from_top", "velocity")
+            return cls._made(_core.Orbit.from_start(*start, **frequency), "", given, frequency)
+        if theta0 is None:
+            raise TypeError(f"{cls.__name__}() needs theta0, or theta0_from_top; the angle 0 is the bottom")
         theta0 = real("theta0", theta0)
         orbit = _core.Orbit(theta0, real("velocity0", velocity0), **frequency)
         if abs(theta0) > TWO_TURNS and velocity0 == 0:
             _warn_of_radians(theta0)
+        return cls._made(orbit, "", {"theta0": orbit.theta0, "velocity0": orbit.velocity0}, frequency)
+
+    @classmethod
+    def _made(cls, orbit: _core.Orbit, by: str, given: dict[str, Any], frequency: dict[str, float]) -> Self:
+        """The object of an orbit, with what it was made from."""
         self = super().__new__(cls)
         object.__setattr__(self, "_frequency", frequency or {"omega0": 1.0})
         # As arrays without dimensions: NumPy takes them as they are, in half the time it needs for Python's numbers.
         object.__setattr__(self, "_operands", tuple(map(np.asarray, orbit.operands)))
         object.__setattr__(self, "_orbit", orbit)
+        object.__setattr__(self, "_stated", (by, given))
         return self
 
     @classmethod
@@ -186,12 +208,12 @@ class Orbit(Immutable):
 
     @property
     def theta0(self) -> float:
-        """Initial angle in rad, as given, without error."""
+        """Initial angle in rad, as given, without error; rounded where it was given from the top."""
         return self._orbit.theta0
 
     @property
     def velocity0(self) -> float:
-        """Initial angular velocity in rad/s, as given, without error."""
+        """Initial angular velocity in rad/s, as given, without error; rounded where an energy or a period was given."""
         return self._orbit.velocity0
 
     @property
@@ -218,10 +240,27 @@ class Orbit(Immutable):
     @property
     def gravity(self) -> float | None:
         """Acceleration of gravity in m/s**2, without error: as given, or 9.80665 beside a `length`; None without one."""
-        return self._orbit.operands[2] if "length" in self._frequency else None
+        return self._orbit.operands[4] if "length" in self._frequency else None
 
     def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (), {"theta0": self.theta0, "velocity0": self.velocity0, **self._frequency}
+        return (), {**self._stated[1], **self._frequency}
 
     def _identity(self) -> tuple[Any, ...]:
         return self._orbit.operands
+
+    def __repr__(self) -> str:
+        by, _ = self._stated
+        name = type(self).__name__
+        return super().__repr__().replace(name, f"{name}.{by}", 1) if by else super().__repr__()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        by, given = self._stated
+        attributes = getattr(self, "__dict__", None) or None
+        return (_rebuilt, (type(self), by, given, self._frequency), attributes) if by else super().__reduce__()
+
+
+def _rebuilt(made: type[Orbit], by: str, given: dict[str, Any], frequency: dict[str, float]) -> Orbit:
+    """What a pickle or a copy makes of an orbit that a method made; it does not call the constructor of a subclass."""
+    method: Any = getattr(made, by)
+    orbit: Orbit = method(**given, **frequency)
+    return orbit

@@ -36,6 +36,9 @@ class Pendulum(Plots):
         Initial angle in rad, finite; `Pendulum.degrees` takes degrees.
     velocity0 : scalar, default 0.0
         Initial angular velocity in rad/s, finite.
+    theta0_from_top : scalar, optional
+        Initial angle less pi in rad, finite, instead of `theta0`: 1e-17 from upright it keeps the digits that pi + 1e-17 has
+        no room for. Where omega2 is below 0, `theta0` counts from the top already, and so does this.
     omega0 : scalar, optional
         Angular frequency of small swings in rad/s, finite and >= 0; 0 is free rotation.
     omega2 : scalar, optional
@@ -46,7 +49,8 @@ class Pendulum(Plots):
         Acceleration of gravity in m/s**2, finite and of any sign; only with `length`, where it means 9.80665 if not
         given.
 
-    At most one of `omega0`, `omega2` and `length` is given; none of them means ``omega0=1``.
+    At most one of `omega0`, `omega2` and `length` is given; none of them means ``omega0=1``. By what is known instead of the
+    velocity: `Pendulum.from_energy`, `Pendulum.from_turning_angle`, `Pendulum.from_period`, `Pendulum.from_action_phase`.
 
     Raises
     ------

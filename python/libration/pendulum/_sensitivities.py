@@ -1,17 +1,17 @@
 """How angle and velocity change with the start and the force: the exact derivatives, of arrays of states."""
 
-# A number fits where an array does: of several signatures the first that fits is meant.
-# mypy: disable-error-code="overload-overlap"
-
 from __future__ import annotations
 
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any
 
 from .. import _core
-from .._arrays import Floats, Indexed, Real, Stacked
 from .._dispatch import apply, tensor, unindexed
-from .._messages import explained
 from ._results import SENSITIVITIES
+from ._signatures import told
+from ._states import factors, plain, start
+
+if TYPE_CHECKING:
+    from ._signatures import MatricesOfTime
 
 BY = ("theta0", "velocity0", "omega0")
 FIRST = {"of": ("theta", "velocity"), "by": BY}
@@ -20,18 +20,27 @@ SECOND = {**FIRST, "and_by": BY}
 SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 
 
-@overload
-def sensitivities(t: Real, theta0: Real, velocity0: Real = 0.0, omega0: Real = 1.0) -> Floats: ...
-@overload
+def _of_matrices(function: Any) -> MatricesOfTime:
+    """Declare a function of a time and an initial state that gives a matrix."""
+    return told(function)  # type: ignore[no-any-return]
+
+
+@_of_matrices
 def sensitivities(
-    t: Real | Stacked, theta0: Real | Stacked, velocity0: Real | Stacked = 0.0, omega0: Real | Stacked = 1.0
-) -> Stacked: ...
-@overload
-def sensitivities(
-    t: Real | Indexed, theta0: Real | Indexed, velocity0: Real | Indexed = 0.0, omega0: Real | Indexed = 1.0
-) -> Floats: ...
-@explained
-def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> Any:
+    t: Any,
+    theta0: Any = None,
+    velocity0: Any = None,
+    omega0: Any = None,
+    *,
+    theta0_from_top: Any = None,
+    energy_ratio: Any = None,
+    energy_ratio_c: Any = None,
+    energy: Any = None,
+    direction: Any = 1.0,
+    omega2: Any = None,
+    length: Any = None,
+    gravity: Any = None,
+) -> Any:
     """Derivatives of the state a time `t` after (theta0, velocity0), by theta0, velocity0 and omega0.
 
     What `Pendulum.sensitivities` is, element by element. ``sensitivities(dt, theta, velocity, omega0)[..., :2]`` is the
@@ -41,12 +50,7 @@ def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) 
     ----------
     t : scalar or array
         Time in s; not finite, and more than 2**53 half periods away, gives NaN.
-    theta0 : scalar or array
-        Initial angle in rad, finite.
-    velocity0 : scalar or array, default 0.0
-        Initial angular velocity in rad/s, finite.
-    omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, finite and >= 0.
+    <start>
 
     Returns
     -------
@@ -69,5 +73,16 @@ def sensitivities(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) 
     >>> np.linalg.det(slopes[..., :2]).round(6)
     array([1., 1., 1.])
     """
-    given = map(unindexed, (t, theta0, velocity0, omega0))
-    return tensor(apply(_core.state_sensitivities, *given, results=6 * (SENSITIVITIES,)), FIRST)
+    if theta0 is not None and plain(
+        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+        found = apply(_core.state_sensitivities, *map(unindexed, (t, *state)), results=6 * (SENSITIVITIES,))
+        return tensor(found, FIRST)
+    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
+    given = (
+        *map(unindexed, start(angles, motions, direction)),
+        *map(unindexed, factors(omega0, omega2, length, gravity)),
+    )
+    return tensor(apply(_core.orbit_sensitivities, unindexed(t), *given, results=6 * (SENSITIVITIES,)), FIRST)

@@ -6,8 +6,8 @@ use std::slice;
 
 use numpy::npyffi::npy_intp;
 
-/// Operands of the widest ufunc: five inputs of the set-up, one sample, twelve results.
-pub const WIDEST: usize = 18;
+/// Operands of the widest ufunc: seven inputs of the set-up, one sample, twelve results.
+pub const WIDEST: usize = 20;
 
 /// The operands of a loop: operand `i` of row `j` at `at[i] + j * steps[i]`.
 #[derive(Clone, Copy)]
