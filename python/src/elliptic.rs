@@ -3,7 +3,7 @@
 
 use libration::elliptic::{
     Given, carlson_rc_into, carlson_rd_into, carlson_rf_into, carlson_rj_into, complete_e_into,
-    complete_k_into, incomplete_e_into, incomplete_f_into,
+    complete_k_into, incomplete_e_into, incomplete_f_into, nome_into,
 };
 use libration::{
     Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
@@ -79,7 +79,6 @@ fn second_kind(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, gi
 
 /// Legendre's integrals, the nome and Heuman's lambda.
 fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
-    let parameter = move |[value]: [f64; 1]| Some(given.parameter(value));
     let incomplete_f = move |[phi, parameters]: [&[f64]; 2], f: &mut [f64]| {
         incomplete_f_into(phi, given, parameters, f);
     };
@@ -88,19 +87,24 @@ fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, give
         incomplete_e_into(phi, given, parameters, e);
     };
     add(module, &named("incomplete_e"), nothing, column(incomplete_e))?;
-    let incomplete_pi = |p: &Parameter, [n, phi]: [f64; 2]| [libration::incomplete_pi(n, phi, *p)];
-    add(module, &named("incomplete_pi"), parameter, each(incomplete_pi))?;
-    let complete_pi = |p: &Parameter, [n]: [f64; 1]| [libration::complete_pi(n, *p)];
-    add(module, &named("complete_pi"), parameter, each(complete_pi))?;
-    let heuman_lambda = |p: &Parameter, [phi]: [f64; 1]| [libration::heuman_lambda(phi, *p)];
-    add(module, &named("heuman_lambda"), parameter, each(heuman_lambda))?;
+    let incomplete_pi = move |[n, phi, parameters]: [&[f64]; 3], values: &mut [f64]| {
+        incomplete_pi_into([n, phi], given, parameters, values);
+    };
+    add(module, &named("incomplete_pi"), nothing, column(incomplete_pi))?;
+    let complete_pi = move |[n, parameters]: [&[f64]; 2], values: &mut [f64]| {
+        complete_pi_into(n, given, parameters, values);
+    };
+    add(module, &named("complete_pi"), nothing, column(complete_pi))?;
+    let heuman_lambda = move |[phi, parameters]: [&[f64]; 2], values: &mut [f64]| {
+        heuman_lambda_into(phi, given, parameters, values);
+    };
+    add(module, &named("heuman_lambda"), nothing, column(heuman_lambda))?;
     let complete_k = move |[parameters]: [&[f64]; 1], k: &mut [f64]| complete_k_into(given, parameters, k);
     add(module, &named("complete_k"), nothing, column(complete_k))?;
     let complete_e = move |[parameters]: [&[f64]; 1], e: &mut [f64]| complete_e_into(given, parameters, e);
     add(module, &named("complete_e"), nothing, column(complete_e))?;
-    // It has nothing but its parameter: the value itself is what is kept.
-    let kept = |value: &f64, []: [f64; 0]| [*value];
-    add(module, &named("nome"), move |[value]| Some(libration::nome(given.parameter(value))), each(kept))
+    let nome = move |[parameters]: [&[f64]; 1], q: &mut [f64]| nome_into(given, parameters, q);
+    add(module, &named("nome"), nothing, column(nome))
 }
 
 /// The four theta functions.

@@ -4,14 +4,19 @@
 use super::given::Given;
 use super::integrals::carlson::{careful_rc, careful_rd, careful_rf, careful_rj};
 use super::integrals::carlson_lanes::{CarlsonRc, CarlsonRd, CarlsonRf, CarlsonRj};
+use super::integrals::heuman_lambda::careful_lambda;
 use super::integrals::incomplete::{careful_e, careful_f};
 use super::integrals::incomplete_lanes::{IncompleteE, IncompleteF};
+use super::integrals::third_kind::{careful_complete_pi, careful_incomplete_pi};
+use super::integrals::third_kind_lanes::{CompletePi, HeumanLambda, IncompletePi};
 use super::integrals::*;
+use super::nome::{careful_nome, nome, nome_into};
+use super::nome_lanes::NomeOfParameter;
 use super::parameter::Parameter;
 use super::rows;
 use crate::lanes::{Formula, InstructionSet};
 
-const ROWS: usize = 4000;
+const ROWS: usize = 1000;
 const BOUND: f64 = 3.0;
 
 /// What stands in a column.
@@ -221,6 +226,72 @@ fn incomplete() {
             |[phi], given, m, e| incomplete_e_into(phi, given, m, e),
             |[phi], p| incomplete_e(phi, p),
             careful_e,
+        );
+    }
+}
+
+#[test]
+fn of_parameters_alone() {
+    let parameters = [
+        Values::Between(0.0, 1.0),
+        Values::Towards(0.0, 1.0),
+        Values::Towards(1.0, 0.0),
+        Values::Between(-60.0, 0.0),
+        Values::Between(-1e9, 0.0),
+    ];
+    for m in parameters {
+        let nome_of = |[]: [f64; 0], p| nome(p);
+        of_parameter(
+            "nome",
+            [],
+            m,
+            &NomeOfParameter,
+            |[], given, m, q| nome_into(given, m, q),
+            nome_of,
+            careful_nome,
+        );
+    }
+}
+
+#[test]
+fn third_kind() {
+    let unit = Values::Between(0.0, 1.0);
+    let characteristics =
+        [unit, Values::Towards(0.0, 1.0), Values::Towards(1.0, 0.0), Values::Between(-20.0, 1.0)];
+    let amplitudes = [Values::Between(-1.5, 1.5), Values::Between(-20.0, 20.0), Values::Towards(0.0, 1.57)];
+    let parameters = [unit, Values::Towards(0.0, 1.0), Values::Between(-100.0, 1.0)];
+    for (n, m) in characteristics.into_iter().flat_map(|n| parameters.map(|m| (n, m))) {
+        of_parameter(
+            "complete Pi",
+            [n],
+            m,
+            &CompletePi,
+            |[n], given, m, out| complete_pi_into(n, given, m, out),
+            |[n], p| complete_pi(n, p),
+            careful_complete_pi,
+        );
+        for phi in amplitudes {
+            of_parameter(
+                "Pi",
+                [n, phi],
+                m,
+                &IncompletePi,
+                incomplete_pi_into,
+                |[n, phi], p| incomplete_pi(n, phi, p),
+                careful_incomplete_pi,
+            );
+        }
+    }
+    for (phi, m) in amplitudes.into_iter().flat_map(|phi| [unit, Values::Towards(1.0, 0.0)].map(|m| (phi, m)))
+    {
+        of_parameter(
+            "lambda",
+            [phi],
+            m,
+            &HeumanLambda,
+            |[phi], given, m, out| heuman_lambda_into(phi, given, m, out),
+            |[phi], p| heuman_lambda(phi, p),
+            careful_lambda,
         );
     }
 }

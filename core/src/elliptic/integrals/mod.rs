@@ -13,12 +13,13 @@ pub(crate) mod rc_lanes;
 pub(crate) mod rj_lanes;
 pub(crate) mod series_lanes;
 pub(crate) mod third_kind;
+pub(crate) mod third_kind_lanes;
 
 pub use carlson::{
     carlson_rc, carlson_rc_into, carlson_rd, carlson_rd_into, carlson_rf, carlson_rf_into, carlson_rj,
     carlson_rj_into,
 };
 pub use complete::{complete_e, complete_e_into, complete_k, complete_k_into};
-pub use heuman_lambda::heuman_lambda;
+pub use heuman_lambda::{heuman_lambda, heuman_lambda_into};
 pub use incomplete::{incomplete_e, incomplete_e_into, incomplete_f, incomplete_f_into};
-pub use third_kind::{complete_pi, incomplete_pi};
+pub use third_kind::{complete_pi, complete_pi_into, incomplete_pi, incomplete_pi_into};
