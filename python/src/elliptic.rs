@@ -5,9 +5,7 @@ use libration::elliptic::{
     Given, carlson_rc_into, carlson_rd_into, carlson_rf_into, carlson_rj_into, complete_e_into,
     complete_k_into, incomplete_e_into, incomplete_f_into, nome_into,
 };
-use libration::{
-    Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
-};
+use libration::{Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, SecondKind, Theta, ThetaFunction};
 use pyo3::prelude::*;
 
 use crate::ufunc::{Block, add, each, nothing, whole};
@@ -50,13 +48,10 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given
             jacobi.glaisher_into(which, u, out);
         };
         add(module, &named(name), set_up, whole::<[f64; 1], _>(function))?;
-        let inverse = move |p: &Parameter, [x]: [f64; 1]| [libration::inverse_jacobi(which, x, *p)];
-        add(
-            module,
-            &named(&format!("arc{name}")),
-            move |[value]| Some(given.parameter(value)),
-            each(inverse),
-        )?;
+        let inverse = move |[x, parameters]: [&[f64]; 2], values: &mut [f64]| {
+            inverse_jacobi_into(which, x, given, parameters, values);
+        };
+        add(module, &named(&format!("arc{name}")), nothing, column(inverse))?;
     }
     let complex = |jacobi: &JacobiComplex, [re, im]: [f64; 2]| {
         let JacobiComplexValues { sn, cn, dn, .. } = jacobi.values(re, im);

@@ -25,6 +25,7 @@ pub use integrals::{
 };
 pub use jacobi::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,
+    inverse_jacobi_into,
 };
 pub use nome::{nome, nome_into};
 pub use parameter::Parameter;

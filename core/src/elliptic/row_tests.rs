@@ -10,6 +10,8 @@ use super::integrals::incomplete_lanes::{IncompleteE, IncompleteF};
 use super::integrals::third_kind::{careful_complete_pi, careful_incomplete_pi};
 use super::integrals::third_kind_lanes::{CompletePi, HeumanLambda, IncompletePi};
 use super::integrals::*;
+use super::jacobi::Glaisher;
+use super::jacobi::inverse::{Inverse, careful_inverse, inverse_jacobi, inverse_jacobi_into};
 use super::nome::{careful_nome, nome, nome_into};
 use super::nome_lanes::NomeOfParameter;
 use super::parameter::Parameter;
@@ -293,5 +295,29 @@ fn third_kind() {
             |[phi], p| heuman_lambda(phi, p),
             careful_lambda,
         );
+    }
+}
+
+#[test]
+fn inverses() {
+    let unit = Values::Between(0.0, 1.0);
+    for which in Glaisher::ALL {
+        let ranges = match which.name() {
+            "sn" | "cn" | "dn" | "cd" => [Values::Between(-1.0, 1.0), Values::Towards(0.0, 1.0)],
+            "ns" | "nc" | "nd" | "dc" => [Values::Between(1.0, 30.0), Values::Towards(2.0, 1.0)],
+            _ => [Values::Between(-30.0, 30.0), Values::Powers(10.0)],
+        };
+        let parameters = [unit, Values::Towards(0.0, 1.0), Values::Between(-100.0, 1.0)];
+        for (x, m) in ranges.into_iter().flat_map(|x| parameters.map(|m| (x, m))) {
+            let into = |[x]: [&[f64]; 1], given, m: &[f64], out: &mut [f64]| {
+                inverse_jacobi_into(which, x, given, m, out);
+            };
+            let scalar = |[x]: [f64; 1], p| inverse_jacobi(which, x, p);
+            let careful = |[x]: [f64; 1], p| careful_inverse(which, x, p);
+            match Inverse::new(which) {
+                Inverse::Odd(formula) => of_parameter(which.name(), [x], m, &formula, into, scalar, careful),
+                Inverse::Even(formula) => of_parameter(which.name(), [x], m, &formula, into, scalar, careful),
+            }
+        }
     }
 }
