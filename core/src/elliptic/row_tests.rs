@@ -1,5 +1,5 @@
 //! Every function of columns against the careful code, on every instruction set: the same bits as its scalars, within
-//! the promise of 3 ulp of the careful value, and few rows left to it.
+//! the promise of 3 ulp of the careful value, and at most one row in ten left to it.
 
 use super::given::Given;
 use super::integrals::carlson::{careful_rc, careful_rd, careful_rf, careful_rj};
@@ -85,7 +85,7 @@ fn worst(
             left_out(&mut values);
             let out = values.iter().zip(careful).filter(|(value, known)| value.is_nan() && !known.is_nan());
             let out = out.count();
-            assert!(out * 50 <= careful.len(), "{set:?}: {out} rows left to the careful code");
+            assert!(out * 10 <= careful.len(), "{set:?}: {out} rows left to the careful code");
             column(&mut values);
             for (row, (value, known)) in values.iter().zip(careful).enumerate() {
                 assert!(apart(scalar(row), *value) == 0.0, "{set:?} row {row}: {} {value}", scalar(row));

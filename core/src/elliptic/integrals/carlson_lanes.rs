@@ -1,6 +1,7 @@
-//! R_F, R_C, R_D and R_J over lanes; NaN for arguments below 0, beyond 1e60 and next to 0 but for one of x, y, z.
+//! R_F, R_C, R_D and R_J over lanes; NaN for x, y, z below 0, arguments beyond 1e60 and next to 0 but for one of x, y, z,
+//! and next to the zeros of the principal value of R_J.
 
-use super::duplication_lanes::{LARGEST, LEAST, larger, rf, rf_and_rd};
+use super::duplication_lanes::{LARGEST, LEAST, Triple, chosen, larger, rf, rf_and_rd};
 use super::rc_lanes::rc;
 use super::rj_lanes::rf_and_rj;
 use crate::float::Dd;
@@ -26,6 +27,12 @@ fn held<L: Lane>(x: L, y: L, z: L) -> L {
 fn positive<L: Lane>(x: L) -> L {
     let nan = L::splat(f64::NAN);
     L::select(x.less(L::splat(LARGEST)), L::select(L::splat(LEAST).less(x), x, nan), nan)
+}
+
+/// Square root as hi + lo.
+#[inline(always)]
+fn root<L: Lane>(value: Dd<L>) -> Dd<L> {
+    Unnormalised::from(value).root().tight()
 }
 
 /// R_F.
@@ -56,8 +63,7 @@ impl Formula<2, 1> for CarlsonRc {
         if !L::any(negative) {
             return [value.value()];
         }
-        let root =
-            quotient(Unnormalised::from_double(x).root().tight(), Unnormalised::from(first).root().tight());
+        let root = quotient(root(Dd::from_double(x)), root(first));
         let product = root * value;
         // The root of 0 has no quotient with it.
         let product = L::select(x.equal(zero), zero, product.value());
@@ -79,16 +85,72 @@ impl Formula<3, 1> for CarlsonRd {
     }
 }
 
-/// R_J, p > 0.
+/// What p < 0 asks for: Cauchy's principal value by DLMF 19.20.14, as in carlson.rs.
+struct Principal<L: Lane> {
+    q: L,
+    /// x y and its product with z, the largest.
+    xy: Dd<L>,
+    xyz: Dd<L>,
+    /// 1/(z + q) and (z - x)(z - y)/(z + q).
+    inverse: Dd<L>,
+    below: Dd<L>,
+}
+
+impl<L: Lane> Principal<L> {
+    /// With x, y, z in rising order, and the p of the R_J that it takes.
+    #[inline(always)]
+    fn new([x, y, z]: [L; 3], q: L) -> (Self, Triple<L>, Dd<L>) {
+        let (x, y) = (L::select(x.less(y), x, y), larger(x, y));
+        let (y, z) = (L::select(y.less(z), y, z), larger(y, z));
+        let (zx, zy) = (Dd::sum(z, -x), Dd::sum(z, -y));
+        let inverse = quotient(Dd::from_double(L::splat(1.0)), Dd::sum(z, q));
+        let p = (Dd::sum(x, q) * z).plain_sum(zx * y) * inverse;
+        let xy = Dd::product(x, y);
+        let principal = Principal { q, xy, xyz: xy * z, inverse, below: zx * zy * inverse };
+        (principal, [Dd::from_double(x), Dd::from_double(y), Dd::from_double(z)], p)
+    }
+    /// R_J/3 from R_F and R_J/3 of x, y, z, p; NaN where its two terms cancel.
+    #[inline(always)]
+    fn value(&self, p: Dd<L>, first: Dd<L>, third: Dd<L>) -> L {
+        let (zero, nan) = (L::splat(0.0), L::splat(f64::NAN));
+        let pq = p * self.q;
+        let sum = self.xy.plain_sum(pq);
+        let sum = Dd::new(L::select(sum.hi.less(L::splat(LARGEST)), sum.hi, nan), sum.lo);
+        let in_range = Dd::new(L::select(L::splat(1e-200).less(self.xyz.hi), self.xyz.hi, nan), self.xyz.lo);
+        let elementary = quotient(root(in_range), root(sum)) * rc(sum, Dd::new(positive(pq.hi), pq.lo));
+        let elementary = Dd::select(self.xy.hi.equal(zero), Dd::from_double(zero), elementary);
+        let other = first.plain_sum(self.below * third);
+        let difference = elementary.plain_sum(-other);
+        let whole = (difference * self.inverse).value();
+        L::select((other.hi * L::splat(0.125)).less(difference.hi.abs()), whole, nan)
+    }
+}
+
+/// R_J.
 pub(crate) struct CarlsonRj;
 
 impl Formula<4, 1> for CarlsonRj {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [x, y, z, p]: [L; 4]) -> [L; 1] {
+        let three = L::splat(3.0);
         let x = held(x, y, z);
-        let at = [Dd::from_double(x), Dd::from_double(y), Dd::from_double(z)];
-        let (_, third) = rf_and_rj(at, Dd::from_double(positive(p)));
-        [third.hi.mul_add(L::splat(3.0), third.lo * L::splat(3.0))]
+        let negative = p.less(L::splat(0.0));
+        let size = positive(p.abs());
+        let mut at = [Dd::from_double(x), Dd::from_double(y), Dd::from_double(z)];
+        let mut inner = Dd::from_double(size);
+        let mut principal = None;
+        if L::any(negative) {
+            let (found, sorted, p) = Principal::new([x, y, z], size);
+            at = chosen::<L>(negative, sorted, at);
+            inner = Dd::select(negative, p, inner);
+            principal = Some(found);
+        }
+        let (first, third) = rf_and_rj(at, inner);
+        let value = third.hi.mul_add(three, third.lo * three);
+        match principal {
+            Some(principal) => [L::select(negative, principal.value(inner, first, third) * three, value)],
+            None => [value],
+        }
     }
 }
