@@ -1,4 +1,4 @@
-"""The elliptic functions of libration, SciPy and mpmath side by side: measures them and writes docs/elliptic.md.
+"""The elliptic functions of libration, SciPy, ellippy and mpmath side by side: measures them and writes docs/elliptic.md.
 
     python bench/run_elliptic.py            measure, write bench/results/elliptic.json and the page: make bench-elliptic
     python bench/run_elliptic.py --page     write the page from the results as they are
@@ -10,6 +10,7 @@ Exit status 1 if libration breaks its promise, or the page is not what the resul
 import os
 
 os.environ["LIBRATION_NUM_THREADS"] = "1"  # read when libration is imported
+os.environ["RAYON_NUM_THREADS"] = "1"  # read by ellippy, which takes all cores otherwise
 
 import argparse
 import json

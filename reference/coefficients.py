@@ -4,12 +4,16 @@
 
 Complete integrals: in y = mc and L = -ln y, K = P + L Q, E = 1 + y (P + L Q), B = (E - mc K)/m = P + y L Q, and
 (1 - m B)/mc = P + L Q with polynomials P, Q. They are fitted on nodes that crowd next to y = 0, by least squares of relative
-errors with Lawson's reweighting. Form: Cody, Math. Comp. 19 (1965) 105. Logarithm: Chebyshev interpolation.
+errors with Lawson's reweighting. Form: Cody, Math. Comp. 19 (1965) 105. Logarithm, R_C: Chebyshev interpolation.
+Series of R_F and R_J in E2, E3, E4, E5: DLMF 19.19.7 in rational numbers, with 1/(2 N + 1) and 3/(2 N + 3). Nome: reversion
+of lambda = theta2(q^4)/(2 theta3(q^4)), DLMF 19.5.5.
 """
 
 from collections.abc import Callable
+from fractions import Fraction
+from math import factorial, prod
 
-from mpmath import atanh, chebyfit, cos, ellipe, ellipk, log, matrix, mp, mpf, pi, qr_solve, sqrt
+from mpmath import atan, atanh, chebyfit, cos, ellipe, ellipk, log, matrix, mp, mpf, pi, qr_solve, sqrt
 
 mp.dps = 60
 NODES = 80
@@ -68,8 +72,65 @@ def printed(name: str, error: mpf, coefficients: list[mpf]) -> None:
     print("    " + ", ".join(repr(float(c)) for c in coefficients) + ",")
 
 
+def symmetric(kind: int, powers: tuple[int, ...]) -> Fraction:
+    """Factor of E2^a E3^b E4^c E5^d, of R_F (`kind` 1) or R_J (3)."""
+    degree = sum(place * power for place, power in enumerate(powers, 2))
+    count = sum(powers)
+    rising = prod((Fraction(1, 2) + i for i in range(count)), start=Fraction(1))
+    below = prod(factorial(power) for power in powers)
+    return (-1) ** (count + degree) * rising / below * Fraction(kind, 2 * degree + kind)
+
+
+def print_symmetric(name: str, kind: int, degree: int) -> None:
+    """The factors of the powers of E2, a line for each product of powers of E3, E4, E5."""
+    beyond = range(1 if kind == 1 else degree // 4 + 1)
+    for c, d, b in ((c, d, b) for c in beyond for d in beyond for b in range(degree // 3 + 1)):
+        rest = degree - 3 * b - 4 * c - 5 * d
+        if rest >= 0:
+            factors = [symmetric(kind, (a, b, c, d)) for a in range(rest // 2 + 1)]
+            print(f"{name}: E3^{b} E4^{c} E5^{d}")
+            print("    " + ", ".join(repr(float(factor)) for factor in factors) + ",")
+
+
+def product(a: list[int], b: list[int]) -> list[int]:
+    """Of two power series of the same length."""
+    return [sum(a[i] * b[n - i] for i in range(n + 1)) for n in range(len(a))]
+
+
+def nome_series(terms: int) -> list[int]:
+    """The h of q = lambda h(lambda^4), term by term: lambda = q g(q^4), so that h(l) g(l h(l)^4) = 1."""
+    top = [int(any(n == k * (k + 1) for k in range(terms))) for n in range(terms)]
+    bottom = [int(n == 0) + 2 * int(any(n == k * k for k in range(1, terms))) for n in range(terms)]
+    g: list[int] = []
+    for n in range(terms):
+        g.append(top[n] - sum(bottom[i] * g[n - i] for i in range(1, n + 1)))
+    h = [1] + [0] * (terms - 1)
+    for n in range(1, terms):
+        inner = [0, *product(product(h, h), product(h, h))[:-1]]
+        value, power = [0] * terms, [1] + [0] * (terms - 1)
+        for factor in g:
+            value = [x + factor * y for x, y in zip(value, power, strict=True)]
+            power = product(power, inner)
+        h[n] = -product(h, value)[n]
+    return h
+
+
+def rc_rest(e: mpf) -> mpf:
+    """(R_C(1, 1 + e) - 1)/e."""
+    if abs(e) < mpf(10) ** -9:
+        return sum((-1) ** i * e ** (i - 1) / mpf(2 * i + 1) for i in range(1, 7))
+    root = sqrt(abs(e))
+    return ((atan(root) if e > 0 else atanh(root)) / root - 1) / e
+
+
 def main() -> None:
     """Print every array."""
+    print_symmetric("R_F", 1, 13)
+    print_symmetric("R_J", 3, 11)
+    print("NOME:", nome_series(13)[1:])
+    near = mpf("0.172")
+    coefficients, error = chebyfit(rc_rest, [-near, near], 15, error=True)
+    printed("R_C", error * near, coefficients[::-1])
     for name, terms in (("K", 11), ("E", 10), ("B", 12), ("G", 11)):
         error, p, q = fitted(name, terms)
         printed(f"{name}: P", error, p)

@@ -1,12 +1,13 @@
-"""The elliptic functions of libration, SciPy and mpmath: rows with an answer, worst error and time of each.
+"""The elliptic functions of libration, SciPy, ellippy and mpmath: rows with an answer, worst error and time of each.
 
 The unit of error is that of functions.toml, ulp + 2^-100 of the condition in all arguments. Every row of the reference
-vectors counts whose parameter the library can be asked for: SciPy and mpmath take m, so a row that states mc or k is asked
+vectors counts whose parameter the library can be asked for: the others take m, so a row that states mc or k is asked
 of them only where m is a double. A complex value, NaN, an exception, or more than LIMIT seconds is no answer. An answer
 without four right digits is wrong. Neither enters the worst error.
 """
 
 import csv
+import importlib.util
 import math
 import signal
 import sys
@@ -135,7 +136,7 @@ def measured(function: Function, rival: Rival | None) -> dict | None:
 
 
 def moderate(function: Function, count: int) -> tuple[list[np.ndarray], np.ndarray, str]:
-    """Moderate arguments that all three libraries take, a parameter for each, and its keyword."""
+    """Moderate arguments that all libraries take, a parameter for each, and its keyword."""
     random = np.random.default_rng(5)
     spans = {"u": (-10, 10), "re": (-5, 5), "im": (-1, 1), "z": (-10, 10), "phi": (-1.5, 1.5), "n": (-2, 0.9)}
     arguments = [random.uniform(*spans.get(name, (0.1, 10)), count) for name in function.arguments]
@@ -143,7 +144,7 @@ def moderate(function: Function, count: int) -> tuple[list[np.ndarray], np.ndarr
 
 
 def nanoseconds(function: Function) -> dict[str, list[float]]:
-    """Nanoseconds per value, round by round: arrays for libration and SciPy, scalars for mpmath."""
+    """Nanoseconds per value, round by round: arrays for libration, SciPy and ellippy, scalars for mpmath."""
     arguments, parameters, keyword = moderate(function, COUNT)
     given = {keyword: parameters} if function.parameter else {}
     calls = {"ours": lambda: function.ours(*arguments, **given)}
@@ -151,6 +152,8 @@ def nanoseconds(function: Function) -> dict[str, list[float]]:
         calls["ours, one parameter"] = lambda: function.ours(*arguments, **{keyword: 0.7})
     if function.scipy is not None:
         calls["scipy"] = lambda: function.scipy.call(*arguments, **given)
+    if there(function.ellippy):
+        calls["ellippy"] = lambda: function.ellippy.call(*arguments, **given)
     if function.mpmath is not None:
         scalars = [[float(x) for x in column[:SCALARS]] for column in (*arguments, parameters)]
 
@@ -163,6 +166,11 @@ def nanoseconds(function: Function) -> dict[str, list[float]]:
     return {name: [second / counts[name] * 1e9 for second in seconds] for name, seconds in rounds(calls).items()}
 
 
+def there(rival: Rival | None) -> bool:
+    """Whether ellippy has the function, and is installed."""
+    return rival is not None and importlib.util.find_spec("ellippy") is not None
+
+
 def records() -> list[dict]:
     """Every function of every library, measured."""
     signal.signal(signal.SIGALRM, too_late)
@@ -170,7 +178,8 @@ def records() -> list[dict]:
     np.seterr(all="ignore")
     found = []
     for function in functions():
-        asked = {"ours": None, "scipy": function.scipy, "mpmath": function.mpmath}
+        ellippy = function.ellippy if there(function.ellippy) else None
+        asked = {"ours": None, "scipy": function.scipy, "ellippy": ellippy, "mpmath": function.mpmath}
         record = {"name": function.name, "times": nanoseconds(function)}
         for name, rival in asked.items():
             record[name] = measured(function, rival) if rival is not None or name == "ours" else None

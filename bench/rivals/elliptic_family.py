@@ -1,8 +1,9 @@
-"""The elliptic functions of libration, SciPy and mpmath: how each library is asked, and the domain it states.
+"""The elliptic functions of libration, SciPy, ellippy and mpmath: how each library is asked, and the domain it states.
 
-SciPy and mpmath take the parameter m (SciPy's K also its complement), a double here; mpmath is asked at its 53 bits.
+All but libration take the parameter m (SciPy's K also its complement), a double here; mpmath is asked at its 53 bits.
 """
 
+import dataclasses
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -46,7 +47,7 @@ def no_pole(numbers: dict) -> bool:
 
 @dataclass(frozen=True)
 class Function:
-    """One function: its vectors, arguments, outputs and how the three libraries are asked for it (None: the library has none)."""
+    """One function: its vectors, arguments, outputs and how the libraries are asked for it (None: the library has none)."""
 
     name: str
     file: str
@@ -58,6 +59,7 @@ class Function:
     mpmath: Rival | None = None
     label: str | None = None
     parameter: bool = True
+    ellippy: Rival | None = None
 
 
 def ellipj(place: int) -> Callable:
@@ -92,8 +94,43 @@ def ours(name: str) -> Callable:
     return getattr(elliptic, name)
 
 
+def ellippy(name: str) -> Callable:
+    """A function of ellippy, which is there only where its package is."""
+
+    def call(*arguments, **given):
+        import ellippy
+
+        return getattr(ellippy, name)(*arguments, **given)
+
+    return call
+
+
+def below_pole(numbers: dict) -> bool:
+    """1 - m sin(phi)^2 is not negative on the way from 0 to phi."""
+    reach = 1.0 if abs(numbers["phi"]) > math.pi / 2 else math.sin(numbers["phi"]) ** 2
+    return numbers["m"] * reach <= 1
+
+
+# ellippy raises an error for a whole array where one row is outside of these domains.
+ELLIPPY = {
+    "complete_k": Rival("m ≤ 1", ellippy("ellipk"), inside=up_to_one),
+    "complete_e": Rival("m ≤ 1", ellippy("ellipe"), inside=up_to_one),
+    "incomplete_f": Rival("m sin² ≤ 1", ellippy("ellipf"), inside=below_pole),
+    "incomplete_e": Rival("m sin² ≤ 1", ellippy("ellipeinc"), inside=below_pole),
+    "complete_pi": Rival("m ≤ 1, n ≠ 1", ellippy("ellippi"), inside=up_to_one),
+    "incomplete_pi": Rival(
+        "m sin² ≤ 1, n sin² ≠ 1", lambda n, phi, m: ellippy("ellippiinc")(phi, n, m), inside=below_pole
+    ),
+    "heuman_lambda": Rival("0 ≤ m < 1", ellippy("heuman_lambda"), inside=lambda row: 0 <= row["m"] < 1),
+    "carlson_rf": Rival("x, y, z ≥ 0", ellippy("elliprf")),
+    "carlson_rc": Rival("x ≥ 0, any real y", ellippy("elliprc")),
+    "carlson_rd": Rival("x, y ≥ 0, z > 0", ellippy("elliprd")),
+    "carlson_rj": Rival("x, y, z ≥ 0, any real p", ellippy("elliprj")),
+}
+
+
 def functions() -> list[Function]:
-    """Every function that another of the two libraries has too."""
+    """Every function that another library has too."""
     found = [
         Function(
             *(name, "glaisher", ("u",), (name,), REAL, ours(name)),
@@ -148,6 +185,7 @@ def functions() -> list[Function]:
             Rival("m ≤ 1", lambda phi, m: special.ellipeinc(phi, m), inside=up_to_one),
             Rival("any complex m", lambda phi, m: mpmath.ellipe(phi, m)),
         ),
+        Function("heuman_lambda", "heuman", ("phi",), ("lambda",), "0 ≤ m ≤ 1", ours("heuman_lambda")),
         Function(
             *("complete_pi", "third_kind", ("n",), ("value",), "m < 1, any real n", ours("complete_pi"), None),
             Rival("complex; for n > 1 not real", lambda n, m: mpmath.ellippi(n, m), inside=lambda row: row["n"] <= 1),
@@ -179,4 +217,4 @@ def functions() -> list[Function]:
                 *(name, False),
             )
         )
-    return found
+    return [dataclasses.replace(function, ellippy=ELLIPPY.get(function.name)) for function in found]

@@ -22,6 +22,7 @@ mod vectors_action;
 mod vectors_approx_angle;
 mod vectors_approx_period;
 mod vectors_approx_sine;
+mod vectors_columns;
 mod vectors_cubic_quintic;
 mod vectors_damped;
 

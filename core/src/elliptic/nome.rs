@@ -1,5 +1,7 @@
 //! The nome q = exp(-pi K'/K).
 //!
+//! Over lanes in nome_lanes.rs; and row by row for every parameter:
+//!
 //! Method: for m <= 1/2 the series in lambda, DLMF 19.5.5, where q <= e^-pi and five terms reach 2^-100;
 //! above, the complementary nome q1 of mc by the same series is what the theta functions need, and q itself
 //! follows from ln q ln q1 = pi^2. For m < 0, q(m) = -q(-m/(1 - m)) continues the series.
@@ -7,7 +9,10 @@
 //! of q or, with m and 1 - m exchanged, of the complementary nome, so that q <= e^-pi and nothing cancels.
 
 use super::agm::agm;
+use super::given::Given;
+use super::nome_lanes::NomeOfParameter;
 use super::parameter::Parameter;
+use super::rows::{column_of_parameter, one_of_parameter};
 use crate::float::elementary::horner;
 use crate::float::{Dd, PI, Scaled, elementary};
 use crate::lanes::Lane;
@@ -55,6 +60,24 @@ pub(crate) fn minus_log_nome(k: Dd, kc: Dd) -> Dd {
 /// ```
 #[must_use]
 pub fn nome(parameter: Parameter) -> f64 {
+    one_of_parameter(&NomeOfParameter, [], parameter, careful_nome)
+}
+
+/// The nome of a column of parameters.
+///
+/// **Error**, domain and source of [`nome`], value by value the same. Panics where the lengths differ.
+///
+/// ```
+/// use libration::elliptic::{Given, nome_into};
+/// let mut q = [0.0; 2];
+/// nome_into(Given::Mc, &[0.5, 1e-20], &mut q);
+/// assert_eq!(format!("{:.10} {:.10}", q[0], q[1]), "0.0432139183 0.8169133020");
+/// ```
+pub fn nome_into(given: Given, parameters: &[f64], q: &mut [f64]) {
+    column_of_parameter(&NomeOfParameter, [], (given, parameters), q, careful_nome);
+}
+
+pub(crate) fn careful_nome([]: [f64; 0], parameter: Parameter) -> f64 {
     let Parameter { m, mc, .. } = parameter;
     if mc.hi == 0.0 {
         return 1.0;

@@ -1,5 +1,7 @@
 //! The integral of the third kind Pi, complete and incomplete, of any real characteristic n.
 //!
+//! Over lanes in third_kind_lanes.rs; and row by row for every argument:
+//!
 //! Method: for each range of n the combination of R_F, R_J and R_C in which every term has one sign: for n < 0
 //! by n' = (m - n)/(1 - n), for n > 1 by n' = m/n, whose remaining integrals are one R_J. With s, c the sine and cosine of
 //! the reduced amplitude and d = 1 - m s^2:
@@ -11,31 +13,34 @@
 use super::carlson::{rc, rc_principal, rf, rj};
 use super::complete::complete_k_dd;
 use super::incomplete::delta_square;
+use super::third_kind_lanes::{CompletePi, IncompletePi};
 use crate::elliptic::amplitude::{ReducedAmplitude, sines};
+use crate::elliptic::given::Given;
 use crate::elliptic::parameter::Parameter;
+use crate::elliptic::rows::{column_of_parameter, one_of_parameter};
 use crate::float::{Dd, Scaled};
 
 /// m, mc, n and 1 - n.
 #[derive(Clone, Copy)]
-struct Given {
+struct Characteristic {
     m: Scaled,
     mc: Scaled,
     n: Scaled,
     nc: Scaled,
 }
 
-impl Given {
-    fn new(n: f64, parameter: Parameter) -> Given {
+impl Characteristic {
+    fn new(n: f64, parameter: Parameter) -> Characteristic {
         let nc = Scaled::from(Dd::sum(1.0, -n));
-        Given { m: parameter.long_m(), mc: parameter.mc.into(), n: n.into(), nc }
+        Characteristic { m: parameter.long_m(), mc: parameter.mc.into(), n: n.into(), nc }
     }
 }
 
 const THREE: f64 = 3.0;
 
 /// Pi(n | m) for mc > 0 and n not 1.
-fn complete(given: Given, parameter: Parameter) -> Scaled {
-    let Given { m, mc, n, nc } = given;
+fn complete(given: Characteristic, parameter: Parameter) -> Scaled {
+    let Characteristic { m, mc, n, nc } = given;
     let one = Scaled::ONE;
     if nc.is_negative() {
         // n - m = (n - 1) + mc.
@@ -51,8 +56,8 @@ fn complete(given: Given, parameter: Parameter) -> Scaled {
 }
 
 /// The integral over the reduced amplitude.
-fn partial(given: Given, sine: Scaled, cosine: Scaled) -> Scaled {
-    let Given { m, mc, n, nc } = given;
+fn partial(given: Characteristic, sine: Scaled, cosine: Scaled) -> Scaled {
+    let Characteristic { m, mc, n, nc } = given;
     let one = Scaled::ONE;
     let (square, c) = (sine.square(), cosine.square());
     let d = delta_square(m, mc, square, c);
@@ -99,6 +104,17 @@ fn partial(given: Given, sine: Scaled, cosine: Scaled) -> Scaled {
 /// ```
 #[must_use]
 pub fn complete_pi(n: f64, parameter: Parameter) -> f64 {
+    one_of_parameter(&CompletePi, [n], parameter, careful_complete_pi)
+}
+
+/// Pi of a column of characteristics, each with a parameter of its own.
+///
+/// **Error**, domain and source of [`complete_pi`], value by value the same. Panics where the lengths differ.
+pub fn complete_pi_into(n: &[f64], given: Given, parameters: &[f64], values: &mut [f64]) {
+    column_of_parameter(&CompletePi, [n], (given, parameters), values, careful_complete_pi);
+}
+
+pub(crate) fn careful_complete_pi([n]: [f64; 1], parameter: Parameter) -> f64 {
     let mc = parameter.mc.hi;
     if n.is_nan() || mc.is_nan() || mc < 0.0 {
         return f64::NAN;
@@ -112,7 +128,7 @@ pub fn complete_pi(n: f64, parameter: Parameter) -> f64 {
     if n == 1.0 {
         return f64::INFINITY;
     }
-    complete(Given::new(n, parameter), parameter).value()
+    complete(Characteristic::new(n, parameter), parameter).value()
 }
 
 /// Pi(n; phi | m) = int_0^phi dt / ((1 - n sin^2 t) sqrt(1 - m sin^2 t)), Cauchy's principal value where
@@ -134,6 +150,17 @@ pub fn complete_pi(n: f64, parameter: Parameter) -> f64 {
 /// ```
 #[must_use]
 pub fn incomplete_pi(n: f64, phi: f64, parameter: Parameter) -> f64 {
+    one_of_parameter(&IncompletePi, [n, phi], parameter, careful_incomplete_pi)
+}
+
+/// Pi of columns of characteristics and amplitudes, each with a parameter of its own.
+///
+/// **Error**, domain and source of [`incomplete_pi`], value by value the same. Panics where the lengths differ.
+pub fn incomplete_pi_into([n, phi]: [&[f64]; 2], given: Given, parameters: &[f64], values: &mut [f64]) {
+    column_of_parameter(&IncompletePi, [n, phi], (given, parameters), values, careful_incomplete_pi);
+}
+
+pub(crate) fn careful_incomplete_pi([n, phi]: [f64; 2], parameter: Parameter) -> f64 {
     let mc = parameter.mc.hi;
     if n.is_nan() || phi.is_nan() || mc.is_nan() {
         return f64::NAN;
@@ -149,7 +176,7 @@ pub fn incomplete_pi(n: f64, phi: f64, parameter: Parameter) -> f64 {
     }
     let ReducedAmplitude { n: half_turns, side, r, rest, .. } = ReducedAmplitude::new(phi);
     let (sine, cosine) = sines(r, rest);
-    let given = Given::new(n, parameter);
+    let given = Characteristic::new(n, parameter);
     if mc < 0.0
         && (half_turns.hi != 0.0 || (Scaled::ONE - given.m * Scaled::from(sine).square()).is_negative())
     {

@@ -1,15 +1,20 @@
 //! The inverses of Glaisher's twelve functions.
 //!
+//! Over lanes in inverse_lanes.rs; and row by row for every argument:
+//!
 //! Method: with Delta(p, q) = ps^2 - qs^2, that is Delta(n, d) = m, Delta(d, c) = 1 - m, Delta(n, c) = 1, every inverse is one
 //! R_F whose arguments are sums of x^2 (or 1) and Delta x^2 (or Delta); each is formed so that it subtracts only where the
 //! range ends. Source: DLMF 22.15, 19.25.28 to 19.25.34.
 
 use super::functions::NevilleIndex;
 use super::glaisher::Glaisher;
+use super::inverse_lanes::{InverseEven, InverseOdd};
 use crate::elliptic::agm::quarter_period;
+use crate::elliptic::given::Given;
 use crate::elliptic::integrals::carlson::rf;
 use crate::elliptic::integrals::complete::complete_k_dd;
 use crate::elliptic::parameter::Parameter;
+use crate::elliptic::rows::{column_of_parameter, one_of_parameter};
 use crate::float::{Dd, Scaled};
 
 /// The first zero of cn for m < 1, of dn for m > 1; infinite at m = 1.
@@ -37,7 +42,7 @@ fn delta(p: NevilleIndex, q: NevilleIndex, parameter: Parameter) -> Scaled {
 }
 
 /// The two of c, d, n that are not this one.
-fn others(index: NevilleIndex) -> [NevilleIndex; 2] {
+pub(super) fn others(index: NevilleIndex) -> [NevilleIndex; 2] {
     use NevilleIndex::{C, D, N};
     match index {
         C => [D, N],
@@ -115,6 +120,44 @@ fn even(p: NevilleIndex, q: NevilleIndex, x: f64, parameter: Parameter) -> Scale
 /// ```
 #[must_use]
 pub fn inverse_jacobi(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
+    let careful = |[x]: [f64; 1], parameter| careful_inverse(which, x, parameter);
+    match Inverse::new(which) {
+        Inverse::Odd(formula) => one_of_parameter(&formula, [x], parameter, careful),
+        Inverse::Even(formula) => one_of_parameter(&formula, [x], parameter, careful),
+    }
+}
+
+/// arcpq of a column of values, each with a parameter of its own.
+///
+/// **Error**, domain and source of [`inverse_jacobi`], value by value the same. Panics where the lengths differ.
+pub fn inverse_jacobi_into(which: Glaisher, x: &[f64], given: Given, parameters: &[f64], values: &mut [f64]) {
+    let careful = |[x]: [f64; 1], parameter| careful_inverse(which, x, parameter);
+    let parameters = (given, parameters);
+    match Inverse::new(which) {
+        Inverse::Odd(formula) => column_of_parameter(&formula, [x], parameters, values, careful),
+        Inverse::Even(formula) => column_of_parameter(&formula, [x], parameters, values, careful),
+    }
+}
+
+/// The formula over lanes of one of the twelve.
+pub(crate) enum Inverse {
+    /// With s.
+    Odd(InverseOdd),
+    /// Without.
+    Even(InverseEven),
+}
+
+impl Inverse {
+    pub fn new(which: Glaisher) -> Self {
+        match which.pq() {
+            [NevilleIndex::S, q] => Inverse::Odd(InverseOdd::new(q, true)),
+            [p, NevilleIndex::S] => Inverse::Odd(InverseOdd::new(p, false)),
+            [p, q] => Inverse::Even(InverseEven::new(p, q)),
+        }
+    }
+}
+
+pub(crate) fn careful_inverse(which: Glaisher, x: f64, parameter: Parameter) -> f64 {
     let [p, q] = which.pq();
     if x.is_nan() || parameter.mc.hi.is_nan() {
         return f64::NAN;

@@ -5,9 +5,10 @@ pub(crate) mod epsilon_zeta;
 pub(crate) mod functions;
 pub(crate) mod glaisher;
 pub(crate) mod inverse;
+pub(crate) mod inverse_lanes;
 
 pub use complex::{Complex, JacobiComplex, JacobiComplexValues};
 pub use epsilon_zeta::SecondKind;
 pub use functions::{Jacobi, JacobiValues};
 pub use glaisher::Glaisher;
-pub use inverse::inverse_jacobi;
+pub use inverse::{inverse_jacobi, inverse_jacobi_into};
