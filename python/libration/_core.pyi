@@ -61,10 +61,16 @@ __all__ = [
     "cd_k",
     "cd_m",
     "cd_mc",
+    "cd_rows_k",
+    "cd_rows_m",
+    "cd_rows_mc",
     "check_friction",
     "cn_k",
     "cn_m",
     "cn_mc",
+    "cn_rows_k",
+    "cn_rows_m",
+    "cn_rows_mc",
     "column",
     "complete_e_k",
     "complete_e_m",
@@ -78,18 +84,30 @@ __all__ = [
     "cs_k",
     "cs_m",
     "cs_mc",
+    "cs_rows_k",
+    "cs_rows_m",
+    "cs_rows_mc",
     "cubic_quintic_motion",
     "cubic_quintic_u",
     "cubic_quintic_velocity",
     "dc_k",
     "dc_m",
     "dc_mc",
+    "dc_rows_k",
+    "dc_rows_m",
+    "dc_rows_mc",
     "dn_k",
     "dn_m",
     "dn_mc",
+    "dn_rows_k",
+    "dn_rows_m",
+    "dn_rows_mc",
     "ds_k",
     "ds_m",
     "ds_mc",
+    "ds_rows_k",
+    "ds_rows_m",
+    "ds_rows_mc",
     "duffing_motion",
     "duffing_of_pendulum",
     "duffing_u",
@@ -124,18 +142,30 @@ __all__ = [
     "jacobi_epsilon_k",
     "jacobi_epsilon_m",
     "jacobi_epsilon_mc",
+    "jacobi_epsilon_rows_k",
+    "jacobi_epsilon_rows_m",
+    "jacobi_epsilon_rows_mc",
     "jacobi_k",
     "jacobi_m",
     "jacobi_mc",
+    "jacobi_rows_k",
+    "jacobi_rows_m",
+    "jacobi_rows_mc",
     "jacobi_zeta_k",
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
     "nc_k",
     "nc_m",
     "nc_mc",
+    "nc_rows_k",
+    "nc_rows_m",
+    "nc_rows_mc",
     "nd_k",
     "nd_m",
     "nd_mc",
+    "nd_rows_k",
+    "nd_rows_m",
+    "nd_rows_mc",
     "nome_k",
     "nome_m",
     "nome_mc",
@@ -143,6 +173,9 @@ __all__ = [
     "ns_k",
     "ns_m",
     "ns_mc",
+    "ns_rows_k",
+    "ns_rows_m",
+    "ns_rows_mc",
     "orbit_motion",
     "orbit_phase",
     "orbit_second_sensitivities",
@@ -154,13 +187,22 @@ __all__ = [
     "sc_k",
     "sc_m",
     "sc_mc",
+    "sc_rows_k",
+    "sc_rows_m",
+    "sc_rows_mc",
     "schemes",
     "sd_k",
     "sd_m",
     "sd_mc",
+    "sd_rows_k",
+    "sd_rows_m",
+    "sd_rows_mc",
     "sn_k",
     "sn_m",
     "sn_mc",
+    "sn_rows_k",
+    "sn_rows_m",
+    "sn_rows_mc",
     "state_motion",
     "state_sensitivities",
     "state_theta",
@@ -232,9 +274,15 @@ carlson_rj: np.ufunc
 cd_k: np.ufunc
 cd_m: np.ufunc
 cd_mc: np.ufunc
+cd_rows_k: np.ufunc
+cd_rows_m: np.ufunc
+cd_rows_mc: np.ufunc
 cn_k: np.ufunc
 cn_m: np.ufunc
 cn_mc: np.ufunc
+cn_rows_k: np.ufunc
+cn_rows_m: np.ufunc
+cn_rows_mc: np.ufunc
 complete_e_k: np.ufunc
 complete_e_m: np.ufunc
 complete_e_mc: np.ufunc
@@ -247,15 +295,27 @@ complete_pi_mc: np.ufunc
 cs_k: np.ufunc
 cs_m: np.ufunc
 cs_mc: np.ufunc
+cs_rows_k: np.ufunc
+cs_rows_m: np.ufunc
+cs_rows_mc: np.ufunc
 dc_k: np.ufunc
 dc_m: np.ufunc
 dc_mc: np.ufunc
+dc_rows_k: np.ufunc
+dc_rows_m: np.ufunc
+dc_rows_mc: np.ufunc
 dn_k: np.ufunc
 dn_m: np.ufunc
 dn_mc: np.ufunc
+dn_rows_k: np.ufunc
+dn_rows_m: np.ufunc
+dn_rows_mc: np.ufunc
 ds_k: np.ufunc
 ds_m: np.ufunc
 ds_mc: np.ufunc
+ds_rows_k: np.ufunc
+ds_rows_m: np.ufunc
+ds_rows_mc: np.ufunc
 cubic_quintic_motion: np.ufunc
 cubic_quintic_u: np.ufunc
 cubic_quintic_velocity: np.ufunc
@@ -284,24 +344,39 @@ jacobi_complex_mc: np.ufunc
 jacobi_epsilon_k: np.ufunc
 jacobi_epsilon_m: np.ufunc
 jacobi_epsilon_mc: np.ufunc
+jacobi_epsilon_rows_k: np.ufunc
+jacobi_epsilon_rows_m: np.ufunc
+jacobi_epsilon_rows_mc: np.ufunc
 jacobi_k: np.ufunc
 jacobi_m: np.ufunc
 jacobi_mc: np.ufunc
+jacobi_rows_k: np.ufunc
+jacobi_rows_m: np.ufunc
+jacobi_rows_mc: np.ufunc
 jacobi_zeta_k: np.ufunc
 jacobi_zeta_m: np.ufunc
 jacobi_zeta_mc: np.ufunc
 nc_k: np.ufunc
 nc_m: np.ufunc
 nc_mc: np.ufunc
+nc_rows_k: np.ufunc
+nc_rows_m: np.ufunc
+nc_rows_mc: np.ufunc
 nd_k: np.ufunc
 nd_m: np.ufunc
 nd_mc: np.ufunc
+nd_rows_k: np.ufunc
+nd_rows_m: np.ufunc
+nd_rows_mc: np.ufunc
 nome_k: np.ufunc
 nome_m: np.ufunc
 nome_mc: np.ufunc
 ns_k: np.ufunc
 ns_m: np.ufunc
 ns_mc: np.ufunc
+ns_rows_k: np.ufunc
+ns_rows_m: np.ufunc
+ns_rows_mc: np.ufunc
 orbit_motion: np.ufunc
 orbit_phase: np.ufunc
 orbit_second_sensitivities: np.ufunc
@@ -312,12 +387,21 @@ phase: np.ufunc
 sc_k: np.ufunc
 sc_m: np.ufunc
 sc_mc: np.ufunc
+sc_rows_k: np.ufunc
+sc_rows_m: np.ufunc
+sc_rows_mc: np.ufunc
 sd_k: np.ufunc
 sd_m: np.ufunc
 sd_mc: np.ufunc
+sd_rows_k: np.ufunc
+sd_rows_m: np.ufunc
+sd_rows_mc: np.ufunc
 sn_k: np.ufunc
 sn_m: np.ufunc
 sn_mc: np.ufunc
+sn_rows_k: np.ufunc
+sn_rows_m: np.ufunc
+sn_rows_mc: np.ufunc
 state_motion: np.ufunc
 state_sensitivities: np.ufunc
 state_theta: np.ufunc

@@ -1,7 +1,10 @@
 //! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, for the
-//! theta functions `_q` too. The parameter is set up once for the rows that share it; Carlson's integrals have none.
+//! theta functions `_q` too. The parameter is set up once for the rows that share it, or, in the ufuncs of `_rows`, every row
+//! has one of its own over lanes; Carlson's integrals have none.
 
-use libration::elliptic::{Given, complete_e_into, complete_k_into};
+use libration::elliptic::{
+    Given, complete_e_into, complete_k_into, glaisher_into, jacobi_epsilon_into, jacobi_into,
+};
 use libration::{
     Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
 };
@@ -16,6 +19,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
         let named = |name: &str| format!("{name}_{keyword}");
         jacobian(module, &named, given)?;
         second_kind(module, &named, given)?;
+        rows(module, &|name| format!("{name}_rows_{keyword}"), given)?;
         integrals(module, &named, given)?;
         theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
     }
@@ -58,6 +62,24 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given
         move |[value]| Some(JacobiComplex::new(given.parameter(value))),
         each(complex),
     )
+}
+
+/// Jacobi's functions of rows with a parameter each.
+fn rows(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
+    let four = move |(): &(), arguments: [&[f64]; 2], _: usize, columns: [&mut [f64]; 4]| {
+        jacobi_into(given, arguments, columns);
+    };
+    add(module, &named("jacobi"), nothing, whole::<[f64; 4], _>(four))?;
+    for which in Glaisher::ALL {
+        let one = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+            glaisher_into(given, which, arguments, out);
+        };
+        add(module, &named(which.name()), nothing, whole::<[f64; 1], _>(one))?;
+    }
+    let epsilon = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+        jacobi_epsilon_into(given, arguments, out);
+    };
+    add(module, &named("jacobi_epsilon"), nothing, whole::<[f64; 1], _>(epsilon))
 }
 
 /// Jacobi's epsilon and zeta.

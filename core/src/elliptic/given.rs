@@ -42,21 +42,28 @@ impl Given {
     }
 }
 
-/// As [`Parameter`] forms them, bit for bit.
-impl Formula<1, 4> for Given {
-    type Place = Self;
+impl Given {
+    /// m and mc as [`Parameter`] forms them, bit for bit; NaN where it does not.
     #[inline(always)]
-    fn at<L: Lane>(&self, [value]: [L; 1]) -> [L; 4] {
+    pub(crate) fn pair<L: Lane>(self, value: L) -> (Dd<L>, Dd<L>) {
         let (one, nan) = (L::splat(1.0), L::splat(f64::NAN));
         let (m, mc) = match self {
             Given::M => (Dd::from_double(value), Dd::sum(one, -value)),
             Given::Mc => (Dd::sum(one, -value), Dd::from_double(value)),
             Given::Modulus => (Dd::product(value, value), Dd::sum(one, -value) * Dd::sum(one, value)),
         };
-        let end = if *self == Given::Modulus { 1e150_f64.next_up() } else { f64::INFINITY };
+        let end = if self == Given::Modulus { 1e150_f64.next_up() } else { f64::INFINITY };
         let inside = value.abs().less(L::splat(end));
         // No closure: it would be compiled without the instruction set.
-        let (m, mc) = (Dd::select(inside, m, Dd::new(nan, nan)), Dd::select(inside, mc, Dd::new(nan, nan)));
+        (Dd::select(inside, m, Dd::new(nan, nan)), Dd::select(inside, mc, Dd::new(nan, nan)))
+    }
+}
+
+impl Formula<1, 4> for Given {
+    type Place = Self;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [value]: [L; 1]) -> [L; 4] {
+        let (m, mc) = self.pair(value);
         [m.hi, m.lo, mc.hi, mc.lo]
     }
 }

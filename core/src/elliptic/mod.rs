@@ -9,6 +9,7 @@ pub(crate) mod integrals;
 pub(crate) mod jacobi;
 pub(crate) mod nome;
 pub(crate) mod parameter;
+pub(crate) mod parameter_lanes;
 pub(crate) mod phase;
 pub(crate) mod theta;
 
@@ -18,7 +19,8 @@ pub use integrals::{
     complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi,
 };
 pub use jacobi::{
-    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,
+    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, glaisher_into,
+    inverse_jacobi, jacobi_epsilon_into, jacobi_into,
 };
 pub use nome::nome;
 pub use parameter::Parameter;

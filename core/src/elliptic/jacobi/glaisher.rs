@@ -137,7 +137,7 @@ impl Jacobi {
 
 /// Next to 0 the odd functions are u or 1/u, also where the phase would be subnormal.
 #[inline(always)]
-fn odd<L: Lane>([p, q]: [NevilleIndex; 2], u: L, value: L) -> L {
+pub(super) fn odd<L: Lane>([p, q]: [NevilleIndex; 2], u: L, value: L) -> L {
     let tiny = u.abs().less(L::splat(TINY));
     if p == NevilleIndex::S {
         L::select(tiny, u, value)
@@ -161,7 +161,7 @@ impl<const HYPERBOLIC: bool> Formula<1, 1> for NevilleQuotient<'_, HYPERBOLIC> {
 }
 
 /// m = 1.
-struct HyperbolicQuotient([NevilleIndex; 2]);
+pub(super) struct HyperbolicQuotient(pub [NevilleIndex; 2]);
 
 impl Formula<1, 1> for HyperbolicQuotient {
     type Place = Self;
