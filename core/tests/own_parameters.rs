@@ -3,8 +3,10 @@
 
 use crate::on_every_set;
 use crate::ruler::{distance, same, ulp};
-use libration::elliptic::{Given, glaisher_into, jacobi_epsilon_into, jacobi_into};
-use libration::{Glaisher, Jacobi, JacobiValues, Parameter, SecondKind, complete_k};
+use libration::elliptic::{
+    Given, glaisher_into, jacobi_epsilon_into, jacobi_into, theta_into, theta_of_nome_into,
+};
+use libration::{Glaisher, Jacobi, JacobiValues, Parameter, SecondKind, Theta, ThetaFunction, complete_k};
 
 const GIVEN: [Given; 3] = [Given::M, Given::Mc, Given::Modulus];
 
@@ -138,6 +140,80 @@ fn the_digits_of_one_parameter() {
             assert!(worst <= 3.0, "{set:?} {given:?} {worst}");
             found[16][0] *= 1.0 + 4.0 * f64::EPSILON;
             assert!(apart(given, [u, values], &found) > 3.0);
+        }
+    });
+}
+
+/// Nomes of both series and signs and at the seam between them; z next to the zeros, and far away.
+fn nomes(count: usize) -> [Vec<f64>; 2] {
+    let mut draw = Draw(20);
+    let mut columns = [Vec::new(), Vec::new()];
+    for i in 0..count {
+        let q = match i % 6 {
+            0 => draw.part(),
+            1 => 2.0 * draw.part() - 1.0,
+            2 => draw.power(-320.0, 0.0),
+            3 => 1.0 - draw.power(-16.0, 0.0),
+            4 => 0.0432 + 1e-3 * (draw.part() - 0.5),
+            _ => [0.0, -0.0, 1.0, -1.0, 2.0, f64::NAN, f64::INFINITY][i / 6 % 7],
+        };
+        let near = 1.0 + (draw.part() - 0.5) * draw.power(-17.0, 0.0);
+        let z = match i / 42 % 5 {
+            0 => 20.0 * draw.part() - 10.0,
+            1 => std::f64::consts::FRAC_PI_2 * near * (60.0 * draw.part() - 30.0).round(),
+            2 => draw.power(-300.0, 20.0),
+            3 => [0.0, -0.0, f64::NAN, f64::INFINITY, 1e300][i % 5],
+            _ => std::f64::consts::FRAC_PI_2 * draw.part(),
+        };
+        columns[0].push(z);
+        columns[1].push(q);
+    }
+    columns
+}
+
+/// By the nome, and by what makes one.
+fn of_thetas(which: ThetaFunction, given: Option<Given>, arguments: [&[f64]; 2]) -> Vec<f64> {
+    let mut values = vec![7.0; arguments[0].len()];
+    match given {
+        Some(given) => theta_into(given, which, arguments, &mut values),
+        None => theta_of_nome_into(which, arguments, &mut values),
+    }
+    values
+}
+
+#[test]
+fn theta_functions_of_rows() {
+    let columns = nomes(4000);
+    let [z, nomes] = columns.each_ref().map(Vec::as_slice);
+    let [_, parameters] = mixed(4000);
+    on_every_set(|set| {
+        for given in [None, Some(Given::M), Some(Given::Mc), Some(Given::Modulus)] {
+            let values = if given.is_none() { nomes } else { &parameters };
+            for which in ThetaFunction::ALL {
+                let found = of_thetas(which, given, [z, values]);
+                for (from, length) in (0..33).map(|i| (17 * i, i)).chain([(1, 600), (513, 700)]) {
+                    let rows = from..from + length;
+                    let part = of_thetas(which, given, [&z[rows.clone()], &values[rows.clone()]]);
+                    let whole = &found[rows];
+                    assert!(
+                        part.iter().zip(whole).all(|(a, b)| same(*a, *b)),
+                        "{set:?} {given:?} {from} {length}"
+                    );
+                }
+                let mut worst: f64 = 0.0;
+                for ((z, value), found) in z.iter().zip(values).zip(&found) {
+                    let theta = given.map_or_else(
+                        || Theta::from_nome(*value),
+                        |given| Theta::from_parameter(given.parameter(*value)),
+                    );
+                    let known = theta.value(which, *z);
+                    // 2^-100 of the condition in z, from the change by a small part of it.
+                    let change = (theta.value(which, z * (1.0 + 1e-9)) - known).abs();
+                    let ease = if change.is_finite() { change * 1e9 * 2f64.powi(-100) } else { 0.0 };
+                    worst = worst.max(distance(*found, [known, 0.0], ulp(known) + ease));
+                }
+                assert!(worst <= 3.0, "{set:?} {given:?} {which:?} {worst}");
+            }
         }
     });
 }

@@ -5,7 +5,7 @@
 
 use crate::on_every_set;
 use crate::ruler::{Row, bits, distance, rows, same, ulp};
-use libration::elliptic::{Given, glaisher_into, jacobi_epsilon_into};
+use libration::elliptic::{Given, glaisher_into, jacobi_epsilon_into, theta_into, theta_of_nome_into};
 use libration::{
     Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, ThetaFunction, carlson_rc, carlson_rd,
     carlson_rf, carlson_rj, complete_pi, heuman_lambda, incomplete_pi, inverse_jacobi,
@@ -190,6 +190,22 @@ fn thetas(row: &Row) -> Vec<f64> {
     ThetaFunction::ALL.map(|which| theta.value(which, z)).to_vec()
 }
 
+/// By the lanes of rows with nomes of their own.
+fn thetas_of_a_row(row: &Row) -> Vec<f64> {
+    let arguments = [row.hex("z"), row.hex("parameter")];
+    let arguments = arguments.each_ref().map(std::slice::from_ref);
+    let mut value = [0.0];
+    ThetaFunction::ALL
+        .map(|which| {
+            match row.text("given") {
+                "q" => theta_of_nome_into(which, arguments, &mut value),
+                _ => theta_into(given(row), which, arguments, &mut value),
+            }
+            value[0]
+        })
+        .to_vec()
+}
+
 fn of_theta(values: impl Fn(&Row) -> Vec<f64>) -> Table {
     of_columns(THETA, 534, &["theta1", "theta2", "theta3", "theta4"], values)
 }
@@ -283,6 +299,8 @@ fn second_kind() {
 #[test]
 fn theta_functions() {
     of_theta(thetas).hold();
+    on_every_set(|_| of_theta(thetas_of_a_row).hold());
+    assert!(of_theta(|row| spoiled(thetas_of_a_row(row), nudged)).worst() > BOUND);
     assert!(of_theta(|row| spoiled(thetas(row), nudged)).worst() > BOUND);
     assert!(of_theta(|row| spoiled(thetas(row), f64::abs)).worst() > BOUND);
     // theta_4 for theta_3, and a NaN that becomes a number.

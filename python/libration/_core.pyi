@@ -211,18 +211,34 @@ __all__ = [
     "theta1_m",
     "theta1_mc",
     "theta1_q",
+    "theta1_rows_k",
+    "theta1_rows_m",
+    "theta1_rows_mc",
+    "theta1_rows_q",
     "theta2_k",
     "theta2_m",
     "theta2_mc",
     "theta2_q",
+    "theta2_rows_k",
+    "theta2_rows_m",
+    "theta2_rows_mc",
+    "theta2_rows_q",
     "theta3_k",
     "theta3_m",
     "theta3_mc",
     "theta3_q",
+    "theta3_rows_k",
+    "theta3_rows_m",
+    "theta3_rows_mc",
+    "theta3_rows_q",
     "theta4_k",
     "theta4_m",
     "theta4_mc",
     "theta4_q",
+    "theta4_rows_k",
+    "theta4_rows_m",
+    "theta4_rows_mc",
+    "theta4_rows_q",
     "torque_at",
     "turns",
 ]
@@ -410,18 +426,34 @@ theta1_k: np.ufunc
 theta1_m: np.ufunc
 theta1_mc: np.ufunc
 theta1_q: np.ufunc
+theta1_rows_k: np.ufunc
+theta1_rows_m: np.ufunc
+theta1_rows_mc: np.ufunc
+theta1_rows_q: np.ufunc
 theta2_k: np.ufunc
 theta2_m: np.ufunc
 theta2_mc: np.ufunc
 theta2_q: np.ufunc
+theta2_rows_k: np.ufunc
+theta2_rows_m: np.ufunc
+theta2_rows_mc: np.ufunc
+theta2_rows_q: np.ufunc
 theta3_k: np.ufunc
 theta3_m: np.ufunc
 theta3_mc: np.ufunc
 theta3_q: np.ufunc
+theta3_rows_k: np.ufunc
+theta3_rows_m: np.ufunc
+theta3_rows_mc: np.ufunc
+theta3_rows_q: np.ufunc
 theta4_k: np.ufunc
 theta4_m: np.ufunc
 theta4_mc: np.ufunc
 theta4_q: np.ufunc
+theta4_rows_k: np.ufunc
+theta4_rows_m: np.ufunc
+theta4_rows_mc: np.ufunc
+theta4_rows_q: np.ufunc
 turns: np.ufunc
 
 @final

@@ -3,7 +3,8 @@
 //! has one of its own over lanes; Carlson's integrals have none.
 
 use libration::elliptic::{
-    Given, complete_e_into, complete_k_into, glaisher_into, jacobi_epsilon_into, jacobi_into,
+    Given, complete_e_into, complete_k_into, glaisher_into, jacobi_epsilon_into, jacobi_into, theta_into,
+    theta_of_nome_into,
 };
 use libration::{
     Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, Parameter, SecondKind, Theta, ThetaFunction,
@@ -19,11 +20,16 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
         let named = |name: &str| format!("{name}_{keyword}");
         jacobian(module, &named, given)?;
         second_kind(module, &named, given)?;
-        rows(module, &|name| format!("{name}_rows_{keyword}"), given)?;
+        let named_rows = |name: &str| format!("{name}_rows_{keyword}");
+        rows(module, &named_rows, given)?;
+        theta_rows(module, &named_rows, move |which, arguments, values| {
+            theta_into(given, which, arguments, values);
+        })?;
         integrals(module, &named, given)?;
         theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
     }
     theta(module, &|name| format!("{name}_q"), Theta::from_nome)?;
+    theta_rows(module, &|name| format!("{name}_rows_q"), theta_of_nome_into)?;
     add(module, "carlson_rf", nothing, each(|(): &(), [x, y, z]| [carlson_rf(x, y, z)]))?;
     add(module, "carlson_rc", nothing, each(|(): &(), [x, y]| [carlson_rc(x, y)]))?;
     add(module, "carlson_rd", nothing, each(|(): &(), [x, y, z]| [carlson_rd(x, y, z)]))?;
@@ -124,6 +130,21 @@ fn theta(
     for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
         let value = move |theta: &Theta, [z]: [f64; 1]| [theta.value(which, z)];
         add(module, &named(&format!("theta{}", i + 1)), move |[given]| Some(from(given)), each(value))?;
+    }
+    Ok(())
+}
+
+/// The four of rows with a nome each.
+fn theta_rows(
+    module: &Bound<'_, PyModule>,
+    named: &impl Fn(&str) -> String,
+    fill: impl Fn(ThetaFunction, [&[f64]; 2], &mut [f64]) + Copy + Send + Sync + 'static,
+) -> PyResult<()> {
+    for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
+        let values = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+            fill(which, arguments, out);
+        };
+        add(module, &named(&format!("theta{}", i + 1)), nothing, whole::<[f64; 1], _>(values))?;
     }
     Ok(())
 }

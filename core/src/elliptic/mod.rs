@@ -24,4 +24,4 @@ pub use jacobi::{
 };
 pub use nome::nome;
 pub use parameter::Parameter;
-pub use theta::{Theta, ThetaFunction};
+pub use theta::{Theta, ThetaFunction, theta_into, theta_of_nome_into};

@@ -20,9 +20,15 @@ pub(crate) fn small_nome(m: Dd, kc: Dd) -> Dd {
     lambda + lambda * beyond_lambda(lambda.hi)
 }
 
-/// q/lambda - 1 over lanes = 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 + 20910 l^20; the next is below 2^-104 of the sum.
+/// The nome over lanes, with the low word of lambda.
 #[inline(always)]
-pub(crate) fn beyond_lambda<L: Lane>(lambda: L) -> L {
+pub(crate) fn short_nome<L: Lane>(lambda: Unnormalised<L>) -> Dd<L> {
+    Dd::ordered_sum(lambda.hi, lambda.hi.mul_add(beyond_lambda(lambda.hi), lambda.lo))
+}
+
+/// q/lambda - 1 = 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 + 20910 l^20; the next is below 2^-104 of the sum.
+#[inline(always)]
+fn beyond_lambda<L: Lane>(lambda: L) -> L {
     let square = lambda * lambda;
     let fourth = square * square;
     fourth * horner(&[2.0, 15.0, 150.0, 1707.0, 20910.0], fourth)

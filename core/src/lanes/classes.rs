@@ -55,7 +55,7 @@ impl<const A: usize, const R: usize, const COUNT: usize> Classes<A, R, COUNT> {
 }
 
 /// Rows by the classes that `classify` finds in argument `key` of each: `fill` fills the columns of a class, and `careful`
-/// answers the rows where that leaves a NaN. Panics where the lengths differ.
+/// answers the rows where that leaves a NaN that no argument is. Panics where the lengths differ.
 pub fn by_class<const A: usize, const R: usize, const COUNT: usize>(
     classify: &impl Formula<1, 1>,
     key: usize,
@@ -78,7 +78,8 @@ pub fn by_class<const A: usize, const R: usize, const COUNT: usize>(
         classes.filled(codes, arguments, results.each_mut().map(|result| &mut result[block.clone()]), &fill);
     }
     for row in 0..rows {
-        if results.iter().any(|result| result[row].is_nan()) {
+        let undefined = arguments.iter().any(|argument| argument[row].is_nan());
+        if !undefined && results.iter().any(|result| result[row].is_nan()) {
             let values = careful(arguments.map(|argument| argument[row]));
             for (result, value) in results.iter_mut().zip(values) {
                 result[row] = value;

@@ -304,6 +304,31 @@ fn corrections(q: Dd) -> [Correction; 4] {
 #[derive(Clone, Copy)]
 pub(crate) struct ShortCorrection<L: Lane>([L; 3]);
 
+/// What theta1/sin, theta2/cos, theta3 and theta4 of a nome per lane, at most e^-pi, are beyond 1 in x = sin^2 (not normalised).
+#[inline(always)]
+pub(crate) fn excesses<L: Lane>(q: L, x: L) -> [L; 4] {
+    let [even, odd] = powers(q);
+    [excess(0, even, x), excess(1, even, x), excess(2, odd, x), excess(3, odd, x)]
+}
+
+#[inline(always)]
+fn excess<L: Lane>(function: usize, [first, second, third]: [L; 3], x: L) -> L {
+    let mut sum = L::splat(0.0);
+    for of in SERIES[function].iter().rev() {
+        let row = first.mul_add(L::splat(of[1]), small_terms(*of, second, third));
+        sum = sum.mul_add(x, row);
+    }
+    sum
+}
+
+/// The powers of the nome in the last columns of the series: of theta1 and theta2, and of theta3 and theta4.
+#[inline(always)]
+fn powers<L: Lane>(q: L) -> [[L; 3]; 2] {
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    [[q2, q4 * q2, q4 * q4 * q4], [q, q4, q4 * q4 * q]]
+}
+
 /// theta1/sin, theta2/cos, theta3 or theta4 as a cubic per lane: row `function` of the series, in the powers of q that its
 /// columns name.
 #[inline(always)]
@@ -342,10 +367,7 @@ impl<L: Lane> ShortCorrection<L> {
 /// [`corrections`] of a nome per lane, in double.
 #[inline(always)]
 pub(crate) fn short_corrections<L: Lane>(q: L) -> [ShortCorrection<L>; 4] {
-    let q2 = q * q;
-    let q4 = q2 * q2;
-    let (q6, q9, q12) = (q4 * q2, q4 * q4 * q, q4 * q4 * q4);
-    let (even, odd) = ([q2, q6, q12], [q, q4, q9]);
+    let [even, odd] = powers(q);
     let [first, second] = ShortCorrection::pair(cubic(0, even), cubic(1, even));
     let [third, fourth] = ShortCorrection::pair(cubic(2, odd), cubic(3, odd));
     [first, second, third, fourth]
@@ -355,12 +377,8 @@ pub(crate) fn short_corrections<L: Lane>(q: L) -> [ShortCorrection<L>; 4] {
 /// less one: with full digits where it is small.
 #[inline(always)]
 pub(crate) fn logarithmic_slope<L: Lane>(function: usize, q: Dd<L>, x: L, twice: Dd<L>) -> Dd<L> {
-    let [square, fourth] = [q.hi * q.hi, q.hi * q.hi * (q.hi * q.hi)];
-    let (first, second, third) = if function == 1 {
-        (Dd::from_double(square), fourth * square, fourth * fourth * fourth)
-    } else {
-        (q, fourth, fourth * fourth * q.hi)
-    };
+    let [even, odd] = powers(q.hi);
+    let (first, [_, second, third]) = if function == 1 { (Dd::from_double(even[0]), even) } else { (q, odd) };
     let [origin, one, two, three] = SERIES[function];
     let (two, three) = (small_terms(two, second, third), small_terms(three, second, third));
     let lead = first.scale(L::splat(one[1]));

@@ -13,7 +13,7 @@
 
 use super::neville::{ShortCorrection, bounded_square, fold, logarithmic_slope, short_corrections};
 use crate::elliptic::agm::agm_near;
-use crate::elliptic::nome::{beyond_lambda, minus_log_short_nome};
+use crate::elliptic::nome::{minus_log_short_nome, short_nome};
 use crate::float::elementary::{quotient, sin_cos, sinh_cosh};
 use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI};
@@ -77,7 +77,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
         let kc = mc.root();
         let (b, one_minus_square) = if HYPERBOLIC { (m.root(), mc) } else { (kc, m) };
         let (mean, lambda) = agm_near(b, one_minus_square);
-        let nome = Dd::ordered_sum(lambda.hi, lambda.hi.mul_add(beyond_lambda(lambda.hi), lambda.lo));
+        let nome = short_nome(lambda);
         let [t1, t2, t3, t4] = short_corrections(nome.hi);
         // theta2 and theta4 change places.
         let corrections = if HYPERBOLIC { [t1, t4, t3, t2] } else { [t1, t2, t3, t4] };
