@@ -402,7 +402,11 @@ fn ends_of_the_domains() {
     same(heuman_lambda(0.5, unknown), nan);
     same(Theta::from_parameter(unknown).value(ThetaFunction::Three, 0.5), nan);
     same(Theta::from_nome(0.1).value(ThetaFunction::Three, inf), nan);
-    same(Jacobi::new(unknown).glaisher(Glaisher::Sc, 1.0), nan);
+    for which in Glaisher::ALL {
+        for u in [1.0, 0.0, -1e-300] {
+            same(Jacobi::new(unknown).glaisher(which, u), nan);
+        }
+    }
     same(inverse_jacobi(Glaisher::Sc, 1.0, unknown), nan);
     same(JacobiComplex::new(unknown).values(1.0, 1.0).dn.im, nan);
     // Infinity against zero.

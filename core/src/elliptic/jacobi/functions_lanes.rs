@@ -5,7 +5,7 @@
 //! their digits, also after many periods. Source: DLMF 22.2, 22.16(i), 22.17; A&S 16.36.
 
 use super::functions::{NevilleIndex, NevilleValues, odd};
-use super::glaisher::odd as odd_quotient;
+use super::glaisher::quotient_at;
 use crate::elliptic::given::Given;
 use crate::elliptic::parameter_lanes::ParameterLanes;
 use crate::elliptic::phase::{alternating, modulo};
@@ -122,6 +122,6 @@ impl<const HYPERBOLIC: bool> Formula<2, 1> for Quotient<HYPERBOLIC> {
     fn at<L: Lane>(&self, [u, value]: [L; 2]) -> [L; 1] {
         let jacobi = JacobiLanes::new::<HYPERBOLIC>(self.0, value);
         let (_, values) = jacobi.neville_values::<HYPERBOLIC>(u);
-        [odd_quotient(self.1, u, values.quotient(self.1))]
+        [quotient_at(self.1, u, &values)]
     }
 }
