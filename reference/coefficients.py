@@ -136,7 +136,7 @@ def main() -> None:
         printed(f"{name}: P", error, p)
         printed(f"{name}: Q", error, q)
     last = ((sqrt(2) - 1) / (sqrt(2) + 1) * mpf("1.0001")) ** 2
-    for name, lead, terms in (("ARTANH", 1, 8), ("LONG_ARTANH", 3, 8)):
+    for name, lead, terms in (("ARTANH", 1, 8), ("LONG_ARTANH", 9, 8)):
         coefficients, error = chebyfit(artanh_rest(lead), [0, last], terms, error=True)
         printed(name, error * last**lead / 2, coefficients[::-1])
 

@@ -5,6 +5,7 @@
 
 use crate::on_every_set;
 use crate::ruler::{Row, bits, distance, rows, same, ulp};
+use libration::elliptic::{Given, glaisher_into, jacobi_epsilon_into, theta_into, theta_of_nome_into};
 use libration::{
     Glaisher, Jacobi, JacobiComplex, Parameter, SecondKind, Theta, ThetaFunction, carlson_rc, carlson_rd,
     carlson_rf, carlson_rj, complete_pi, heuman_lambda, incomplete_pi, inverse_jacobi,
@@ -23,14 +24,17 @@ const CARLSON: &str = include_str!("../../reference/vectors/carlson.csv");
 /// What is promised.
 pub const BOUND: f64 = 3.0;
 
-pub fn parameter(row: &Row) -> Parameter {
-    let value = row.hex("parameter");
+fn given(row: &Row) -> Given {
     match row.text("given") {
-        "m" => Parameter::from_m(value),
-        "mc" => Parameter::from_mc(value),
-        "k" => Parameter::from_modulus(value),
+        "m" => Given::M,
+        "mc" => Given::Mc,
+        "k" => Given::Modulus,
         other => panic!("{other}"),
     }
+}
+
+pub fn parameter(row: &Row) -> Parameter {
+    given(row).parameter(row.hex("parameter"))
 }
 
 /// Errors by stratum and function.
@@ -96,6 +100,18 @@ fn twelve(row: &Row) -> Vec<f64> {
     Glaisher::ALL.map(|which| jacobi.glaisher(which, u)).to_vec()
 }
 
+/// By the lanes of rows with parameters of their own.
+fn twelve_of_a_row(row: &Row) -> Vec<f64> {
+    let mut value = [0.0];
+    let arguments = [row.hex("u"), row.hex("parameter")];
+    Glaisher::ALL
+        .map(|which| {
+            glaisher_into(given(row), which, arguments.each_ref().map(std::slice::from_ref), &mut value);
+            value[0]
+        })
+        .to_vec()
+}
+
 fn of_glaisher(values: impl Fn(&Row) -> Vec<f64>) -> Table {
     of_columns(GLAISHER, 649, &Glaisher::ALL.map(Glaisher::name), values)
 }
@@ -133,6 +149,18 @@ fn second(row: &Row) -> Vec<f64> {
     vec![second.epsilon(u), second.zeta(u)]
 }
 
+/// Epsilon by the lanes of rows with parameters of their own.
+fn epsilon_of_a_row(row: &Row) -> Vec<f64> {
+    let mut value = [0.0];
+    let arguments = [row.hex("u"), row.hex("parameter")];
+    jacobi_epsilon_into(given(row), arguments.each_ref().map(std::slice::from_ref), &mut value);
+    value.to_vec()
+}
+
+fn of_epsilon(values: impl Fn(&Row) -> Vec<f64>) -> Table {
+    of_columns(SECOND, 693, &["epsilon"], values)
+}
+
 fn of_second(values: impl Fn(&Row) -> Vec<f64>) -> Table {
     of_columns(SECOND, 693, &["epsilon", "zeta"], values)
 }
@@ -167,6 +195,22 @@ fn thetas(row: &Row) -> Vec<f64> {
     ThetaFunction::ALL.map(|which| theta.value(which, z)).to_vec()
 }
 
+/// By the lanes of rows with nomes of their own.
+fn thetas_of_a_row(row: &Row) -> Vec<f64> {
+    let arguments = [row.hex("z"), row.hex("parameter")];
+    let arguments = arguments.each_ref().map(std::slice::from_ref);
+    let mut value = [0.0];
+    ThetaFunction::ALL
+        .map(|which| {
+            match row.text("given") {
+                "q" => theta_of_nome_into(which, arguments, &mut value),
+                _ => theta_into(given(row), which, arguments, &mut value),
+            }
+            value[0]
+        })
+        .to_vec()
+}
+
 fn of_theta(values: impl Fn(&Row) -> Vec<f64>) -> Table {
     of_columns(THETA, 534, &["theta1", "theta2", "theta3", "theta4"], values)
 }
@@ -193,7 +237,9 @@ pub fn spoiled(values: Vec<f64>, with: impl Fn(f64) -> f64) -> Vec<f64> {
 fn glaisher_on_every_instruction_set() {
     on_every_set(|_| {
         of_glaisher(twelve).hold();
+        of_glaisher(twelve_of_a_row).hold();
     });
+    assert!(of_glaisher(|row| spoiled(twelve_of_a_row(row), nudged)).worst() > BOUND);
     assert!(of_glaisher(|row| spoiled(twelve(row), nudged)).worst() > BOUND);
     assert!(of_glaisher(|row| spoiled(twelve(row), f64::abs)).worst() > BOUND);
     // The quotient of two rounded values cannot tell a pole from its neighbour, nor 1/0 from 1/-0.
@@ -239,6 +285,8 @@ fn inverses() {
 #[test]
 fn second_kind() {
     of_second(second).hold();
+    on_every_set(|_| of_epsilon(epsilon_of_a_row).hold());
+    assert!(of_epsilon(|row| spoiled(epsilon_of_a_row(row), nudged)).worst() > BOUND);
     assert!(of_second(|row| spoiled(second(row), nudged)).worst() > BOUND);
     // Zeta by its definition cancels.
     assert!(
@@ -256,6 +304,8 @@ fn second_kind() {
 #[test]
 fn theta_functions() {
     of_theta(thetas).hold();
+    on_every_set(|_| of_theta(thetas_of_a_row).hold());
+    assert!(of_theta(|row| spoiled(thetas_of_a_row(row), nudged)).worst() > BOUND);
     assert!(of_theta(|row| spoiled(thetas(row), nudged)).worst() > BOUND);
     assert!(of_theta(|row| spoiled(thetas(row), f64::abs)).worst() > BOUND);
     // theta_4 for theta_3, and a NaN that becomes a number.
@@ -357,7 +407,11 @@ fn ends_of_the_domains() {
     same(heuman_lambda(0.5, unknown), nan);
     same(Theta::from_parameter(unknown).value(ThetaFunction::Three, 0.5), nan);
     same(Theta::from_nome(0.1).value(ThetaFunction::Three, inf), nan);
-    same(Jacobi::new(unknown).glaisher(Glaisher::Sc, 1.0), nan);
+    for which in Glaisher::ALL {
+        for u in [1.0, 0.0, -1e-300] {
+            same(Jacobi::new(unknown).glaisher(which, u), nan);
+        }
+    }
     same(inverse_jacobi(Glaisher::Sc, 1.0, unknown), nan);
     same(JacobiComplex::new(unknown).values(1.0, 1.0).dn.im, nan);
     // Infinity against zero.

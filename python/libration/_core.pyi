@@ -78,6 +78,10 @@ __all__ = [
     "cd_m",
     "cd_mc",
     "cd_q",
+    "cd_rows_k",
+    "cd_rows_m",
+    "cd_rows_mc",
+    "cd_rows_q",
     "check_friction",
     "cn_complex_k",
     "cn_complex_m",
@@ -87,6 +91,10 @@ __all__ = [
     "cn_m",
     "cn_mc",
     "cn_q",
+    "cn_rows_k",
+    "cn_rows_m",
+    "cn_rows_mc",
+    "cn_rows_q",
     "column",
     "complete_e_k",
     "complete_e_m",
@@ -108,6 +116,10 @@ __all__ = [
     "cs_m",
     "cs_mc",
     "cs_q",
+    "cs_rows_k",
+    "cs_rows_m",
+    "cs_rows_mc",
+    "cs_rows_q",
     "cubic_quintic_motion",
     "cubic_quintic_u",
     "cubic_quintic_velocity",
@@ -119,6 +131,10 @@ __all__ = [
     "dc_m",
     "dc_mc",
     "dc_q",
+    "dc_rows_k",
+    "dc_rows_m",
+    "dc_rows_mc",
+    "dc_rows_q",
     "dn_complex_k",
     "dn_complex_m",
     "dn_complex_mc",
@@ -127,6 +143,10 @@ __all__ = [
     "dn_m",
     "dn_mc",
     "dn_q",
+    "dn_rows_k",
+    "dn_rows_m",
+    "dn_rows_mc",
+    "dn_rows_q",
     "ds_complex_k",
     "ds_complex_m",
     "ds_complex_mc",
@@ -135,6 +155,10 @@ __all__ = [
     "ds_m",
     "ds_mc",
     "ds_q",
+    "ds_rows_k",
+    "ds_rows_m",
+    "ds_rows_mc",
+    "ds_rows_q",
     "duffing_motion",
     "duffing_of_pendulum",
     "duffing_u",
@@ -178,10 +202,18 @@ __all__ = [
     "jacobi_epsilon_m",
     "jacobi_epsilon_mc",
     "jacobi_epsilon_q",
+    "jacobi_epsilon_rows_k",
+    "jacobi_epsilon_rows_m",
+    "jacobi_epsilon_rows_mc",
+    "jacobi_epsilon_rows_q",
     "jacobi_k",
     "jacobi_m",
     "jacobi_mc",
     "jacobi_q",
+    "jacobi_rows_k",
+    "jacobi_rows_m",
+    "jacobi_rows_mc",
+    "jacobi_rows_q",
     "jacobi_zeta_k",
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
@@ -194,6 +226,10 @@ __all__ = [
     "nc_m",
     "nc_mc",
     "nc_q",
+    "nc_rows_k",
+    "nc_rows_m",
+    "nc_rows_mc",
+    "nc_rows_q",
     "nd_complex_k",
     "nd_complex_m",
     "nd_complex_mc",
@@ -202,6 +238,10 @@ __all__ = [
     "nd_m",
     "nd_mc",
     "nd_q",
+    "nd_rows_k",
+    "nd_rows_m",
+    "nd_rows_mc",
+    "nd_rows_q",
     "nome_k",
     "nome_m",
     "nome_mc",
@@ -215,6 +255,10 @@ __all__ = [
     "ns_m",
     "ns_mc",
     "ns_q",
+    "ns_rows_k",
+    "ns_rows_m",
+    "ns_rows_mc",
+    "ns_rows_q",
     "orbit_action",
     "orbit_advance",
     "orbit_energy",
@@ -242,6 +286,10 @@ __all__ = [
     "sc_m",
     "sc_mc",
     "sc_q",
+    "sc_rows_k",
+    "sc_rows_m",
+    "sc_rows_mc",
+    "sc_rows_q",
     "schemes",
     "sd_complex_k",
     "sd_complex_m",
@@ -251,6 +299,10 @@ __all__ = [
     "sd_m",
     "sd_mc",
     "sd_q",
+    "sd_rows_k",
+    "sd_rows_m",
+    "sd_rows_mc",
+    "sd_rows_q",
     "sn_complex_k",
     "sn_complex_m",
     "sn_complex_mc",
@@ -259,6 +311,10 @@ __all__ = [
     "sn_m",
     "sn_mc",
     "sn_q",
+    "sn_rows_k",
+    "sn_rows_m",
+    "sn_rows_mc",
+    "sn_rows_q",
     "state_motion",
     "state_sensitivities",
     "state_theta",
@@ -267,18 +323,34 @@ __all__ = [
     "theta1_m",
     "theta1_mc",
     "theta1_q",
+    "theta1_rows_k",
+    "theta1_rows_m",
+    "theta1_rows_mc",
+    "theta1_rows_q",
     "theta2_k",
     "theta2_m",
     "theta2_mc",
     "theta2_q",
+    "theta2_rows_k",
+    "theta2_rows_m",
+    "theta2_rows_mc",
+    "theta2_rows_q",
     "theta3_k",
     "theta3_m",
     "theta3_mc",
     "theta3_q",
+    "theta3_rows_k",
+    "theta3_rows_m",
+    "theta3_rows_mc",
+    "theta3_rows_q",
     "theta4_k",
     "theta4_m",
     "theta4_mc",
     "theta4_q",
+    "theta4_rows_k",
+    "theta4_rows_m",
+    "theta4_rows_mc",
+    "theta4_rows_q",
     "torque_at",
     "turns",
 ]
@@ -347,6 +419,10 @@ cd_k: np.ufunc
 cd_m: np.ufunc
 cd_mc: np.ufunc
 cd_q: np.ufunc
+cd_rows_k: np.ufunc
+cd_rows_m: np.ufunc
+cd_rows_mc: np.ufunc
+cd_rows_q: np.ufunc
 cn_complex_k: np.ufunc
 cn_complex_m: np.ufunc
 cn_complex_mc: np.ufunc
@@ -355,6 +431,10 @@ cn_k: np.ufunc
 cn_m: np.ufunc
 cn_mc: np.ufunc
 cn_q: np.ufunc
+cn_rows_k: np.ufunc
+cn_rows_m: np.ufunc
+cn_rows_mc: np.ufunc
+cn_rows_q: np.ufunc
 complete_e_k: np.ufunc
 complete_e_m: np.ufunc
 complete_e_mc: np.ufunc
@@ -375,6 +455,31 @@ cs_k: np.ufunc
 cs_m: np.ufunc
 cs_mc: np.ufunc
 cs_q: np.ufunc
+cs_rows_k: np.ufunc
+cs_rows_m: np.ufunc
+cs_rows_mc: np.ufunc
+cs_rows_q: np.ufunc
+dc_k: np.ufunc
+dc_m: np.ufunc
+dc_mc: np.ufunc
+dc_rows_k: np.ufunc
+dc_rows_m: np.ufunc
+dc_rows_mc: np.ufunc
+dc_rows_q: np.ufunc
+dn_k: np.ufunc
+dn_m: np.ufunc
+dn_mc: np.ufunc
+dn_rows_k: np.ufunc
+dn_rows_m: np.ufunc
+dn_rows_mc: np.ufunc
+dn_rows_q: np.ufunc
+ds_k: np.ufunc
+ds_m: np.ufunc
+ds_mc: np.ufunc
+ds_rows_k: np.ufunc
+ds_rows_m: np.ufunc
+ds_rows_mc: np.ufunc
+ds_rows_q: np.ufunc
 cubic_quintic_motion: np.ufunc
 cubic_quintic_u: np.ufunc
 cubic_quintic_velocity: np.ufunc
@@ -382,25 +487,16 @@ dc_complex_k: np.ufunc
 dc_complex_m: np.ufunc
 dc_complex_mc: np.ufunc
 dc_complex_q: np.ufunc
-dc_k: np.ufunc
-dc_m: np.ufunc
-dc_mc: np.ufunc
 dc_q: np.ufunc
 dn_complex_k: np.ufunc
 dn_complex_m: np.ufunc
 dn_complex_mc: np.ufunc
 dn_complex_q: np.ufunc
-dn_k: np.ufunc
-dn_m: np.ufunc
-dn_mc: np.ufunc
 dn_q: np.ufunc
 ds_complex_k: np.ufunc
 ds_complex_m: np.ufunc
 ds_complex_mc: np.ufunc
 ds_complex_q: np.ufunc
-ds_k: np.ufunc
-ds_m: np.ufunc
-ds_mc: np.ufunc
 ds_q: np.ufunc
 duffing_motion: np.ufunc
 duffing_u: np.ufunc
@@ -436,10 +532,18 @@ jacobi_epsilon_k: np.ufunc
 jacobi_epsilon_m: np.ufunc
 jacobi_epsilon_mc: np.ufunc
 jacobi_epsilon_q: np.ufunc
+jacobi_epsilon_rows_k: np.ufunc
+jacobi_epsilon_rows_m: np.ufunc
+jacobi_epsilon_rows_mc: np.ufunc
+jacobi_epsilon_rows_q: np.ufunc
 jacobi_k: np.ufunc
 jacobi_m: np.ufunc
 jacobi_mc: np.ufunc
 jacobi_q: np.ufunc
+jacobi_rows_k: np.ufunc
+jacobi_rows_m: np.ufunc
+jacobi_rows_mc: np.ufunc
+jacobi_rows_q: np.ufunc
 jacobi_zeta_k: np.ufunc
 jacobi_zeta_m: np.ufunc
 jacobi_zeta_mc: np.ufunc
@@ -452,6 +556,10 @@ nc_k: np.ufunc
 nc_m: np.ufunc
 nc_mc: np.ufunc
 nc_q: np.ufunc
+nc_rows_k: np.ufunc
+nc_rows_m: np.ufunc
+nc_rows_mc: np.ufunc
+nc_rows_q: np.ufunc
 nd_complex_k: np.ufunc
 nd_complex_m: np.ufunc
 nd_complex_mc: np.ufunc
@@ -460,6 +568,10 @@ nd_k: np.ufunc
 nd_m: np.ufunc
 nd_mc: np.ufunc
 nd_q: np.ufunc
+nd_rows_k: np.ufunc
+nd_rows_m: np.ufunc
+nd_rows_mc: np.ufunc
+nd_rows_q: np.ufunc
 nome_k: np.ufunc
 nome_m: np.ufunc
 nome_mc: np.ufunc
@@ -472,6 +584,10 @@ ns_k: np.ufunc
 ns_m: np.ufunc
 ns_mc: np.ufunc
 ns_q: np.ufunc
+ns_rows_k: np.ufunc
+ns_rows_m: np.ufunc
+ns_rows_mc: np.ufunc
+ns_rows_q: np.ufunc
 orbit_action: np.ufunc
 orbit_advance: np.ufunc
 orbit_energy: np.ufunc
@@ -498,6 +614,10 @@ sc_k: np.ufunc
 sc_m: np.ufunc
 sc_mc: np.ufunc
 sc_q: np.ufunc
+sc_rows_k: np.ufunc
+sc_rows_m: np.ufunc
+sc_rows_mc: np.ufunc
+sc_rows_q: np.ufunc
 sd_complex_k: np.ufunc
 sd_complex_m: np.ufunc
 sd_complex_mc: np.ufunc
@@ -506,6 +626,10 @@ sd_k: np.ufunc
 sd_m: np.ufunc
 sd_mc: np.ufunc
 sd_q: np.ufunc
+sd_rows_k: np.ufunc
+sd_rows_m: np.ufunc
+sd_rows_mc: np.ufunc
+sd_rows_q: np.ufunc
 sn_complex_k: np.ufunc
 sn_complex_m: np.ufunc
 sn_complex_mc: np.ufunc
@@ -514,6 +638,10 @@ sn_k: np.ufunc
 sn_m: np.ufunc
 sn_mc: np.ufunc
 sn_q: np.ufunc
+sn_rows_k: np.ufunc
+sn_rows_m: np.ufunc
+sn_rows_mc: np.ufunc
+sn_rows_q: np.ufunc
 state_motion: np.ufunc
 state_sensitivities: np.ufunc
 state_theta: np.ufunc
@@ -522,18 +650,34 @@ theta1_k: np.ufunc
 theta1_m: np.ufunc
 theta1_mc: np.ufunc
 theta1_q: np.ufunc
+theta1_rows_k: np.ufunc
+theta1_rows_m: np.ufunc
+theta1_rows_mc: np.ufunc
+theta1_rows_q: np.ufunc
 theta2_k: np.ufunc
 theta2_m: np.ufunc
 theta2_mc: np.ufunc
 theta2_q: np.ufunc
+theta2_rows_k: np.ufunc
+theta2_rows_m: np.ufunc
+theta2_rows_mc: np.ufunc
+theta2_rows_q: np.ufunc
 theta3_k: np.ufunc
 theta3_m: np.ufunc
 theta3_mc: np.ufunc
 theta3_q: np.ufunc
+theta3_rows_k: np.ufunc
+theta3_rows_m: np.ufunc
+theta3_rows_mc: np.ufunc
+theta3_rows_q: np.ufunc
 theta4_k: np.ufunc
 theta4_m: np.ufunc
 theta4_mc: np.ufunc
 theta4_q: np.ufunc
+theta4_rows_k: np.ufunc
+theta4_rows_m: np.ufunc
+theta4_rows_mc: np.ufunc
+theta4_rows_q: np.ufunc
 turns: np.ufunc
 
 @final

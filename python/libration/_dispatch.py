@@ -82,6 +82,12 @@ def apply(ufunc: Any, *arguments: Any, results: tuple[Result, ...] = (), out: An
     return named(found, *results) if ufunc.nout == 1 else tuple(map(named, found, results))
 
 
+def has_dimensions(argument: Any) -> bool:
+    """Whether an argument is more than one number; a dataset of xarray, which has no shape, where it has dimensions."""
+    sizes = getattr(argument, "sizes", None)
+    return bool(np.ndim(argument) if sizes is None else sizes)
+
+
 def array_library(arguments: tuple[Any, ...]) -> str | None:
     """The library whose arrays are among the arguments, ``None`` for NumPy alone; xarray takes those of Dask in."""
     found: dict[str, Any] = {}

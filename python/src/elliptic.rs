@@ -1,10 +1,12 @@
 //! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, `_q`. The parameter is
-//! set up once for the rows that share it; Carlson's integrals have none.
+//! set up once for the rows that share it, or, in the ufuncs of `_rows`, every row has one of its own over lanes; Carlson's
+//! integrals have none.
 
 use libration::elliptic::{
     Given, carlson_rc_into, carlson_rd_into, carlson_rf_into, carlson_rj_into, complete_e_into,
-    complete_k_into, complete_pi_into, heuman_lambda_into, incomplete_e_into, incomplete_f_into,
-    incomplete_pi_into, inverse_jacobi_into, nome_into,
+    complete_k_into, complete_pi_into, glaisher_into, heuman_lambda_into, incomplete_e_into,
+    incomplete_f_into, incomplete_pi_into, inverse_jacobi_into, jacobi_epsilon_into, jacobi_into, nome_into,
+    theta_into, theta_of_nome_into,
 };
 use libration::parameter_of_nome;
 use libration::{
@@ -20,13 +22,19 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
         let named = |name: &str| format!("{name}_{keyword}");
         jacobian(module, &named, given)?;
         second_kind(module, &named, given)?;
+        let named_rows = |name: &str| format!("{name}_rows_{keyword}");
+        rows(module, &named_rows, given)?;
         integrals(module, &named, given)?;
         if given != Given::Nome {
             theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
+            theta_rows(module, &named_rows, move |which, arguments, values| {
+                theta_into(given, which, arguments, values);
+            })?;
         }
     }
     add(module, "from_nome", nothing, each(|(): &(), [q]| <[f64; 2]>::from(parameter_of_nome(q))))?;
     theta(module, &|name| format!("{name}_q"), Theta::from_nome)?;
+    theta_rows(module, &|name| format!("{name}_rows_q"), theta_of_nome_into)?;
     add(module, "carlson_rf", nothing, column(carlson_rf_into))?;
     add(module, "carlson_rc", nothing, column(carlson_rc_into))?;
     add(module, "carlson_rd", nothing, column(carlson_rd_into))?;
@@ -81,6 +89,24 @@ fn jacobian(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given
     )
 }
 
+/// Jacobi's functions of rows with a parameter each.
+fn rows(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
+    let four = move |(): &(), arguments: [&[f64]; 2], _: usize, columns: [&mut [f64]; 4]| {
+        jacobi_into(given, arguments, columns);
+    };
+    add(module, &named("jacobi"), nothing, whole::<[f64; 4], _>(four))?;
+    for which in Glaisher::ALL {
+        let one = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+            glaisher_into(given, which, arguments, out);
+        };
+        add(module, &named(which.name()), nothing, whole::<[f64; 1], _>(one))?;
+    }
+    let epsilon = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+        jacobi_epsilon_into(given, arguments, out);
+    };
+    add(module, &named("jacobi_epsilon"), nothing, whole::<[f64; 1], _>(epsilon))
+}
+
 /// Jacobi's epsilon and zeta.
 fn second_kind(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
     let set_up = move |[value]: [f64; 1]| Some(SecondKind::new(given.parameter(value)));
@@ -127,6 +153,21 @@ fn theta(
     for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
         let value = move |theta: &Theta, [z]: [f64; 1]| [theta.value(which, z)];
         add(module, &named(&format!("theta{}", i + 1)), move |[given]| Some(from(given)), each(value))?;
+    }
+    Ok(())
+}
+
+/// The four of rows with a nome each.
+fn theta_rows(
+    module: &Bound<'_, PyModule>,
+    named: &impl Fn(&str) -> String,
+    fill: impl Fn(ThetaFunction, [&[f64]; 2], &mut [f64]) + Copy + Send + Sync + 'static,
+) -> PyResult<()> {
+    for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
+        let values = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+            fill(which, arguments, out);
+        };
+        add(module, &named(&format!("theta{}", i + 1)), nothing, whole::<[f64; 1], _>(values))?;
     }
     Ok(())
 }

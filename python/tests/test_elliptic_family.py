@@ -24,6 +24,8 @@ WITH_PARAMETER = {
     "incomplete_pi": 2,
     "jacobi_complex": 1,
 }
+# Those that answer a parameter with dimensions by a formula of its own: decision 5.
+ROWS = {*TWELVE, "jacobi_epsilon", *THETA}
 
 with_parameter = pytest.mark.parametrize("name", WITH_PARAMETER)
 carlson = pytest.mark.parametrize("name", CARLSON)
@@ -37,6 +39,13 @@ def calling(name):
 
 def parts(result):
     return tuple(result) if isinstance(result, tuple) else (result,)
+
+
+def all_close(results, others):
+    """Within some places of the last digit, infinities and NaN alike."""
+    return all(
+        np.allclose(one, other, rtol=2e-15, atol=0, equal_nan=True) for one, other in zip(results, others, strict=True)
+    )
 
 
 def columns(count, seed=11):
@@ -120,16 +129,18 @@ def test_complex_values_have_names():
 @pytest.mark.parametrize("keyword", ["m", "mc", "k"])
 def test_scalars_are_the_array_bit_for_bit(name, keyword):
     function = getattr(elliptic, name)
+    alike = all_close if name in ROWS else all_same
     arguments, given = columns(WITH_PARAMETER[name]), parameters()
     whole = parts(function(*arguments, **{keyword: given}))
     rows = [
         parts(function(*(float(column[i]) for column in arguments), **{keyword: float(given[i])})) for i in range(200)
     ]
-    assert all_same(whole, tuple(map(np.array, zip(*rows, strict=True))))
+    assert alike(whole, tuple(map(np.array, zip(*rows, strict=True))))
     slices = each(lambda *c: parts(function(*c[:-1], **{keyword: c[-1]})), *arguments, given)
     assert all_same(whole, slices)
     shared = parts(function(*arguments, **{keyword: 0.7}))
-    assert all_same(shared, parts(function(*arguments, **{keyword: np.full(200, 0.7)})))
+    assert alike(shared, parts(function(*arguments, **{keyword: np.full(200, 0.7)})))
+    assert all_same(shared, parts(function(*arguments, **{keyword: np.array(0.7)})))
     backwards = parts(function(*(column[::-1] for column in arguments), **{keyword: given[::-1]}))
     assert all_same(tuple(part[::-1] for part in backwards), whole)
 
@@ -142,6 +153,23 @@ def test_scalars_are_the_array_of_carlson(name):
     assert np.isfinite(whole).sum() > 80
     assert same(whole, np.array([function(*map(float, row)) for row in np.transpose(arguments)]))
     assert same(function(*(column[:, None] for column in arguments[:-1]), arguments[-1]).diagonal(), whole)
+
+
+@pytest.mark.parametrize("name", ["jacobi", *sorted(ROWS)])
+def test_chunks_and_labels_of_the_parameter_change_no_bit(name):
+    function, u, m = getattr(elliptic, name), np.linspace(-9.0, 9.0, 40), parameters()[:40]
+    whole = parts(function(u, m=m))
+    for chunk in (1, 7, 40):
+        lazy = dask.array.from_array(m, chunks=chunk)
+        assert all_same(tuple(np.asarray(part) for part in parts(function(u, m=lazy))), whole)
+        labelled = xarray.DataArray(lazy, dims="place")
+        assert all_same(tuple(part.values for part in parts(function(xarray.DataArray(u, dims="place"), m=labelled))), whole)
+    # A number beside arguments in chunks has one set-up, as without chunks.
+    lazy = function(dask.array.from_array(u, chunks=1), m=0.7)
+    assert all_same(tuple(np.asarray(part) for part in parts(lazy)), parts(function(u, m=0.7)))
+    dataset = function(0.5, m=xarray.Dataset({"a": ("place", m)}))
+    first = dataset[0] if isinstance(dataset, tuple) else dataset
+    assert same(first["a"].values, parts(function(0.5, m=m))[0])
 
 
 @pytest.mark.parametrize("name", THETA)

@@ -37,27 +37,12 @@ pub fn agm(b: Dd) -> Dd {
 pub(crate) fn agm_near<L: Lane>(
     b: Unnormalised<L>,
     one_minus_square: Unnormalised<L>,
-) -> (Unnormalised<L>, L) {
+) -> (Unnormalised<L>, Unnormalised<L>) {
     let one = Unnormalised::from_double(L::splat(1.0));
     let sum = one.plus_smaller(b.root());
     let mean = sum.square().scale(L::splat(0.25));
     let t = one_minus_square.over(one.plus_smaller(b) * mean).scale(L::splat(0.25));
-    (mean * agm_of_pair(t.square()), t.hi * L::splat(0.5))
-}
-
-/// agm(1, b) over lanes, of b in [2^-20, 1].
-#[inline(always)]
-pub(crate) fn agm_far<L: Lane>(b: Unnormalised<L>) -> Unnormalised<L> {
-    let half = L::splat(0.5);
-    let mut pair = (Unnormalised::from_double(L::splat(1.0)), b);
-    for step in 0..5 {
-        let (a, b) = pair;
-        let product = if step == 0 { b } else { a * b };
-        pair = (a.plus_smaller(b).scale(half), product.root());
-    }
-    let (a, b) = pair;
-    let mean = a.plus_smaller(b).scale(half);
-    mean * agm_of_pair((a - b).scale(half).over(mean))
+    (mean * agm_of_pair(t.square()), t.scale(L::splat(0.5)))
 }
 
 /// agm(1 + x, 1 - x) for |x| <= 0.02, to 2^-100.

@@ -55,11 +55,10 @@ impl Given {
     }
 }
 
-/// As [`Parameter`] forms them, bit for bit.
-impl Formula<1, 4> for Given {
-    type Place = Self;
+impl Given {
+    /// m and mc as [`Parameter`] forms them, bit for bit; NaN where it does not.
     #[inline(always)]
-    fn at<L: Lane>(&self, [value]: [L; 1]) -> [L; 4] {
+    pub(crate) fn pair<L: Lane>(self, value: L) -> (Dd<L>, Dd<L>) {
         let (one, nan) = (L::splat(1.0), L::splat(f64::NAN));
         let (m, mc) = match self {
             Given::M => (Dd::from_double(value), Dd::sum(one, -value)),
@@ -68,10 +67,18 @@ impl Formula<1, 4> for Given {
             // Formed row by row.
             Given::Nome => (Dd::new(nan, nan), Dd::new(nan, nan)),
         };
-        let end = if *self == Given::Modulus { 1e150_f64.next_up() } else { f64::INFINITY };
+        let end = if self == Given::Modulus { 1e150_f64.next_up() } else { f64::INFINITY };
         let inside = value.abs().less(L::splat(end));
         // No closure: it would be compiled without the instruction set.
-        let (m, mc) = (Dd::select(inside, m, Dd::new(nan, nan)), Dd::select(inside, mc, Dd::new(nan, nan)));
+        (Dd::select(inside, m, Dd::new(nan, nan)), Dd::select(inside, mc, Dd::new(nan, nan)))
+    }
+}
+
+impl Formula<1, 4> for Given {
+    type Place = Self;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [value]: [L; 1]) -> [L; 4] {
+        let (m, mc) = self.pair(value);
         [m.hi, m.lo, mc.hi, mc.lo]
     }
 }

@@ -10,6 +10,7 @@ pub(crate) mod jacobi;
 pub(crate) mod nome;
 pub(crate) mod nome_lanes;
 pub(crate) mod parameter;
+pub(crate) mod parameter_lanes;
 pub(crate) mod phase;
 #[cfg(test)]
 mod row_tests;
@@ -24,9 +25,9 @@ pub use integrals::{
     incomplete_pi, incomplete_pi_into,
 };
 pub use jacobi::{
-    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,
-    inverse_jacobi_into,
+    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, glaisher_into,
+    inverse_jacobi, inverse_jacobi_into, jacobi_epsilon_into, jacobi_into,
 };
 pub use nome::{nome, nome_into, parameter_of_nome};
 pub use parameter::Parameter;
-pub use theta::{Theta, ThetaFunction};
+pub use theta::{Theta, ThetaFunction, theta_into, theta_of_nome_into};

@@ -14,6 +14,8 @@ use super::nome_lanes::NomeOfParameter;
 use super::parameter::Parameter;
 use super::rows::{column_of_parameter, one_of_parameter};
 use crate::float::elementary::horner;
+use crate::float::logarithm::long_ln;
+use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI, Scaled, elementary};
 use crate::lanes::Lane;
 
@@ -25,10 +27,10 @@ pub(crate) fn small_nome(m: Dd, kc: Dd) -> Dd {
     lambda + lambda * beyond_lambda(lambda.hi)
 }
 
-/// The nome over lanes, in double, from lambda.
+/// The nome over lanes, with the low word of lambda.
 #[inline(always)]
-pub(crate) fn short_nome<L: Lane>(lambda: L) -> L {
-    lambda + lambda * beyond_lambda(lambda)
+pub(crate) fn short_nome<L: Lane>(lambda: Unnormalised<L>) -> Dd<L> {
+    Dd::ordered_sum(lambda.hi, lambda.hi.mul_add(beyond_lambda(lambda.hi), lambda.lo))
 }
 
 /// q/lambda - 1 = 2 l^4 + 15 l^8 + 150 l^12 + 1707 l^16 + 20910 l^20; the next is below 2^-104 of the sum.
@@ -37,6 +39,20 @@ fn beyond_lambda<L: Lane>(lambda: L) -> L {
     let square = lambda * lambda;
     let fourth = square * square;
     fourth * horner(&[2.0, 15.0, 150.0, 1707.0, 20910.0], fourth)
+}
+
+/// -ln q over lanes, as a double-double, from lambda of 0 < m <= 1/2.
+///
+/// ln(q/lambda) = 2 l + 13 l^2 + ... in l = lambda^4 <= 3.5e-6, the logarithm of DLMF 19.5.5; the next term is below 2^-104.
+#[inline(always)]
+pub(crate) fn minus_log_short_nome<L: Lane>(lambda: Unnormalised<L>) -> Unnormalised<L> {
+    let fourth = lambda.square().square();
+    let l = fourth.hi;
+    let tail = l * horner(&[368.0 / 3.0, 1350.5, 16182.4, 204_573.333_333_333_33], l);
+    let series = Unnormalised::from_double(L::splat(13.0)).plus_smaller(Unnormalised::from_double(tail));
+    let series = Unnormalised::from_double(L::splat(2.0)).plus_smaller(fourth * series);
+    let log = Unnormalised::from(long_ln(lambda.tight()));
+    (-log).minus_smaller(fourth * series)
 }
 
 /// -ln q = pi K'/K, from k and k'.

@@ -6,6 +6,7 @@
 
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
+use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{COMPACT, Lane};
 
 /// Half periods per unit of the argument, and at its zero.
@@ -82,6 +83,25 @@ pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
     let whole = turned.round();
     (whole, Dd::sum(turned - whole, t.mul_add(rate.lo, error)))
 }
+
+/// t rate modulo a period of its own in every lane: the nearest whole number of periods and the signed rest, good to 2^-103
+/// of the product; a NaN for the rest beyond 2^50 periods.
+#[inline(always)]
+pub(crate) fn modulo<L: Lane>(t: L, rate: Unnormalised<L>, period: Unnormalised<L>) -> (L, Dd<L>) {
+    let (passed, error) = t.two_product_in_range(rate.hi);
+    let n = (passed / period.hi).round();
+    let (whole, whole_error) = n.two_product_in_range(period.hi);
+    // What is left next to a whole number is of the order of the errors: every one of the large terms keeps its own.
+    let (near, near_error) = two_sum(passed, -whole);
+    let (nearer, nearer_error) = two_sum(near, -whole_error);
+    let small = (-n).mul_add(period.lo, t.mul_add(rate.lo, error));
+    let (hi, hi_error) = two_sum(nearer, small);
+    let rest = Dd::ordered_sum(hi, hi_error + (nearer_error + near_error));
+    (n, within(n, MANY, rest))
+}
+
+/// 2^50.
+const MANY: f64 = 1_125_899_906_842_624.0;
 
 impl<L: Lane> Phase<L> {
     /// t rate, rounded; its nearest whole number, what that lacks once the start is added, and the signed rest.

@@ -1,9 +1,13 @@
-"""The parameter by exactly one keyword: ``m``, its complement ``mc = 1 - m``, the modulus ``k`` or the nome ``q``."""
+"""The parameter by exactly one keyword: ``m``, its complement ``mc = 1 - m``, the modulus ``k`` or the nome ``q``.
+
+A parameter without dimensions is set up once for all arguments; one with dimensions is answered row by row, where there is a
+formula for that. The call decides, so a value does not depend on chunks.
+"""
 
 from typing import Any
 
 from .. import _core
-from .._dispatch import PLAIN, apply
+from .._dispatch import PLAIN, apply, has_dimensions
 from .._labels import Result
 
 # Which keyword is the only one that is not None, by whether each of m, mc, k and q is None.
@@ -11,13 +15,13 @@ ONLY = {tuple(other != index for other in range(4)): index for index in range(4)
 
 
 class Function:
-    """A function with a ufunc for each keyword, which calls the one that was given."""
+    """A function with a ufunc for each keyword, which calls the one that was given: of one parameter, or of rows of them."""
 
     def __init__(self, name: str, *results: Result, keywords: tuple[str, ...] = ("m", "mc", "k", "q")) -> None:
         self.keywords = keywords
-        self.ufuncs: tuple[Any, ...] = tuple(
-            getattr(_core, f"{name}_{keyword}", None) for keyword in ("m", "mc", "k", "q")
-        )
+        self.ufuncs = _ufuncs(name)
+        rows = _ufuncs(f"{name}_rows")
+        self.rows = rows if any(rows) else None
         self.results = results
 
     def of(self, arguments: tuple[Any, ...], m: Any, mc: Any, k: Any, out: Any, where: Any, q: Any) -> Any:
@@ -28,12 +32,20 @@ class Function:
             given = {"m": m, "mc": mc, "k": k, "q": q}
             named = " and ".join(name for name in self.keywords if given[name] is not None) or "none"
             raise ValueError(f"exactly one of {', '.join(others)} and {last} must be given, not {named}")
-        operands = (*arguments, (m, mc, k, q)[index])
+        parameter = (m, mc, k, q)[index]
+        ufunc = self.ufuncs[index]
+        if self.rows is not None and type(parameter) is not float and has_dimensions(parameter):
+            ufunc = self.rows[index]
+        operands = (*arguments, parameter)
         # What `apply` does first; a call more would cost a tenth of the time of one value.
         if where is True and PLAIN.issuperset(map(type, operands)):
-            ufunc = self.ufuncs[index]
             return ufunc(*operands) if out is None else ufunc(*operands, out=out)
-        return apply(self.ufuncs[index], *operands, results=self.results, out=out, where=where)
+        return apply(ufunc, *operands, results=self.results, out=out, where=where)
+
+
+def _ufuncs(name: str) -> tuple[Any, ...]:
+    """The ufunc of each keyword, None where there is none."""
+    return tuple(getattr(_core, f"{name}_{keyword}", None) for keyword in ("m", "mc", "k", "q"))
 
 
 def function(name: str, meaning: str, keywords: tuple[str, ...] = ("m", "mc", "k", "q")) -> Function:

@@ -238,7 +238,7 @@ pub(super) const TINY: f64 = 1e-290;
 
 /// Where u^2 counts no more sn and am are u, down to the sign of zero; NaN stays NaN.
 #[inline(always)]
-fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
+pub(super) fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
     let tiny = u.abs().less(L::splat(TINY));
     let small = |value: L| L::select(tiny, u - value.abs() * L::splat(0.0), value);
     [small(sn), cn, dn, small(am)]
@@ -269,7 +269,7 @@ impl<const HYPERBOLIC: bool> Formula<1, 4> for DoublyPeriodic<'_, HYPERBOLIC> {
 }
 
 /// m = 1.
-struct HyperbolicLimit;
+pub(super) struct HyperbolicLimit;
 
 impl Formula<1, 4> for HyperbolicLimit {
     type Place = Self;

@@ -4,7 +4,7 @@
 //! to a zero or a pole the digits are those of the reduced argument. At m = 1 all are hyperbolic functions.
 //! Source: DLMF 22.2.10, 22.2.11; A&S 16.36.
 
-use super::functions::{Jacobi, NevilleIndex, TANH_IS_ONE, TINY};
+use super::functions::{Jacobi, NevilleIndex, NevilleValues, TANH_IS_ONE, TINY};
 use crate::elliptic::parameter::ParameterRange;
 use crate::float::Dd;
 use crate::float::elementary::{quotient, saturated_sinh_cosh, sech};
@@ -148,6 +148,13 @@ fn odd<L: Lane>([p, q]: [NevilleIndex; 2], u: L, value: L) -> L {
     }
 }
 
+/// theta_p/theta_q, next to 0, too; NaN where the parameter is.
+#[inline(always)]
+pub(super) fn quotient_at<L: Lane>(pq: [NevilleIndex; 2], u: L, values: &NevilleValues<Dd<L>, L>) -> L {
+    let unit = values.n.hi;
+    L::select(unit.equal(unit), odd(pq, u, values.quotient(pq)), unit)
+}
+
 /// m < 1 or m > 1.
 struct NevilleQuotient<'a, const HYPERBOLIC: bool>(&'a Jacobi, [NevilleIndex; 2]);
 
@@ -156,12 +163,12 @@ impl<const HYPERBOLIC: bool> Formula<1, 1> for NevilleQuotient<'_, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u]: [L; 1]) -> [L; 1] {
         let (_, values) = self.0.neville_values::<HYPERBOLIC, L>(u);
-        [odd(self.1, u, values.quotient(self.1))]
+        [quotient_at(self.1, u, &values)]
     }
 }
 
 /// m = 1.
-struct HyperbolicQuotient([NevilleIndex; 2]);
+pub(super) struct HyperbolicQuotient(pub [NevilleIndex; 2]);
 
 impl Formula<1, 1> for HyperbolicQuotient {
     type Place = Self;

@@ -14,7 +14,7 @@ use crate::elliptic::agm::agm;
 use crate::elliptic::nome::small_nome;
 use crate::elliptic::parameter::Unit;
 use crate::elliptic::phase::ReducedPhase;
-use crate::float::elementary::{sin_cos, sinh_cosh};
+use crate::float::elementary::{quotient, sin_cos, sinh_cosh};
 use crate::float::exponent::{exponent, ldexp, mantissa};
 use crate::float::series::{long_sin_cos, long_sinh_cosh};
 use crate::float::{Dd, HALF_PI, PI, Scaled};
@@ -105,7 +105,7 @@ const LEAST: i32 = -900;
 const LARGE: f64 = 1e300;
 
 #[inline(always)]
-fn bounded_square<L: Lane>(sine: L) -> L {
+pub(crate) fn bounded_square<L: Lane>(sine: L) -> L {
     let square = sine * sine;
     L::select(L::splat(LARGE).less(square), L::splat(LARGE), square)
 }
@@ -304,18 +304,58 @@ fn corrections(q: Dd) -> [Correction; 4] {
 #[derive(Clone, Copy)]
 pub(crate) struct ShortCorrection<L: Lane>([L; 3]);
 
+/// What theta1/sin, theta2/cos, theta3 and theta4 of a nome per lane, at most e^-pi, are beyond 1 in x = sin^2 (not normalised).
+#[inline(always)]
+pub(crate) fn excesses<L: Lane>(q: L, x: L) -> [L; 4] {
+    let [even, odd] = powers(q);
+    [excess(0, even, x), excess(1, even, x), excess(2, odd, x), excess(3, odd, x)]
+}
+
+#[inline(always)]
+fn excess<L: Lane>(function: usize, [first, second, third]: [L; 3], x: L) -> L {
+    let mut sum = L::splat(0.0);
+    for of in SERIES[function].iter().rev() {
+        let row = first.mul_add(L::splat(of[1]), small_terms(*of, second, third));
+        sum = sum.mul_add(x, row);
+    }
+    sum
+}
+
+/// The powers of the nome in the last columns of the series: of theta1 and theta2, and of theta3 and theta4.
+#[inline(always)]
+fn powers<L: Lane>(q: L) -> [[L; 3]; 2] {
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    [[q2, q4 * q2, q4 * q4 * q4], [q, q4, q4 * q4 * q]]
+}
+
+/// theta1/sin, theta2/cos, theta3 or theta4 as a cubic per lane: row `function` of the series, in the powers of q that its
+/// columns name.
+#[inline(always)]
+fn cubic<L: Lane>(function: usize, [first, second, third]: [L; 3]) -> [L; 4] {
+    let mut rows = [L::splat(0.0); 4];
+    for (row, powers) in rows.iter_mut().zip(SERIES[function]) {
+        *row = first.mul_add(L::splat(powers[1]), small_terms(powers, second, third)) + L::splat(powers[0]);
+    }
+    rows
+}
+
+/// What the last two columns of a row of the series give.
+#[inline(always)]
+fn small_terms<L: Lane>([.., c, d]: [f64; 4], second: L, third: L) -> L {
+    second.mul_add(L::splat(c), third * L::splat(d))
+}
+
 impl<L: Lane> ShortCorrection<L> {
-    /// Of the row `function` of the series, in the powers of q that its columns name.
+    /// Of two cubics: with one division.
     #[inline(always)]
-    fn new(function: usize, [first, second, third]: [L; 3]) -> Self {
-        let mut rows = [L::splat(0.0); 4];
-        for (row, [a, b, c, d]) in rows.iter_mut().zip(SERIES[function]) {
-            let small = second.mul_add(L::splat(c), third * L::splat(d));
-            *row = first.mul_add(L::splat(b), small) + L::splat(a);
-        }
-        let [origin, one, two, three] = rows;
-        let inverse = L::splat(1.0) / origin;
-        ShortCorrection([one * inverse, two * inverse, three * inverse])
+    fn pair([a, a1, a2, a3]: [L; 4], [b, b1, b2, b3]: [L; 4]) -> [Self; 2] {
+        let inverse = L::splat(1.0) / (a * b);
+        let (of_a, of_b) = (b * inverse, a * inverse);
+        [
+            ShortCorrection([a1 * of_a, a2 * of_a, a3 * of_a]),
+            ShortCorrection([b1 * of_b, b2 * of_b, b3 * of_b]),
+        ]
     }
     #[inline(always)]
     pub fn at(&self, x: L) -> L {
@@ -327,13 +367,25 @@ impl<L: Lane> ShortCorrection<L> {
 /// [`corrections`] of a nome per lane, in double.
 #[inline(always)]
 pub(crate) fn short_corrections<L: Lane>(q: L) -> [ShortCorrection<L>; 4] {
-    let q2 = q * q;
-    let q4 = q2 * q2;
-    let (q6, q9, q12) = (q4 * q2, q4 * q4 * q, q4 * q4 * q4);
-    [
-        ShortCorrection::new(0, [q2, q6, q12]),
-        ShortCorrection::new(1, [q2, q6, q12]),
-        ShortCorrection::new(2, [q, q4, q9]),
-        ShortCorrection::new(3, [q, q4, q9]),
-    ]
+    let [even, odd] = powers(q);
+    let [first, second] = ShortCorrection::pair(cubic(0, even), cubic(1, even));
+    let [third, fourth] = ShortCorrection::pair(cubic(2, odd), cubic(3, odd));
+    [first, second, third, fourth]
+}
+
+/// `twice` times the derivative by x of the logarithm of a cubic of a nome per lane, theta2/cos, theta3 or theta4 by its index
+/// less one: with full digits where it is small.
+#[inline(always)]
+pub(crate) fn logarithmic_slope<L: Lane>(function: usize, q: Dd<L>, x: L, twice: Dd<L>) -> Dd<L> {
+    let [even, odd] = powers(q.hi);
+    let (first, [_, second, third]) = if function == 1 { (Dd::from_double(even[0]), even) } else { (q, odd) };
+    let [origin, one, two, three] = SERIES[function];
+    let (two, three) = (small_terms(two, second, third), small_terms(three, second, third));
+    let lead = first.scale(L::splat(one[1]));
+    let lead = Dd::new(lead.hi, lead.lo + small_terms(one, second, third));
+    let above = three.mul_add(L::splat(3.0) * x, two + two) * x;
+    let above = Dd::sum(lead.hi, lead.lo + above);
+    let below = x * x.mul_add(x.mul_add(three, two), lead.value());
+    let below = below + first.hi.mul_add(L::splat(origin[1]), small_terms(origin, second, third));
+    quotient(above * twice, Dd::sum(L::splat(1.0), below))
 }

@@ -1,17 +1,20 @@
-//! A parameter of its own in every lane: the period and sn : cn : dn, without the set-up of one [`NevilleTheta`] each.
+//! A parameter of its own in every lane: the periods, the theta functions and sn : cn : dn, without the set-up of one
+//! [`NevilleTheta`] each.
 //!
-//! theta1 and theta2 suffice, because the rest follows from identities without cancellation: with
+//! K by the arithmetic-geometric mean of fixed length for m <= 1/2; above, K = K' (-ln q')/pi with the nome q' of mc, whose
+//! logarithm is good to 2^-100, so that no mean of far numbers is formed. For steps that are repeated theta1 and theta2
+//! suffice, because the rest follows from identities without cancellation: with
 //! p : q = sn : cn, the common factor is s = sqrt(p^2 + q^2) and dn = sqrt(q^2 + mc p^2)/s. So sn^2 + cn^2 = 1 and
 //! dn^2 + m sn^2 = 1 hold to double-double whatever the rounding of the theta functions, and a step repeated
-//! for ever keeps its energy. K by the arithmetic-geometric mean of fixed length.
-//! Source: as neville.rs and agm.rs.
+//! for ever keeps its energy.
+//! Source: as neville.rs and agm.rs; DLMF 22.2.1.
 //!
 //! [`NevilleTheta`]: super::neville::NevilleTheta
 
-use super::neville::{ShortCorrection, fold, short_corrections};
-use crate::elliptic::agm::{agm_far, agm_near};
-use crate::elliptic::nome::short_nome;
-use crate::float::elementary::{sin_cos, sinh_cosh};
+use super::neville::{ShortCorrection, bounded_square, fold, logarithmic_slope, short_corrections};
+use crate::elliptic::agm::agm_near;
+use crate::elliptic::nome::{minus_log_short_nome, short_nome};
+use crate::float::elementary::{quotient, sin_cos, sinh_cosh};
 use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI};
 use crate::lanes::Lane;
@@ -27,14 +30,33 @@ pub(crate) struct NevilleThetaLanes<L: Lane> {
     /// 1/2K.
     pub frequency: Unnormalised<L>,
     /// Circular or hyperbolic angle of one half period 2K.
-    angle: Unnormalised<L>,
+    pub angle: Unnormalised<L>,
     /// pi/2K or pi/2K': what theta2 takes beside theta1.
-    theta2_factor: Unnormalised<L>,
+    pub theta2_factor: Unnormalised<L>,
     /// 1 - m.
     pub mc: Unnormalised<L>,
-    kc: Unnormalised<L>,
-    theta1: ShortCorrection<L>,
-    theta2: ShortCorrection<L>,
+    pub kc: Unnormalised<L>,
+    /// (1 - E/K)/m - 1/2, times m, for m <= 1/2; above the same of mc.
+    pub quadratic: L,
+    /// The nome of m or mc.
+    nome: Dd<L>,
+    /// Beside sin, cos, 1, 1 on the circular side and sinh, 1, 1, cosh on the hyperbolic one.
+    corrections: [ShortCorrection<L>; 4],
+}
+
+/// 1 - E/K - m/2 for m <= 1/2, from k', m and lambda: the squares c_n^2 2^(n - 1) of the mean from n = 1 on, DLMF 19.8.6; that
+/// of n = 4 is below 2^-68.
+#[inline(always)]
+fn beyond_half<L: Lane>(b: L, one_minus_square: L, lambda: L) -> L {
+    let (half, one) = (L::splat(0.5), L::splat(1.0));
+    // c_1 = (1 - k')/2, and with t = 2 lambda and M = (1 + sqrt k')^2/4: c_2 = M t^2, c_3 = M (1 - sqrt(1 - t^4))/2.
+    let first = half * one_minus_square / (one + b);
+    let root = half + half * b.sqrt();
+    let square = L::splat(4.0) * lambda * lambda;
+    let second = root * root * square;
+    let fourth = square * square;
+    let third = L::splat(0.125) * fourth * (half * fourth + one);
+    first.mul_add(first, second * second * (L::splat(2.0) + third + third))
 }
 
 /// sn : cn : dn : 1 = sn : cn : dn : unit, and their squares.
@@ -49,30 +71,64 @@ pub(crate) struct Point<L: Lane> {
 }
 
 impl<L: Lane> NevilleThetaLanes<L> {
-    /// From m and 1 - m >= [`LEAST_COMPLEMENT`]; HYPERBOLIC where m is above 1/2 (a rounding error beyond does no harm).
+    /// From m and 1 - m >= 1e-200; HYPERBOLIC where m is above 1/2 (a rounding error beyond does no harm).
     #[inline(always)]
     pub fn new<const HYPERBOLIC: bool>(m: Unnormalised<L>, mc: Unnormalised<L>) -> Self {
         let kc = mc.root();
-        if HYPERBOLIC {
-            let mean = agm_far(kc);
-            let (other, lambda) = agm_near(m.root(), mc);
-            let [theta1, _, _, theta2] = short_corrections(short_nome(lambda));
-            let angle = other.over(mean) * Unnormalised::splat(PI);
-            let frequency = mean * Unnormalised::splat(INVERSE_PI);
-            NevilleThetaLanes { frequency, angle, theta2_factor: other, mc, kc, theta1, theta2 }
+        let (b, one_minus_square) = if HYPERBOLIC { (m.root(), mc) } else { (kc, m) };
+        let (mean, lambda) = agm_near(b, one_minus_square);
+        let nome = short_nome(lambda);
+        let [t1, t2, t3, t4] = short_corrections(nome.hi);
+        // theta2 and theta4 change places.
+        let corrections = if HYPERBOLIC { [t1, t4, t3, t2] } else { [t1, t2, t3, t4] };
+        let (frequency, angle) = if HYPERBOLIC {
+            let angle = minus_log_short_nome(lambda);
+            (mean.over(angle), angle)
         } else {
-            let (mean, lambda) = agm_near(kc, m);
-            let [theta1, theta2, ..] = short_corrections(short_nome(lambda));
-            let frequency = mean * Unnormalised::splat(INVERSE_PI);
-            NevilleThetaLanes {
-                frequency,
-                angle: Unnormalised::splat(PI),
-                theta2_factor: mean,
-                mc,
-                kc,
-                theta1,
-                theta2,
-            }
+            (mean * Unnormalised::splat(INVERSE_PI), Unnormalised::splat(PI))
+        };
+        let quadratic = beyond_half(b.hi, one_minus_square.hi, lambda.hi);
+        NevilleThetaLanes { frequency, angle, theta2_factor: mean, mc, kc, quadratic, nome, corrections }
+    }
+
+    /// theta1 without the factor A, theta2, theta3, theta4 at a circular or hyperbolic angle of at most a quarter of that of a
+    /// half period.
+    #[inline(always)]
+    pub fn thetas<const HYPERBOLIC: bool>(&self, angle: Dd<L>) -> [Dd<L>; 4] {
+        let one = Dd::from_double(L::splat(1.0));
+        let ([first, second, third, fourth], x) = if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            ([sine, one, one, cosine], -bounded_square(sine.hi))
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            ([sine, cosine, one, one], sine.hi * sine.hi)
+        };
+        let [t1, t2, t3, t4] = &self.corrections;
+        [first.nudge(t1.at(x)), second.nudge(t2.at(x)), third.nudge(t3.at(x)), fourth.nudge(t4.at(x))]
+    }
+
+    /// The slopes of ln theta4 and ln theta3 by that angle; and between them what the first lacks of 1, to which it tends where
+    /// HYPERBOLIC.
+    #[inline(always)]
+    pub fn logarithmic_slopes<const HYPERBOLIC: bool>(&self, angle: Dd<L>) -> [Dd<L>; 3] {
+        let one = Dd::from_double(L::splat(1.0));
+        let two = L::splat(2.0);
+        if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let (x, twice) = (-bounded_square(sine.hi), (sine * cosine).scale(-two));
+            // theta2 stands in the place of theta4.
+            let tail = logarithmic_slope(1, self.nome, x, twice);
+            let tangent = quotient(sine, cosine);
+            // 1 - tanh y = e^-y/cosh y.
+            let lacking = quotient(one, (sine + cosine) * cosine);
+            let slope = Dd::ordered_sum(tangent.hi, tangent.lo + tail.hi);
+            let lacking = Dd::ordered_sum(lacking.hi, lacking.lo - tail.hi);
+            [slope, lacking, logarithmic_slope(2, self.nome, x, twice)]
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let (x, twice) = (sine.hi * sine.hi, (sine * cosine).scale(two));
+            let slope = logarithmic_slope(3, self.nome, x, twice);
+            [slope, one + -slope, logarithmic_slope(2, self.nome, x, twice)]
         }
     }
 
@@ -81,15 +137,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
     pub fn at<const HYPERBOLIC: bool>(&self, f: Dd<L>) -> Point<L> {
         let (folded, v) = fold(f);
         let angle = (Unnormalised::from(v) * self.angle).tight();
-        let (theta1, theta2) = if HYPERBOLIC {
-            let (sine, _) = sinh_cosh(angle);
-            let x = -(sine.hi * sine.hi);
-            (sine.nudge(self.theta1.at(x)), Dd::from_double(L::splat(1.0)).nudge(self.theta2.at(x)))
-        } else {
-            let (sine, cosine) = sin_cos(angle);
-            let x = sine.hi * sine.hi;
-            (sine.nudge(self.theta1.at(x)), cosine.nudge(self.theta2.at(x)))
-        };
+        let [theta1, theta2, ..] = self.thetas::<HYPERBOLIC>(angle);
         let (theta1, theta2) = (Unnormalised::from(theta1), Unnormalised::from(theta2) * self.theta2_factor);
         let sn = Unnormalised::select(folded, theta2, theta1);
         let cn = Unnormalised::select(folded, self.kc * theta1, theta2);
