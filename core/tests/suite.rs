@@ -14,6 +14,7 @@ mod identities;
 mod instruction_sets;
 mod invariants;
 mod oscillator;
+mod own_states;
 mod passages;
 mod pendulum_ends;
 mod ruler;

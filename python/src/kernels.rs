@@ -44,9 +44,9 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     )?;
     add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
 
+    add(module, "action", nothing, whole::<[f64; 1], _>(action))?;
+    add(module, "frequency", nothing, whole::<[f64; 1], _>(mean_frequency))?;
     let kept = |value: &f64, []: [f64; 0]| [*value];
-    add(module, "action", |of| Some(state(of)?.action()), each(kept))?;
-    add(module, "frequency", |of| Some(state(of)?.frequency()), each(kept))?;
     add(module, "phase", |of| Some(state(of)?.phase(0.0)), each(kept))?;
     add(module, "from_action_phase", frequency, each(from_action_phase))?;
     add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))
@@ -78,6 +78,14 @@ fn state_motion((): &(), operands: [&[f64]; 4], _: usize, columns: [&mut [f64]; 
 
 fn advance((): &(), states: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
     libration::advance_into(states, columns);
+}
+
+fn action((): &(), states: [&[f64]; 3], _: usize, [action]: [&mut [f64]; 1]) {
+    pendulum::action_into(states, action);
+}
+
+fn mean_frequency((): &(), states: [&[f64]; 3], _: usize, [frequency]: [&mut [f64]; 1]) {
+    pendulum::frequency_into(states, frequency);
 }
 
 /// One orbit, its frequency by the exact factors.

@@ -55,6 +55,11 @@ impl<'a, 'b, const A: usize, const R: usize> Columns<'a, 'b, A, R> {
         assert!(fits, "columns of different lengths");
         Columns { arguments, results }
     }
+
+    /// The same value in every row.
+    pub fn fill(self, value: f64) {
+        self.results.into_iter().for_each(|result| result.fill(value));
+    }
 }
 
 impl<const A: usize, const N: usize> Evaluation<A, N> for Once<A> {

@@ -4,6 +4,7 @@
 //! IEEE operation (or an error-free pair of them), so all widths of one instruction set give the same bits.
 //! Instruction sets differ only in whether `mul_add` is fused.
 
+mod classes;
 mod dispatch;
 mod formula;
 #[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
@@ -30,6 +31,7 @@ mod host;
 #[path = "plain.rs"]
 mod host;
 
+pub(crate) use classes::{BLOCK, Classes};
 pub use dispatch::{four, single, wide};
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;

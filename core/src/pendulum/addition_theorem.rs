@@ -8,13 +8,13 @@
 //! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted separately. S, C, D may share a factor.
 //! Source: Salas 2019 (23) by DLMF 22.8, formulas for the increment in place of the angle: docs/decisions/0010.
 
+use super::state_lanes::StateLanes;
 use crate::elliptic::phase::{alternating, turned};
 use crate::elliptic::theta::neville_lanes::NevilleThetaLanes;
-use crate::float::angle_reduction::half_turns;
 use crate::float::double_double::two_sum;
 use crate::float::elementary::arctangent;
 use crate::float::unnormalised::Unnormalised;
-use crate::float::{Dd, PI, TWO_PI, series};
+use crate::float::{Dd, PI, TWO_PI};
 use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 
 /// Beyond so many half periods times 1 - m a row is left to the fallback: what double-doubles lose of the period next to the
@@ -42,21 +42,10 @@ pub(super) struct StateOnLanes<L: Lane, const ROTATION: bool, const HYPERBOLIC: 
 impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     pub fn new(theta: L, velocity: L, omega: Unnormalised<L>) -> Self {
-        let (half, two) = (L::splat(0.5), L::splat(2.0));
         let one = Unnormalised::from_double(L::splat(1.0));
-        let (j, rest) = half_turns(theta);
-        let parity = alternating(j);
-        let even = L::splat(0.0).less(parity);
-        let sine = series::sine(Unnormalised::from(rest.scale(half)));
-        let low = sine.square();
-        let high = one.minus_smaller(low);
+        let StateLanes { parity, sine, high, s_square, c_square, x, speed, m, mc, .. } =
+            StateLanes::new(theta, velocity, omega);
         let across = high.root() * sine.scale(parity);
-        let (s_square, c_square) =
-            (Unnormalised::select(even, low, high), Unnormalised::select(even, high, low));
-        let speed = omega.scale(two);
-        let x = Unnormalised::from_double(velocity).over(speed);
-        let x_square = x.square();
-        let (m, mc) = (s_square + x_square, Unnormalised::from((c_square - x_square).tight()));
         let (lattices, stretch, k_inverse) = if ROTATION {
             let inverse = one.over(m);
             let k = m.root();

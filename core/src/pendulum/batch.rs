@@ -9,7 +9,7 @@ use crate::elliptic::phase::alternating;
 use crate::elliptic::theta::neville_lanes::LEAST_COMPLEMENT;
 use crate::float::angle_reduction::{FAR, half_turns};
 use crate::float::elementary::sin_cos;
-use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, wide};
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, Once, wide};
 
 /// The formula that a row asks for.
 mod class {
@@ -73,41 +73,6 @@ impl Formula<3, 1> for Classify {
     }
 }
 
-/// Rows classed at a time.
-const BLOCK: usize = 512;
-
-/// The rows of each class in a block, and their columns side by side.
-struct Sorted {
-    members: [[u16; BLOCK]; class::COUNT],
-    counts: [usize; class::COUNT],
-    arguments: [[f64; BLOCK]; 4],
-    results: [[f64; BLOCK]; 2],
-}
-
-impl Sorted {
-    #[inline(always)]
-    fn new(codes: &[f64]) -> Self {
-        let mut members = [[0; BLOCK]; class::COUNT];
-        let mut counts = [0; class::COUNT];
-        for (row, code) in codes.iter().enumerate() {
-            let class = *code as usize;
-            members[class][counts[class]] = row as u16;
-            counts[class] += 1;
-        }
-        Sorted { members, counts, arguments: [[0.0; BLOCK]; 4], results: [[0.0; BLOCK]; 2] }
-    }
-}
-
-/// The first rows of columns.
-#[inline(always)]
-fn first_rows<const N: usize>(columns: &[[f64; BLOCK]; N], rows: usize) -> [&[f64]; N] {
-    let mut heads: [&[f64]; N] = [&[]; N];
-    for (head, column) in heads.iter_mut().zip(columns) {
-        *head = &column[..rows];
-    }
-    heads
-}
-
 /// Whether all values are the first, bit for bit.
 fn repeats(column: &[f64]) -> bool {
     column.iter().all(|value| value.to_bits() == column[0].to_bits())
@@ -149,45 +114,26 @@ pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Op
 const ENOUGH: usize = 16;
 
 /// Up to a block of rows, by their classes; NaN for the fallback.
-fn block(arguments: [&[f64]; 4], [theta_later, velocity_later]: [&mut [f64]; 2]) {
+fn block(
+    sorted: &mut Classes<4, 2, { class::COUNT }>,
+    arguments: [&[f64]; 4],
+    results: [&mut [f64]; 2],
+) {
     let rows = arguments[0].len();
     let mut codes = [0.0; BLOCK];
     let [theta, velocity, _, omega] = arguments;
     Columns::new([theta, velocity, omega], [&mut codes[..rows]]).of(&Classify);
     let codes = &codes[..rows];
-    if codes.iter().all(|code| *code == codes[0]) {
-        let class = codes[0] as usize;
-        let results = [&mut *theta_later, &mut *velocity_later];
-        if class == class::FALLBACK {
-            results.into_iter().for_each(|result| result.fill(f64::NAN));
-        } else if rows > ENOUGH && [theta, velocity, omega].into_iter().all(repeats) {
-            from_shared_state(class, arguments, results);
-        } else {
-            evaluated(class, 0.0, Columns::new(arguments, results));
-        }
-        return;
+    if codes[0] as usize != class::FALLBACK
+        && rows > ENOUGH
+        && [codes, theta, velocity, omega].into_iter().all(repeats)
+    {
+        return from_shared_state(codes[0] as usize, arguments, results);
     }
-    let mut sorted = Sorted::new(codes);
-    for (class, members) in sorted.members.iter().enumerate() {
-        let members = &members[..sorted.counts[class]];
-        for (column, argument) in sorted.arguments.iter_mut().zip(arguments) {
-            for (entry, row) in column.iter_mut().zip(members) {
-                *entry = argument[usize::from(*row)];
-            }
-        }
-        let gathered = first_rows(&sorted.arguments, members.len());
-        let later = sorted.results.each_mut().map(|column| &mut column[..members.len()]);
-        if evaluated(class, 0.0, Columns::new(gathered, later)).is_none() {
-            for column in &mut sorted.results {
-                column[..members.len()].fill(f64::NAN);
-            }
-        }
-        for (result, column) in [&mut *theta_later, &mut *velocity_later].into_iter().zip(&sorted.results) {
-            for (value, row) in column.iter().zip(members) {
-                result[usize::from(*row)] = *value;
-            }
-        }
-    }
+    sorted.filled(codes, arguments, results, |class, columns| match class {
+        class::FALLBACK => columns.fill(f64::NAN),
+        class => _ = evaluated(class, 0.0, columns),
+    });
 }
 
 /// Rows of (theta, velocity, dt, omega0) to rows of theta and velocity, on the widest lanes; what the lanes leave out is
@@ -200,11 +146,12 @@ pub(super) fn fill(
     let rows = arguments[0].len();
     let fits = arguments.iter().all(|column| column.len() == rows);
     assert!(fits && theta.len() == rows && velocity.len() == rows, "columns of different lengths");
+    let mut sorted = Classes::new();
     let mut from = 0;
     while from < rows {
         let to = rows.min(from + BLOCK);
         let arguments = arguments.map(|argument| &argument[from..to]);
-        block(arguments, [&mut theta[from..to], &mut velocity[from..to]]);
+        block(&mut sorted, arguments, [&mut theta[from..to], &mut velocity[from..to]]);
         from = to;
     }
     for row in 0..rows {

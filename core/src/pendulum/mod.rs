@@ -1,6 +1,7 @@
 //! theta'' + omega0^2 sin theta = 0 from any initial state, in every regime.
 
 pub mod action;
+mod action_lanes;
 mod addition_theorem;
 pub mod advance;
 mod batch;
@@ -20,10 +21,12 @@ pub mod sensitivity;
 mod sensitivity_lanes;
 mod separatrix;
 pub mod state;
+mod state_lanes;
 pub(crate) mod theta_quotients;
 mod turns;
 mod variational;
 
+pub use action_lanes::{action_into, frequency_into, period_into};
 pub use advance::{advance, advance_into};
 pub use batch::motion_into;
 pub use fourier::Fourier;
