@@ -21,7 +21,7 @@ const LEAST_COMPLEMENT: f64 = 1e-12;
 const SMALL: f64 = 1e-100;
 const LARGE: f64 = 1e100;
 /// Least kappa^2 and action: of smaller ones the errors of products are below the range.
-const LEAST: f64 = 1e-280;
+pub(super) const LEAST: f64 = 1e-280;
 
 /// kappa^2 and what the integrals take.
 pub(super) struct Ratio<L: Lane> {

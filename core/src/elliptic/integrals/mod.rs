@@ -4,6 +4,7 @@ pub(crate) mod carlson;
 pub(crate) mod carlson_duplication;
 pub(crate) mod complete;
 pub(crate) mod complete_lanes;
+pub(crate) mod short_duplication;
 pub(crate) mod heuman_lambda;
 pub(crate) mod incomplete;
 pub(crate) mod third_kind;
