@@ -10,12 +10,16 @@ pub(crate) mod jacobi;
 pub(crate) mod nome;
 pub(crate) mod parameter;
 pub(crate) mod phase;
+#[cfg(test)]
+mod row_tests;
+pub(crate) mod rows;
 pub(crate) mod theta;
 
 pub use given::Given;
 pub use integrals::{
-    carlson_rc, carlson_rd, carlson_rf, carlson_rj, complete_e, complete_e_into, complete_k, complete_k_into,
-    complete_pi, heuman_lambda, incomplete_e, incomplete_f, incomplete_pi,
+    carlson_rc, carlson_rc_into, carlson_rd, carlson_rd_into, carlson_rf, carlson_rf_into, carlson_rj,
+    carlson_rj_into, complete_e, complete_e_into, complete_k, complete_k_into, complete_pi, heuman_lambda,
+    incomplete_e, incomplete_e_into, incomplete_f, incomplete_f_into, incomplete_pi,
 };
 pub use jacobi::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, inverse_jacobi,

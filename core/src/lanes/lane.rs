@@ -50,6 +50,12 @@ pub trait Lane:
     fn two_product_in_range(self, factor: Self) -> (Self, Self) {
         self.two_product(factor)
     }
+    /// `self - factor * other`, exact where that is a double: what a root or a quotient has left.
+    #[inline(always)]
+    fn remainder(self, factor: Self, other: Self) -> Self {
+        let (product, error) = factor.two_product_in_range(other);
+        (self - product) - error
+    }
     /// Nearest integer, ties to even.
     fn round(self) -> Self;
     /// Square root.

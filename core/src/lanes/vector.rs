@@ -28,6 +28,7 @@ macro_rules! vector {
         mul_add = $mul_add:expr;
         product_error = $product_error:expr;
         $(product_error_in_range = $product_error_in_range:expr;)?
+        $(remainder = $remainder:expr;)?
         round = $round:expr;
         sqrt = $sqrt:expr;
         abs = $abs:expr;
@@ -112,6 +113,14 @@ macro_rules! vector {
                     let ($a, $b, $c) = (self.0, factor.0, product.0);
                     // SAFETY: see the top of the table's file.
                     (product, Self(unsafe { $product_error_in_range }))
+                }
+            )?
+            $(
+                #[inline(always)]
+                fn remainder(self, factor: Self, other: Self) -> Self {
+                    let ($a, $b, $c) = (factor.0, other.0, self.0);
+                    // SAFETY: see the top of the table's file.
+                    Self(unsafe { $remainder })
                 }
             )?
             vector!(@unary round $a $round);

@@ -8,8 +8,8 @@
 
 use super::action_lanes::{LEAST, Ratio, column};
 use super::orbit::Orbit;
-use crate::elliptic::integrals::short_duplication::short_rf;
-use crate::float::PI;
+use crate::elliptic::integrals::duplication_lanes::rf;
+use crate::float::{Dd, PI};
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
 
@@ -31,11 +31,12 @@ impl Formula<3, 1> for PhaseOfState {
         let turns = L::select(even, state.half_turns, state.half_turns + step);
         let s = Unnormalised::select(even, state.sine, state.high.root().scale(-step));
         // What is left out must not keep the others waiting: a NaN is near.
-        let arc = short_rf(state.x_square.hi / m * valid, state.c_square.hi, one);
+        let along = Dd::from_double(state.x_square.hi / m * valid);
+        let arc = rf([along, Dd::from_double(state.c_square.hi), Dd::from_double(one)]);
         let k = complement.k();
         let divisor = state.m.root() * Unnormalised::from_double(k + k);
         let divisor = Unnormalised::select(rotation, Unnormalised::from_double(k), divisor);
-        let phase = (s * Unnormalised::from_double(arc) * Unnormalised::splat(PI)).over(divisor);
+        let phase = (s * Unnormalised::from(arc) * Unnormalised::splat(PI)).over(divisor);
         let phase = phase.hi + phase.lo;
         let (base, error) = turns.two_product(L::splat(PI.hi));
         let turned = base + (turns.mul_add(L::splat(PI.lo), error) + phase);

@@ -1,11 +1,15 @@
 //! Carlson's symmetric integrals of any real arguments, into the ends of the range: R_F, R_C, R_D, R_J.
 //!
+//! Over lanes in carlson_lanes.rs; and row by row for every argument:
+//!
 //! Method: the arguments are numbers without an end of range (Scaled). While they lie many powers of two apart, duplication
 //! in these numbers halves their distance in powers; then carlson_duplication.rs takes over. Cauchy's principal values follow
 //! from positive arguments by a connection formula.
 //! Source: DLMF 19.16, 19.20, 19.26.18 to 19.26.22.
 
 use super::carlson_duplication;
+use super::carlson_lanes::{CarlsonRc, CarlsonRd, CarlsonRf, CarlsonRj};
+use crate::elliptic::rows::{column, one};
 use crate::float::{Dd, Scaled};
 
 /// Powers of two that the arguments of carlson_duplication.rs may lie apart: cubes and their squares stay in range.
@@ -169,6 +173,17 @@ fn limit(arguments: &[f64]) -> Option<f64> {
 /// ```
 #[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
+    one(&CarlsonRf, [x, y, z], careful_rf)
+}
+
+/// R_F of columns.
+///
+/// **Error**, domain and source of [`carlson_rf`], value by value the same. Panics where the lengths differ.
+pub fn carlson_rf_into([x, y, z]: [&[f64]; 3], values: &mut [f64]) {
+    column(&CarlsonRf, [x, y, z], values, careful_rf);
+}
+
+pub(crate) fn careful_rf([x, y, z]: [f64; 3]) -> f64 {
     limit(&[x, y, z]).unwrap_or_else(|| rf(x.into(), y.into(), z.into()).value())
 }
 
@@ -188,6 +203,17 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
 /// ```
 #[must_use]
 pub fn carlson_rc(x: f64, y: f64) -> f64 {
+    one(&CarlsonRc, [x, y], careful_rc)
+}
+
+/// R_C of columns.
+///
+/// **Error**, domain and source of [`carlson_rc`], value by value the same. Panics where the lengths differ.
+pub fn carlson_rc_into([x, y]: [&[f64]; 2], values: &mut [f64]) {
+    column(&CarlsonRc, [x, y], values, careful_rc);
+}
+
+pub(crate) fn careful_rc([x, y]: [f64; 2]) -> f64 {
     let undecided = y == 0.0 && x.is_infinite();
     if x.is_nan() || y.is_nan() || x < 0.0 || undecided {
         return f64::NAN;
@@ -216,6 +242,17 @@ pub fn carlson_rc(x: f64, y: f64) -> f64 {
 /// ```
 #[must_use]
 pub fn carlson_rd(x: f64, y: f64, z: f64) -> f64 {
+    one(&CarlsonRd, [x, y, z], careful_rd)
+}
+
+/// R_D of columns.
+///
+/// **Error**, domain and source of [`carlson_rd`], value by value the same. Panics where the lengths differ.
+pub fn carlson_rd_into([x, y, z]: [&[f64]; 3], values: &mut [f64]) {
+    column(&CarlsonRd, [x, y, z], values, careful_rd);
+}
+
+pub(crate) fn careful_rd([x, y, z]: [f64; 3]) -> f64 {
     match limit(&[x, y, z]) {
         Some(0.0) if z == 0.0 => f64::NAN,
         Some(value) => value,
@@ -240,6 +277,17 @@ pub fn carlson_rd(x: f64, y: f64, z: f64) -> f64 {
 /// ```
 #[must_use]
 pub fn carlson_rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
+    one(&CarlsonRj, [x, y, z, p], careful_rj)
+}
+
+/// R_J of columns.
+///
+/// **Error**, domain and source of [`carlson_rj`], value by value the same. Panics where the lengths differ.
+pub fn carlson_rj_into([x, y, z, p]: [&[f64]; 4], values: &mut [f64]) {
+    column(&CarlsonRj, [x, y, z, p], values, careful_rj);
+}
+
+pub(crate) fn careful_rj([x, y, z, p]: [f64; 4]) -> f64 {
     if p.is_nan() {
         return f64::NAN;
     }

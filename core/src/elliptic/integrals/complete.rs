@@ -9,8 +9,8 @@ use super::complete_lanes::{CompleteE, CompleteK};
 use crate::elliptic::agm::quarter_period;
 use crate::elliptic::given::Given;
 use crate::elliptic::parameter::{Parameter, Unit};
+use crate::elliptic::rows::{column_of_parameter, one_of_parameter};
 use crate::float::Dd;
-use crate::lanes::{COMPACT, Columns, Evaluation, Formula, Once};
 
 /// K for mc > 0, as a double-double.
 pub(crate) fn complete_k_dd(parameter: Parameter) -> Dd {
@@ -51,7 +51,7 @@ pub(crate) fn complete_difference_dd(Parameter { m, mc, .. }: Parameter) -> Dd {
 /// ```
 #[must_use]
 pub fn complete_k(parameter: Parameter) -> f64 {
-    once(&CompleteK, parameter, careful_k)
+    one_of_parameter(&CompleteK, [], parameter, careful_k)
 }
 
 /// K of a column of parameters.
@@ -65,45 +65,15 @@ pub fn complete_k(parameter: Parameter) -> f64 {
 /// assert_eq!(format!("{:.10} {:.10}", k[0], k[1]), "1.8540746773 24.4121452911");
 /// ```
 pub fn complete_k_into(given: Given, parameters: &[f64], k: &mut [f64]) {
-    column(&CompleteK, given, parameters, k, careful_k);
+    column_of_parameter(&CompleteK, [], (given, parameters), k, careful_k);
 }
 
-fn careful_k(parameter: Parameter) -> f64 {
+fn careful_k([]: [f64; 0], parameter: Parameter) -> f64 {
     match parameter.mc.hi {
         mc if mc > 0.0 => complete_k_dd(parameter).value(),
         0.0 => f64::INFINITY,
         _ => f64::NAN,
     }
-}
-
-/// One value of mc over a lane, and what that leaves out by the careful function.
-fn once(formula: &impl Formula<1, 1>, parameter: Parameter, careful: fn(Parameter) -> f64) -> f64 {
-    if COMPACT {
-        // The careful function is there anyway.
-        return careful(parameter);
-    }
-    let [value] = Once([parameter.mc.hi]).of(formula);
-    if value.is_nan() { careful(parameter) } else { value }
-}
-
-/// A column of them.
-fn column(
-    formula: &impl Formula<1, 1>,
-    given: Given,
-    parameters: &[f64],
-    values: &mut [f64],
-    careful: fn(Parameter) -> f64,
-) {
-    assert!(parameters.len() == values.len(), "columns of different lengths");
-    given.blocks(parameters, |[_, _, mc, _], rows| {
-        let values = &mut values[rows.clone()];
-        Columns::new([mc], [&mut *values]).of(formula);
-        for (value, given_value) in values.iter_mut().zip(&parameters[rows]) {
-            if value.is_nan() {
-                *value = careful(given.parameter(*given_value));
-            }
-        }
-    });
 }
 
 /// E(m) = int_0^(pi/2) sqrt(1 - m sin^2 phi) dphi.
@@ -122,17 +92,17 @@ fn column(
 /// ```
 #[must_use]
 pub fn complete_e(parameter: Parameter) -> f64 {
-    once(&CompleteE, parameter, careful_e)
+    one_of_parameter(&CompleteE, [], parameter, careful_e)
 }
 
 /// E of a column of parameters.
 ///
 /// **Error**, domain and source of [`complete_e`], value by value the same. Panics where the lengths differ.
 pub fn complete_e_into(given: Given, parameters: &[f64], e: &mut [f64]) {
-    column(&CompleteE, given, parameters, e, careful_e);
+    column_of_parameter(&CompleteE, [], (given, parameters), e, careful_e);
 }
 
-fn careful_e(parameter: Parameter) -> f64 {
+fn careful_e([]: [f64; 0], parameter: Parameter) -> f64 {
     match parameter.mc.hi {
         mc if mc > 0.0 => complete_e_dd(parameter).value(),
         0.0 => 1.0,

@@ -114,10 +114,10 @@ fn folded<L: Lane>(mc: L) -> (Complement<L>, L::Mask) {
 /// K of mc; NaN where mc is no positive normal number.
 pub(crate) struct CompleteK;
 
-impl Formula<1, 1> for CompleteK {
+impl Formula<4, 1> for CompleteK {
     type Place = Self;
     #[inline(always)]
-    fn at<L: Lane>(&self, [mc]: [L; 1]) -> [L; 1] {
+    fn at<L: Lane>(&self, [_, _, mc, _]: [L; 4]) -> [L; 1] {
         let (complement, negative) = folded(mc);
         let k = complement.k();
         // One root for all: where none has m < 0 it is the root of 1.
@@ -128,10 +128,10 @@ impl Formula<1, 1> for CompleteK {
 /// E of mc, likewise.
 pub(crate) struct CompleteE;
 
-impl Formula<1, 1> for CompleteE {
+impl Formula<4, 1> for CompleteE {
     type Place = Self;
     #[inline(always)]
-    fn at<L: Lane>(&self, [mc]: [L; 1]) -> [L; 1] {
+    fn at<L: Lane>(&self, [_, _, mc, _]: [L; 4]) -> [L; 1] {
         let (complement, negative) = folded(mc);
         let e = complement.e();
         [L::select(negative, e * mc.sqrt(), e)]

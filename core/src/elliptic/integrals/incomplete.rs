@@ -1,14 +1,19 @@
 //! The incomplete integrals F(phi | m) and E(phi | m) for every real phi, and every real m for which the
 //! integrand stays real.
 //!
+//! Over lanes in incomplete_lanes.rs; and for every argument, row by row, in double-doubles:
+//!
 //! Method: phi = n pi + r with r in triple-double. The integral up to r is the one of DLMF 19.25.5, 19.25.9 to 19.25.11 whose
 //! terms are all positive for the given m. Added are 2 n K or 2 n E.
 
 use super::carlson;
 use super::carlson_duplication::THIRD;
 use super::complete::{complete_e_dd, complete_k_dd};
+use super::incomplete_lanes::{IncompleteE, IncompleteF};
 use crate::elliptic::amplitude::{ReducedAmplitude, sines};
+use crate::elliptic::given::Given;
 use crate::elliptic::parameter::Parameter;
+use crate::elliptic::rows::{column_of_parameter, one_of_parameter};
 use crate::float::{Dd, Scaled};
 
 /// 1 - m s^2 from mc = 1 - m and the squares of the sine s and the cosine. It subtracts only for m > 1, and then the smaller
@@ -85,6 +90,16 @@ fn incomplete(integral: Integral, phi: f64, parameter: Parameter) -> f64 {
     (Scaled::from(half_turn) * Scaled::from(n).shift(1) + within).value()
 }
 
+/// F in double-doubles, for every argument.
+pub(crate) fn careful_f([phi]: [f64; 1], parameter: Parameter) -> f64 {
+    incomplete(Integral::First, phi, parameter)
+}
+
+/// E likewise.
+pub(crate) fn careful_e([phi]: [f64; 1], parameter: Parameter) -> f64 {
+    incomplete(Integral::Second, phi, parameter)
+}
+
 /// F(phi | m) = int_0^phi dt / sqrt(1 - m sin^2 t).
 ///
 /// | argument | domain |
@@ -102,7 +117,21 @@ fn incomplete(integral: Integral, phi: f64, parameter: Parameter) -> f64 {
 /// ```
 #[must_use]
 pub fn incomplete_f(phi: f64, parameter: Parameter) -> f64 {
-    incomplete(Integral::First, phi, parameter)
+    one_of_parameter(&IncompleteF, [phi], parameter, careful_f)
+}
+
+/// F of a column of amplitudes, each with a parameter of its own.
+///
+/// **Error**, domain and source of [`incomplete_f`], value by value the same. Panics where the lengths differ.
+///
+/// ```
+/// use libration::elliptic::{Given, incomplete_f_into};
+/// let mut f = [0.0; 2];
+/// incomplete_f_into([1.0, 1.5].as_slice(), Given::M, &[0.5, 0.9], &mut f);
+/// assert_eq!(format!("{:.10} {:.10}", f[0], f[1]), "1.0832167728 2.3593480022");
+/// ```
+pub fn incomplete_f_into(phi: &[f64], given: Given, parameters: &[f64], f: &mut [f64]) {
+    column_of_parameter(&IncompleteF, [phi], (given, parameters), f, careful_f);
 }
 
 /// E(phi | m) = int_0^phi sqrt(1 - m sin^2 t) dt.
@@ -122,5 +151,12 @@ pub fn incomplete_f(phi: f64, parameter: Parameter) -> f64 {
 /// ```
 #[must_use]
 pub fn incomplete_e(phi: f64, parameter: Parameter) -> f64 {
-    incomplete(Integral::Second, phi, parameter)
+    one_of_parameter(&IncompleteE, [phi], parameter, careful_e)
+}
+
+/// E of a column of amplitudes, each with a parameter of its own.
+///
+/// **Error**, domain and source of [`incomplete_e`], value by value the same. Panics where the lengths differ.
+pub fn incomplete_e_into(phi: &[f64], given: Given, parameters: &[f64], e: &mut [f64]) {
+    column_of_parameter(&IncompleteE, [phi], (given, parameters), e, careful_e);
 }
