@@ -4,8 +4,6 @@
 //! `advance` take rows with states of their own. The elliptic functions are in elliptic.rs, the springs in oscillator.rs.
 
 use libration::pendulum;
-use libration::pendulum::action::state_of;
-use libration::pendulum::fourier::harmonic_distortion;
 use libration::{Frequency, Orbit, Sensitivity, Turns};
 use pyo3::prelude::*;
 
@@ -36,20 +34,14 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
     add(module, "state_motion", nothing, whole::<[f64; 2], _>(state_motion))?;
-    add(
-        module,
-        "state_sensitivities",
-        |of| Some(Sensitivity::new(&state(of)?)),
-        whole::<[f64; 6], _>(slopes),
-    )?;
+    add(module, "state_sensitivities", nothing, whole::<[f64; 6], _>(state_slopes))?;
     add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
 
     add(module, "action", nothing, whole::<[f64; 1], _>(action))?;
     add(module, "frequency", nothing, whole::<[f64; 1], _>(mean_frequency))?;
-    let kept = |value: &f64, []: [f64; 0]| [*value];
-    add(module, "phase", |of| Some(state(of)?.phase(0.0)), each(kept))?;
-    add(module, "from_action_phase", frequency, each(from_action_phase))?;
-    add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))
+    add(module, "phase", nothing, whole::<[f64; 1], _>(phase))?;
+    add(module, "from_action_phase", nothing, whole::<[f64; 2], _>(from_action_phase))?;
+    add(module, "harmonic_distortion", nothing, whole::<[f64; 1], _>(harmonic_distortion))
 }
 
 fn theta(orbit: &Orbit, [t]: [&[f64]; 1], _: usize, [theta]: [&mut [f64]; 1]) {
@@ -88,14 +80,25 @@ fn mean_frequency((): &(), states: [&[f64]; 3], _: usize, [frequency]: [&mut [f6
     pendulum::frequency_into(states, frequency);
 }
 
+fn phase((): &(), states: [&[f64]; 3], _: usize, [phase]: [&mut [f64]; 1]) {
+    pendulum::phase_into(states, phase);
+}
+
+fn from_action_phase((): &(), rows: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
+    pendulum::state_of_into(rows, columns);
+}
+
+fn state_slopes((): &(), rows: [&[f64]; 4], _: usize, columns: [&mut [f64]; 6]) {
+    pendulum::sensitivities_into(rows, columns);
+}
+
+fn harmonic_distortion((): &(), [theta_max]: [&[f64]; 1], _: usize, [distortion]: [&mut [f64]; 1]) {
+    pendulum::harmonic_distortion_into(theta_max, distortion);
+}
+
 /// One orbit, its frequency by the exact factors.
 fn orbit([theta0, velocity0, a, b, c]: [f64; 5]) -> Option<Orbit> {
     Orbit::new(theta0, velocity0, Frequency::from_factors(a, b, c).ok()?).ok()
-}
-
-/// The orbit of a state of its own.
-fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
-    Orbit::new(theta, velocity, frequency([omega0])?).ok()
 }
 
 /// Whole turns and the rest of the angle.
@@ -117,11 +120,6 @@ fn second_slopes(orbit: &Orbit, [t]: [f64; 1]) -> [f64; 12] {
     halves[..6].copy_from_slice(&angle);
     halves[6..].copy_from_slice(&velocity);
     halves
-}
-
-/// Angle and velocity; the direction is one of 0, 1 and -1.
-fn from_action_phase(frequency: &Frequency, [action, phase, direction]: [f64; 3]) -> [f64; 2] {
-    state_of(action, phase, direction, *frequency).map_or([f64::NAN; 2], <[f64; 2]>::from)
 }
 
 /// The frequency of a row.

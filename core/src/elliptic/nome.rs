@@ -7,6 +7,8 @@
 use super::agm::agm;
 use super::parameter::Parameter;
 use crate::float::elementary::horner;
+use crate::float::logarithm::long_ln;
+use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI, elementary};
 use crate::lanes::Lane;
 
@@ -30,6 +32,20 @@ fn beyond_lambda<L: Lane>(lambda: L) -> L {
     let square = lambda * lambda;
     let fourth = square * square;
     fourth * horner(&[2.0, 15.0, 150.0, 1707.0, 20910.0], fourth)
+}
+
+/// -ln q over lanes, as a double-double, from lambda of 0 < m <= 1/2.
+///
+/// ln(q/lambda) = 2 l + 13 l^2 + ... in l = lambda^4 <= 3.5e-6, the logarithm of DLMF 19.5.5; the next term is below 2^-104.
+#[inline(always)]
+pub(crate) fn minus_log_short_nome<L: Lane>(lambda: Unnormalised<L>) -> Unnormalised<L> {
+    let fourth = lambda.square().square();
+    let l = fourth.hi;
+    let tail = l * horner(&[368.0 / 3.0, 1350.5, 16182.4, 204_573.333_333_333_33], l);
+    let series = Unnormalised::from_double(L::splat(13.0)).plus_smaller(Unnormalised::from_double(tail));
+    let series = Unnormalised::from_double(L::splat(2.0)).plus_smaller(fourth * series);
+    let log = Unnormalised::from(long_ln(lambda.tight()));
+    (-log).minus_smaller(fourth * series)
 }
 
 /// -ln q = pi K'/K, from k and k'.

@@ -34,7 +34,7 @@ pub(super) const SMALL: f64 = 1e-100;
 pub(super) const LARGE: f64 = 1e100;
 
 /// The class of theta, velocity, omega0, from 1 - kappa^2 to a few roundings.
-struct Classify;
+pub(super) struct Classify;
 
 impl Formula<3, 1> for Classify {
     type Place = Self;
@@ -114,11 +114,7 @@ pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Op
 const ENOUGH: usize = 16;
 
 /// Up to a block of rows, by their classes; NaN for the fallback.
-fn block(
-    sorted: &mut Classes<4, 2, { class::COUNT }>,
-    arguments: [&[f64]; 4],
-    results: [&mut [f64]; 2],
-) {
+fn block(sorted: &mut Classes<4, 2, { class::COUNT }>, arguments: [&[f64]; 4], results: [&mut [f64]; 2]) {
     let rows = arguments[0].len();
     let mut codes = [0.0; BLOCK];
     let [theta, velocity, _, omega] = arguments;

@@ -9,8 +9,8 @@
 use super::action_lanes::{LEAST, Ratio, column};
 use super::orbit::Orbit;
 use crate::elliptic::integrals::duplication_lanes::rf;
-use crate::float::{Dd, PI};
 use crate::float::unnormalised::Unnormalised;
+use crate::float::{Dd, PI};
 use crate::lanes::{Formula, Lane};
 
 /// The phase.

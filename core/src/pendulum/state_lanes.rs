@@ -15,9 +15,8 @@ pub(super) struct StateLanes<L: Lane> {
     /// Half turns nearest to the angle, and -1 where they are odd.
     pub half_turns: L,
     pub parity: L,
-    /// Sine of half the rest of the angle, with its sign, and its square; the square of the cosine.
+    /// Sine of half the rest of the angle, with its sign, and the square of the cosine.
     pub sine: Unnormalised<L>,
-    pub low: Unnormalised<L>,
     pub high: Unnormalised<L>,
     /// sin^2 and cos^2 of half the angle.
     pub s_square: Unnormalised<L>,
@@ -48,6 +47,6 @@ impl<L: Lane> StateLanes<L> {
         let x = Unnormalised::from_double(velocity).over(speed);
         let x_square = x.square();
         let (m, mc) = (s_square + x_square, Unnormalised::from((c_square - x_square).tight()));
-        StateLanes { half_turns, parity, sine, low, high, s_square, c_square, x, x_square, speed, m, mc }
+        StateLanes { half_turns, parity, sine, high, s_square, c_square, x, x_square, speed, m, mc }
     }
 }

@@ -42,8 +42,7 @@ impl Formula<4, 1> for Classify {
         let fallback = code(class::FALLBACK);
         let j = action * L::splat(EIGHTH_PI.hi) / omega;
         let above = L::splat(HALF_OF_LIBRATION).less(j);
-        let libration =
-            L::select(above, code(class::LIBRATION_HYPERBOLIC), code(class::LIBRATION_CIRCULAR));
+        let libration = L::select(above, code(class::LIBRATION_HYPERBOLIC), code(class::LIBRATION_CIRCULAR));
         let libration = L::select(j.less(L::splat(1.0 - LEAST_COMPLEMENT)), libration, fallback);
         let libration = L::select(L::splat(LEAST).less(j), libration, fallback);
         let above = L::splat(0.5 * HALF_OF_ROTATION).less(j);

@@ -29,12 +29,12 @@ pub(crate) struct NevilleThetaLanes<L: Lane> {
     /// Circular or hyperbolic angle of one half period 2K.
     angle: Unnormalised<L>,
     /// pi/2K or pi/2K': what theta2 takes beside theta1.
-    theta2_factor: Unnormalised<L>,
+    pub theta2_factor: Unnormalised<L>,
     /// 1 - m.
     pub mc: Unnormalised<L>,
     kc: Unnormalised<L>,
-    theta1: ShortCorrection<L>,
-    theta2: ShortCorrection<L>,
+    /// Of theta1 to theta4, beside sin, cos, 1, 1 on the circular side and sinh, 1, 1, cosh on the hyperbolic one.
+    corrections: [ShortCorrection<L>; 4],
 }
 
 /// sn : cn : dn : 1 = sn : cn : dn : unit, and their squares.
@@ -46,6 +46,10 @@ pub(crate) struct Point<L: Lane> {
     pub cn_square: Unnormalised<L>,
     pub dn_square: Unnormalised<L>,
     pub unit_square: Unnormalised<L>,
+    /// Whether it is nearer to K.
+    pub folded: L::Mask,
+    /// Slope of ln theta4 by its circular or hyperbolic angle; of ln theta3, counted from K.
+    pub slope: L,
 }
 
 impl<L: Lane> NevilleThetaLanes<L> {
@@ -56,13 +60,15 @@ impl<L: Lane> NevilleThetaLanes<L> {
         if HYPERBOLIC {
             let mean = agm_far(kc);
             let (other, lambda) = agm_near(m.root(), mc);
-            let [theta1, _, _, theta2] = short_corrections(short_nome(lambda));
+            // theta2 and theta4 change places.
+            let [theta1, theta4, theta3, theta2] = short_corrections(short_nome(lambda));
+            let corrections = [theta1, theta2, theta3, theta4];
             let angle = other.over(mean) * Unnormalised::splat(PI);
             let frequency = mean * Unnormalised::splat(INVERSE_PI);
-            NevilleThetaLanes { frequency, angle, theta2_factor: other, mc, kc, theta1, theta2 }
+            NevilleThetaLanes { frequency, angle, theta2_factor: other, mc, kc, corrections }
         } else {
             let (mean, lambda) = agm_near(kc, m);
-            let [theta1, theta2, ..] = short_corrections(short_nome(lambda));
+            let corrections = short_corrections(short_nome(lambda));
             let frequency = mean * Unnormalised::splat(INVERSE_PI);
             NevilleThetaLanes {
                 frequency,
@@ -70,8 +76,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
                 theta2_factor: mean,
                 mc,
                 kc,
-                theta1,
-                theta2,
+                corrections,
             }
         }
     }
@@ -81,15 +86,23 @@ impl<L: Lane> NevilleThetaLanes<L> {
     pub fn at<const HYPERBOLIC: bool>(&self, f: Dd<L>) -> Point<L> {
         let (folded, v) = fold(f);
         let angle = (Unnormalised::from(v) * self.angle).tight();
-        let (theta1, theta2) = if HYPERBOLIC {
-            let (sine, _) = sinh_cosh(angle);
+        let [first, second, third, fourth] = &self.corrections;
+        let one = L::splat(1.0);
+        let (theta1, theta2, x, [sine, cosine]) = if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
             let x = -(sine.hi * sine.hi);
-            (sine.nudge(self.theta1.at(x)), Dd::from_double(L::splat(1.0)).nudge(self.theta2.at(x)))
+            let theta2 = Dd::from_double(one).nudge(second.at(x));
+            (sine.nudge(first.at(x)), theta2, x, [sine.hi, cosine.hi])
         } else {
             let (sine, cosine) = sin_cos(angle);
             let x = sine.hi * sine.hi;
-            (sine.nudge(self.theta1.at(x)), cosine.nudge(self.theta2.at(x)))
+            (sine.nudge(first.at(x)), cosine.nudge(second.at(x)), x, [sine.hi, cosine.hi])
         };
+        // d(sin^2) = 2 sin cos, d(-sinh^2) = -2 sinh cosh, and of theta4 = cosh (1 + ...) the cosh beside it.
+        let twice = sine * cosine * L::splat(if HYPERBOLIC { -2.0 } else { 2.0 });
+        let of_lead = if HYPERBOLIC { sine / cosine } else { L::splat(0.0) };
+        let near = fourth.logarithmic_slope(x).mul_add(twice, of_lead);
+        let slope = L::select(folded, third.logarithmic_slope(x) * twice, near);
         let (theta1, theta2) = (Unnormalised::from(theta1), Unnormalised::from(theta2) * self.theta2_factor);
         let sn = Unnormalised::select(folded, theta2, theta1);
         let cn = Unnormalised::select(folded, self.kc * theta1, theta2);
@@ -97,6 +110,6 @@ impl<L: Lane> NevilleThetaLanes<L> {
         let dn_square = cn_square + self.mc * sn_square;
         let unit_square = cn_square + sn_square;
         let (dn, unit) = (dn_square.root(), unit_square.root());
-        Point { sn, cn, dn, unit, cn_square, dn_square, unit_square }
+        Point { sn, cn, dn, unit, cn_square, dn_square, unit_square, folded, slope }
     }
 }
