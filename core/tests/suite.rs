@@ -15,6 +15,7 @@ mod instruction_sets;
 mod invariants;
 mod oscillator;
 mod own_parameters;
+mod own_states;
 mod passages;
 mod pendulum_ends;
 mod ruler;

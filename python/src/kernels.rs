@@ -5,7 +5,6 @@
 
 use libration::pendulum;
 use libration::pendulum::action::state_of;
-use libration::pendulum::fourier::harmonic_distortion;
 use libration::{Frequency, Orbit, OrbitStart, Regime, Sensitivity, Turns};
 use pyo3::prelude::*;
 
@@ -37,23 +36,17 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "state_theta", nothing, whole::<[f64; 1], _>(state_theta))?;
     add(module, "state_velocity", nothing, whole::<[f64; 1], _>(state_velocity))?;
     add(module, "state_motion", nothing, whole::<[f64; 2], _>(state_motion))?;
-    add(
-        module,
-        "state_sensitivities",
-        |of| Some(Sensitivity::new(&state(of)?)),
-        whole::<[f64; 6], _>(slopes),
-    )?;
+    add(module, "state_sensitivities", nothing, whole::<[f64; 6], _>(state_slopes))?;
     add(module, "advance", nothing, whole::<[f64; 2], _>(advance))?;
 
-    let kept = |value: &f64, []: [f64; 0]| [*value];
-    add(module, "action", |of| Some(state(of)?.action()), each(kept))?;
-    add(module, "frequency", |of| Some(state(of)?.frequency()), each(kept))?;
-    add(module, "phase", |of| Some(state(of)?.phase(0.0)), each(kept))?;
-    add(module, "from_action_phase", frequency, each(from_action_phase))?;
     let by_factors = |[a, b, c]: [f64; 3]| Frequency::from_factors(a, b, c).ok();
-    add(module, "orbit_from_action_phase", by_factors, each(from_action_phase))?;
+    add(module, "orbit_from_action_phase", by_factors, each(state_of_row))?;
     add(module, "orbit_advance", by_factors, each(advance_row))?;
-    add(module, "harmonic_distortion", nothing, each(|(), [theta_max]| [harmonic_distortion(theta_max)]))
+    add(module, "action", nothing, whole::<[f64; 1], _>(action))?;
+    add(module, "frequency", nothing, whole::<[f64; 1], _>(mean_frequency))?;
+    add(module, "phase", nothing, whole::<[f64; 1], _>(phase))?;
+    add(module, "from_action_phase", nothing, whole::<[f64; 2], _>(from_action_phase))?;
+    add(module, "harmonic_distortion", nothing, whole::<[f64; 1], _>(harmonic_distortion))
 }
 
 fn theta(orbit: &Orbit, [t]: [&[f64]; 1], _: usize, [theta]: [&mut [f64]; 1]) {
@@ -82,6 +75,30 @@ fn state_motion((): &(), operands: [&[f64]; 4], _: usize, columns: [&mut [f64]; 
 
 fn advance((): &(), states: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
     libration::advance_into(states, columns);
+}
+
+fn action((): &(), states: [&[f64]; 3], _: usize, [action]: [&mut [f64]; 1]) {
+    pendulum::action_into(states, action);
+}
+
+fn mean_frequency((): &(), states: [&[f64]; 3], _: usize, [frequency]: [&mut [f64]; 1]) {
+    pendulum::frequency_into(states, frequency);
+}
+
+fn phase((): &(), states: [&[f64]; 3], _: usize, [phase]: [&mut [f64]; 1]) {
+    pendulum::phase_into(states, phase);
+}
+
+fn from_action_phase((): &(), rows: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {
+    pendulum::state_of_into(rows, columns);
+}
+
+fn state_slopes((): &(), rows: [&[f64]; 4], _: usize, columns: [&mut [f64]; 6]) {
+    pendulum::sensitivities_into(rows, columns);
+}
+
+fn harmonic_distortion((): &(), [theta_max]: [&[f64]; 1], _: usize, [distortion]: [&mut [f64]; 1]) {
+    pendulum::harmonic_distortion_into(theta_max, distortion);
 }
 
 /// A number that an orbit keeps.
@@ -122,14 +139,14 @@ fn next_crossing(orbit: &Orbit, [theta, after]: [f64; 2]) -> [f64; 1] {
     [orbit.next_time(theta, after).ok().flatten().unwrap_or(f64::NAN)]
 }
 
+/// The state of an action and a phase; the direction is one of 0, 1 and -1.
+fn state_of_row(frequency: &Frequency, [action, phase, direction]: [f64; 3]) -> [f64; 2] {
+    state_of(action, phase, direction, *frequency).map_or([f64::NAN; 2], <[f64; 2]>::from)
+}
+
 /// A state a step later.
 fn advance_row(frequency: &Frequency, [theta, velocity, dt]: [f64; 3]) -> [f64; 2] {
     libration::advance(theta, velocity, dt, *frequency).into()
-}
-
-/// The orbit of a state of its own.
-fn state([theta, velocity, omega0]: [f64; 3]) -> Option<Orbit> {
-    Orbit::new(theta, velocity, frequency([omega0])?).ok()
 }
 
 /// Whole turns and the rest of the angle.
@@ -151,14 +168,4 @@ fn second_slopes(orbit: &Orbit, [t]: [f64; 1]) -> [f64; 12] {
     halves[..6].copy_from_slice(&angle);
     halves[6..].copy_from_slice(&velocity);
     halves
-}
-
-/// Angle and velocity; the direction is one of 0, 1 and -1.
-fn from_action_phase(frequency: &Frequency, [action, phase, direction]: [f64; 3]) -> [f64; 2] {
-    state_of(action, phase, direction, *frequency).map_or([f64::NAN; 2], <[f64; 2]>::from)
-}
-
-/// The frequency of a row.
-fn frequency([omega0]: [f64; 1]) -> Option<Frequency> {
-    Frequency::from_omega0(omega0).ok()
 }

@@ -8,13 +8,13 @@
 //! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted separately. S, C, D may share a factor.
 //! Source: Salas 2019 (23) by DLMF 22.8, formulas for the increment in place of the angle: docs/decisions/0010.
 
+use super::state_lanes::StateLanes;
 use crate::elliptic::phase::{alternating, turned};
-use crate::elliptic::theta::neville_lanes::NevilleThetaLanes;
-use crate::float::angle_reduction::half_turns;
+use crate::elliptic::theta::neville_lanes::{NevilleThetaLanes, Point};
 use crate::float::double_double::two_sum;
 use crate::float::elementary::arctangent;
 use crate::float::unnormalised::Unnormalised;
-use crate::float::{Dd, PI, TWO_PI, series};
+use crate::float::{Dd, PI, TWO_PI};
 use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 
 /// Beyond so many half periods times 1 - m a row is left to the fallback: what double-doubles lose of the period next to the
@@ -26,37 +26,45 @@ pub(super) struct StateOnLanes<L: Lane, const ROTATION: bool, const HYPERBOLIC: 
     theta: L,
     velocity: L,
     /// sin^2 and cos^2 of half the angle, and their product before it is squared.
-    s_square: Unnormalised<L>,
-    c_square: Unnormalised<L>,
-    across: Unnormalised<L>,
+    pub s_square: Unnormalised<L>,
+    pub c_square: Unnormalised<L>,
+    pub across: Unnormalised<L>,
     /// velocity/2 omega0, and 2 omega0.
-    x: Unnormalised<L>,
+    pub x: Unnormalised<L>,
     speed: Unnormalised<L>,
-    lattices: NevilleThetaLanes<L>,
+    /// kappa^2 and 1 - kappa^2.
+    pub m: Unnormalised<L>,
+    pub mc: Unnormalised<L>,
+    pub lattices: NevilleThetaLanes<L>,
     /// Half periods per second.
     rate: Dd<L>,
     /// 1/k in rotation.
-    k_inverse: Unnormalised<L>,
+    pub k_inverse: Unnormalised<L>,
+}
+
+/// A state a time later: n + f half periods have passed.
+pub(super) struct LaterState<L: Lane> {
+    pub n: L,
+    pub f: L,
+    /// Whether so many half periods keep their digits.
+    pub within: L::Mask,
+    /// Sine and cosine of the turn of half the angle, but for whole turns, and velocity/2 omega0, each times the divisor.
+    pub opposite: Unnormalised<L>,
+    pub adjacent: Unnormalised<L>,
+    pub x: Unnormalised<L>,
+    pub divisor: Unnormalised<L>,
+    /// S times the unit of the point.
+    pub sn: Unnormalised<L>,
+    pub point: Point<L>,
 }
 
 impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     pub fn new(theta: L, velocity: L, omega: Unnormalised<L>) -> Self {
-        let (half, two) = (L::splat(0.5), L::splat(2.0));
         let one = Unnormalised::from_double(L::splat(1.0));
-        let (j, rest) = half_turns(theta);
-        let parity = alternating(j);
-        let even = L::splat(0.0).less(parity);
-        let sine = series::sine(Unnormalised::from(rest.scale(half)));
-        let low = sine.square();
-        let high = one.minus_smaller(low);
+        let StateLanes { parity, sine, high, s_square, c_square, x, speed, m, mc, .. } =
+            StateLanes::new(theta, velocity, omega);
         let across = high.root() * sine.scale(parity);
-        let (s_square, c_square) =
-            (Unnormalised::select(even, low, high), Unnormalised::select(even, high, low));
-        let speed = omega.scale(two);
-        let x = Unnormalised::from_double(velocity).over(speed);
-        let x_square = x.square();
-        let (m, mc) = (s_square + x_square, Unnormalised::from((c_square - x_square).tight()));
         let (lattices, stretch, k_inverse) = if ROTATION {
             let inverse = one.over(m);
             let k = m.root();
@@ -65,14 +73,14 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
             (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one)
         };
         let rate = (stretch * lattices.frequency).tight();
-        StateOnLanes { theta, velocity, s_square, c_square, across, x, speed, lattices, rate, k_inverse }
+        StateOnLanes { theta, velocity, s_square, c_square, across, x, speed, m, mc, lattices, rate, k_inverse }
     }
 
-    /// Angle and velocity a time dt later.
+    /// The state a time dt later, in terms of the turn of half the angle.
     #[inline(always)]
-    fn after(&self, dt: L) -> (L, L) {
+    pub fn later(&self, dt: L) -> LaterState<L> {
         let StateOnLanes { s_square, c_square, across, x, .. } = *self;
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let one = L::splat(1.0);
         let (n, f) = turned(dt, self.rate);
         let sign = one.copysign(f.hi);
         let point = self.lattices.at::<HYPERBOLIC>(f.scale(sign));
@@ -84,29 +92,44 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
             (point.sn.scale(sign * parity), point.cn.scale(parity), point.dn, point.cn_square)
         };
         let within = n.abs().less(self.lattices.mc.hi * L::splat(MANY));
-        let start = dt.equal(zero);
-        let finished =
-            |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
         let x_sn = x * sn;
         let g = c_square * unit + s_square * cn;
         let h = across * (unit - cn);
-        let opposite = (x_sn * g - dn * h).tight();
-        let adjacent = (dn * g + x_sn * h).tight();
+        LaterState {
+            n,
+            f: f.hi,
+            within,
+            opposite: x_sn * g - dn * h,
+            adjacent: dn * g + x_sn * h,
+            x: x * cn * unit - across * sn * dn,
+            divisor: c_square * unit_square + s_square * cn_square,
+            sn,
+            point,
+        }
+    }
+
+    /// Angle and velocity a time dt later.
+    #[inline(always)]
+    fn after(&self, dt: L) -> (L, L) {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let LaterState { n, within, opposite, adjacent, x: numerator, divisor, .. } = self.later(dt);
+        let start = dt.equal(zero);
+        let finished =
+            |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
+        let (opposite, adjacent) = (opposite.tight(), adjacent.tight());
         let side = one.copysign(opposite.hi);
         let acute = arctangent(opposite.scale(side), adjacent.scale(one.copysign(adjacent.hi)));
         let acute = Unnormalised::from(acute);
         let angle = Unnormalised::select(adjacent.hi.less(zero), Unnormalised::splat(PI) - acute, acute);
         let increment = angle.scale(L::splat(2.0) * side);
         let increment = if ROTATION {
-            let turns = Unnormalised::from_double(n * one.copysign(x.hi));
+            let turns = Unnormalised::from_double(n * one.copysign(self.x.hi));
             Unnormalised::splat(TWO_PI) * turns + increment
         } else {
             increment
         };
         let (theta, error) = two_sum(self.theta, increment.hi);
-        let numerator = x * cn * unit - across * sn * dn;
-        let denominator = c_square * unit_square + s_square * cn_square;
-        let velocity = (numerator * self.speed).over(denominator);
+        let velocity = (numerator * self.speed).over(divisor);
         (
             finished(self.theta, theta + (error + increment.lo)),
             finished(self.velocity, velocity.hi + velocity.lo),

@@ -12,7 +12,7 @@ use crate::float::elementary::sin_cos;
 use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, Once, wide};
 
 /// The formula that a row asks for.
-mod class {
+pub(super) mod class {
     /// None of the lanes': next to the separatrix, out of range, or not finite.
     pub const FALLBACK: usize = 0;
     /// Libration with m <= 1/2.
@@ -30,11 +30,11 @@ mod class {
 /// Amplitudes below are left to the fallback, and so are velocities (over 2 omega0) and omega0 itself where a product of
 /// two of them, with its error, would leave the range.
 const TINY: f64 = 1e-180;
-const SMALL: f64 = 1e-100;
-const LARGE: f64 = 1e100;
+pub(super) const SMALL: f64 = 1e-100;
+pub(super) const LARGE: f64 = 1e100;
 
 /// The class of theta, velocity, omega0, from 1 - kappa^2 to a few roundings.
-struct Classify;
+pub(super) struct Classify;
 
 impl Formula<3, 1> for Classify {
     type Place = Self;

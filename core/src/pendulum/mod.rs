@@ -1,11 +1,13 @@
 //! theta'' + omega0^2 sin theta = 0 from any initial state, in every regime.
 
 pub mod action;
+mod action_lanes;
 mod addition_theorem;
 pub mod advance;
 mod batch;
 mod canonical;
 mod columns;
+mod distortion_lanes;
 mod energies;
 mod energy_ratio;
 mod force_free;
@@ -17,25 +19,34 @@ pub mod motion;
 pub mod orbit;
 pub mod passages;
 mod period_inverse;
+mod phase_lanes;
 pub mod regime;
 pub mod second_derivatives;
 pub mod sensitivity;
 mod sensitivity_lanes;
+mod sensitivity_rows;
 mod separatrix;
 pub mod start;
 pub mod state;
+mod state_lanes;
+mod state_of_lanes;
 pub(crate) mod theta_quotients;
 mod turns;
 mod variational;
 
+pub use action_lanes::{action_into, frequency_into, period_into};
 pub use advance::{advance, advance_into};
 pub use batch::motion_into;
+pub use distortion_lanes::harmonic_distortion_into;
 pub use fourier::Fourier;
 pub use frequency::Frequency;
 pub use orbit::Orbit;
 pub use passages::Extremes;
+pub use phase_lanes::phase_into;
 pub use regime::Regime;
 pub use second_derivatives::Hessians;
 pub use sensitivity::{Jacobian, Sensitivity};
 pub use start::{OrbitStart, StartAngle, StartMotion};
+pub use sensitivity_rows::sensitivities_into;
+pub use state_of_lanes::state_of_into;
 pub use turns::Turns;

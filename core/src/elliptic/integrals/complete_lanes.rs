@@ -77,7 +77,12 @@ impl<L: Lane> Complement<L> {
     /// E.
     #[inline(always)]
     pub fn e(self) -> L {
-        self.y.mul_add(self.form(&E_P, &E_Q), L::splat(1.0))
+        self.y.mul_add(self.e_beyond_one(), L::splat(1.0))
+    }
+    /// (E - 1)/mc.
+    #[inline(always)]
+    pub fn e_beyond_one(self) -> L {
+        self.form(&E_P, &E_Q)
     }
     /// B = int_0^K cn^2.
     #[inline(always)]
