@@ -172,13 +172,18 @@ impl Equation {
     }
 
     /// The constants of the piece on which the velocity has this side.
-    pub fn piece_of(&self, side: f64, settled: bool) -> Piece {
+    pub fn piece_of(&self, side: f64, settled: bool, speed: f64, until: f64) -> Piece {
+        let slip = if settled { 0.0 } else { side / self.presliding };
+        // Each coefficient follows from the last by one of these rates; what belongs to omega2, linear or dry is below 1.
+        let turning = speed.abs() * (1.0 + self.quadratic.abs() + slip.abs());
+        let rate = turning.max(self.frequency.abs()).max(1.0 / until).max(1.0);
         Piece {
             omega2: self.omega2,
             linear: self.linear,
             quadratic: side * self.quadratic,
             dry: side * self.dry,
-            slip: if settled { 0.0 } else { side / self.presliding },
+            slip,
+            rate,
         }
     }
 }

@@ -67,9 +67,9 @@ pub(super) fn integrate(
         }
         let knot = equation.next_knot(state.time);
         let (segment, slopes) = if state.side == 0.0 {
-            (state.hold(equation, knot, stop), &[0.0; ORDER + 1])
+            (state.hold(equation, knot, stop), [0.0; ORDER + 1])
         } else {
-            (state.step(equation, knot, stop, &mut torque, &mut jet), &jet.slopes)
+            (state.step(equation, knot, stop, &mut torque, &mut jet), jet.slopes())
         };
         // A release at once leaves no segment behind.
         if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
@@ -89,7 +89,7 @@ pub(super) fn integrate(
             }
             return (segments, Some(refused(equation, stop, allowed)));
         }
-        segments.push(segment.with(slopes));
+        segments.push(segment.with(&slopes));
     }
     (segments, None)
 }
@@ -150,10 +150,10 @@ impl State {
     }
 
     /// The coefficients ahead, after the sign of the velocity is settled where it is 0; and how long they serve.
-    fn fill(&mut self, equation: &Equation, torque: &TorqueJet, jet: &mut Jet) -> f64 {
+    fn fill(&mut self, equation: &Equation, knot: f64, torque: &TorqueJet, jet: &mut Jet) -> f64 {
         let settled = equation.presliding == 0.0 || self.values[SLIP].hi == 0.0;
         loop {
-            let piece = equation.piece_of(self.side, settled);
+            let piece = equation.piece_of(self.side, settled, self.values[VELOCITY].hi, self.until(knot));
             jet.fill(&self.values, &piece, torque, self.at_limit);
             if self.decided {
                 return step_length(jet, &piece).min(equation.longest());
@@ -187,7 +187,7 @@ impl State {
         if equation.varies() {
             *torque = equation.torque(self.time, self.sinusoid);
         }
-        let converged = self.fill(equation, torque, jet);
+        let converged = self.fill(equation, knot, torque, jet);
         let mut segment = self.segment();
         let velocity = &jet.velocity;
         let end = if converged.is_finite() { knot } else { knot.min(stop) };

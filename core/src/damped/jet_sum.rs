@@ -3,8 +3,10 @@
 //! Of the four variables side by side: 23 terms in double, every fourth power by itself, then 9 in double-double by Horner's rule.
 
 use super::jet::{Jet, VELOCITY};
+use super::jet_low_words::Anchored;
 use super::taylor::{LONG, ORDER, Series, number, on_circle, places};
 use crate::float::Dd;
+use crate::float::double_double::two_sum;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Kernel, Lane, four};
 
@@ -69,11 +71,24 @@ impl Kernel for Sum<'_> {
             tail = tail.mul_add(t, L::load(&jet.rows[k]));
         }
         let time = Unnormalised::from_double(t);
-        let mut sum = Unnormalised::from_double(tail);
-        while k > 0 {
-            k -= 1;
-            sum = sum * time + Unnormalised::new(L::load(&jet.rows[k]), L::load(&jet.low_rows[k]));
+        // Powers from those of half their order.
+        let mut powers = [time; LONG + 1];
+        let mut i = 2;
+        while i <= LONG {
+            powers[i] = powers[i / 2] * powers[i - i / 2];
+            i += 1;
         }
+        let anchor = L::splat(jet.anchor);
+        let mut all = Anchored::new(anchor);
+        while k > 1 {
+            k -= 1;
+            let (row, power) = (L::load(&jet.rows[k]), powers[k]);
+            all = all.plus_product(row, power.hi);
+            all.rest = L::load(&jet.low_rows[k]).mul_add(power.hi, row.mul_add(power.lo, all.rest));
+        }
+        all = all.plus(tail * powers[LONG].hi);
+        let (hi, error) = two_sum(L::load(&jet.rows[0]), all.sum - anchor);
+        let sum = Dd::sum(hi, error + (all.rest + L::load(&jet.low_rows[0])));
         let mut u = Dd::new(jet.slip[0], jet.low_slip[0]);
         if slips {
             let mut tail = L::splat(jet.slip[ORDER]);

@@ -50,6 +50,8 @@ pub trait Lane:
     fn two_product_in_range(self, factor: Self) -> (Self, Self) {
         self.two_product(factor)
     }
+    /// The exact product less a part of it near to it, rounded: exactly where it is fused.
+    fn product_rest(self, factor: Self, part: Self) -> Self;
     /// Nearest integer, ties to even.
     fn round(self) -> Self;
     /// Square root.
