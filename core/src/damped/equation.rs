@@ -29,6 +29,8 @@ pub(super) struct Equation {
     pub dry: f64,
     /// In rad; 0 where dry friction changes sign at once, or is none.
     pub presliding: f64,
+    /// Whether steps end where the velocity vanishes.
+    pub cut: bool,
     pub constant: f64,
     pub amplitude: f64,
     pub frequency: f64,
@@ -87,6 +89,7 @@ impl Equation {
             quadratic: sense * friction.quadratic(),
             dry: sense * ldexp(friction.dry(), -2 * power),
             presliding: if friction.dry() == 0.0 { 0.0 } else { friction.presliding() },
+            cut: friction.quadratic() != 0.0 || friction.dry() != 0.0,
             constant: ldexp(torque.constant(), -2 * power),
             amplitude,
             frequency: driving,

@@ -196,14 +196,15 @@ impl State {
         let length = if last { left } else { converged };
         let slips = self.values[SLIP].hi != 0.0;
         let mut all = jet.at(length, slips);
-        let root = if jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
+        let root =
+            if !equation.cut || jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
         if let Some(root) = root {
             all = jet.at(root, slips);
         }
         let mut passed = root.unwrap_or(length);
         let mut exactly = Dd::from(passed);
-        let Ahead { values: mut ahead, change, .. } = all;
-        let turns = root.is_some() || ahead[VELOCITY].hi * self.side < 0.0;
+        let Ahead { values: mut ahead, change } = all;
+        let turns = equation.cut && (root.is_some() || ahead[VELOCITY].hi * self.side < 0.0);
         if turns {
             // What the root in double misses; the angle changes only by its square.
             let rest = -ahead[VELOCITY].hi / value_and_slope(velocity, passed).1;

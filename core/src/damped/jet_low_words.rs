@@ -12,7 +12,7 @@ use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::lanes::Lane;
 
-/// How many rests there are, in lanes of four.
+/// How many rests there are: two lanes of four.
 const RESTS: usize = 8;
 /// Orders that are written out.
 const _: () = assert!(LONG == RESTS + 1);

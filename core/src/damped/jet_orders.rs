@@ -9,7 +9,7 @@
 //! acts.
 
 use super::jet::{COSINE, Jet, Piece, SINE, SLIP, VELOCITY};
-use super::taylor::{INVERSE, LONG, ORDER, places};
+use super::taylor::{INVERSE, LONG, ORDER, Series, places};
 use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::lanes::Lane;
@@ -46,8 +46,12 @@ pub(super) struct Latest<L: Lane> {
 
 /// The constants of a piece, in every place.
 pub(super) struct Constants<L: Lane> {
-    omega2: L,
-    linear: L,
+    /// Times 1/k.
+    omega2: Series,
+    linear: Series,
+    /// v_0/k, -v_0/k, and c_0/k, -s_0/k.
+    speed: [[f64; 2]; ORDER + 1],
+    circle: [[f64; 2]; ORDER + 1],
     quadratic: L,
     dry: L,
     slip: L,
@@ -70,6 +74,27 @@ const SIGNED: [[f64; 4]; ORDER + 1] = {
     all
 };
 
+/// The inverses themselves, and each twice.
+const INVERSES: Series = {
+    let mut all = [0.0; ORDER + 1];
+    let mut k = 0;
+    while k <= ORDER {
+        all[k] = inverse(k);
+        k += 1;
+    }
+    all
+};
+const TWICE: [[f64; 4]; ORDER.div_ceil(2)] = {
+    let mut all = [[0.0; 4]; ORDER.div_ceil(2)];
+    let mut i = 0;
+    while 2 * i < ORDER {
+        let [even, odd] = [INVERSES[2 * i], INVERSES[2 * i + 1]];
+        all[i] = [even, even, odd, odd];
+        i += 1;
+    }
+    all
+};
+
 /// What makes s, c, v and the slope of the angle of k times s, c, v, v.
 const ROWS: [[f64; 4]; ORDER + 1] = {
     let mut all = [[0.0; 4]; ORDER + 1];
@@ -86,6 +111,11 @@ const ROWS: [[f64; 4]; ORDER + 1] = {
 pub(super) fn halves<L: Lane>(a: L, b: L) -> L {
     let ([a, b, ..], [.., c, d]) = (places(a), places(b));
     L::load(&[a, b, c, d])
+}
+/// Two numbers, twice.
+#[inline(always)]
+fn twice<L: Lane>([a, b]: [f64; 2]) -> L {
+    L::load(&[a, b, a, b])
 }
 /// The halves exchanged.
 #[inline(always)]
@@ -145,7 +175,8 @@ impl<L: Lane> Rows<L> {
     pub fn keep<const FULL: bool>(&mut self, k: usize, jet: &mut Jet, latest: Latest<L>) {
         let Latest { circle, velocity, slip } = latest;
         let inverse = L::splat(inverse(k));
-        let v = velocity * inverse;
+        let row = halves(circle, velocity) * L::load(&ROWS[k]);
+        let v = L::splat(places(row)[2]);
         self.circle.keep(k, swapped(circle) * L::load(&SIGNED[k]));
         self.v[k] = v;
         self.w[k] = halves(v, if k == 0 { L::splat(0.0) } else { self.v[k - 1] });
@@ -156,7 +187,7 @@ impl<L: Lane> Rows<L> {
         } else if k == 0 {
             jet.slip[0] = slip.first();
         }
-        (halves(circle, velocity) * L::load(&ROWS[k])).store(&mut jet.rows[k]);
+        row.store(&mut jet.rows[k]);
         jet.velocity[k] = v.first();
     }
 
@@ -200,10 +231,32 @@ impl<L: Lane> Rows<L> {
 
 impl<L: Lane> Constants<L> {
     #[inline(always)]
-    pub fn new(piece: &Piece, at_limit: bool) -> Self {
+    pub fn new(piece: &Piece, start: &[Dd; 4], at_limit: bool) -> Self {
+        let zero = [0.0; ORDER + 1];
+        let (mut omega2, mut linear) = (zero, zero);
+        let (mut speed, mut circle) = ([[0.0; 2]; ORDER + 1], [[0.0; 2]; ORDER + 1]);
+        let [s, c, v] = [start[SINE].hi, start[COSINE].hi, start[VELOCITY].hi];
+        let (pull, drag) = (L::splat(-piece.omega2.hi), L::splat(-piece.linear));
+        let (v, row) = (L::load(&[v, -v, v, -v]), L::load(&[c, -s, c, -s]));
+        let mut k = 0;
+        while k <= ORDER {
+            let inverses = L::load(&INVERSES[k..]);
+            (inverses * pull).store(&mut omega2[k..]);
+            (inverses * drag).store(&mut linear[k..]);
+            let mut i = k;
+            while i < k + 4 {
+                let twice = L::load(&TWICE[i / 2]);
+                (twice * v).store(speed[i..].as_flattened_mut());
+                (twice * row).store(circle[i..].as_flattened_mut());
+                i += 2;
+            }
+            k += 4;
+        }
         Constants {
-            omega2: L::splat(-piece.omega2.hi),
-            linear: L::splat(-piece.linear),
+            omega2,
+            linear,
+            speed,
+            circle,
             quadratic: L::splat(-piece.quadratic),
             dry: L::splat(piece.dry),
             slip: L::splat(-piece.slip),
@@ -230,13 +283,13 @@ impl<L: Lane> Constants<L> {
     ) -> Latest<L> {
         let Latest { circle, velocity, slip } = latest;
         let inverse = L::splat(inverse(k));
-        let (row, v) = (rows.circle.one[0], rows.v[0]);
+        let v = rows.v[0];
         let mut sum = rows.inner(&rows.circle, k);
         if k > 0 {
-            sum = velocity.mul_add(row * inverse, sum);
+            sum = velocity.mul_add(twice(self.circle[k]), sum);
         }
-        let next = swapped(circle).mul_add(v * L::load(&SIGNED[k]), sum);
-        let mut force = velocity.mul_add(self.linear * inverse, L::splat(torque.hi[k]));
+        let next = swapped(circle).mul_add(twice(self.speed[k]), sum);
+        let mut force = velocity.mul_add(L::splat(self.linear[k]), L::splat(torque.hi[k]));
         let mut change = L::splat(0.0);
         if k == 0 {
             force = force - self.dry;
@@ -263,7 +316,7 @@ impl<L: Lane> Constants<L> {
                 rows.sums[k] = alternating(slipping, squares);
             }
         }
-        let mut force = firsts(circle).mul_add(self.omega2 * inverse, force);
+        let mut force = firsts(circle).mul_add(L::splat(self.omega2[k]), force);
         if k == 0 && self.at_limit {
             force = L::splat(0.0);
         }
