@@ -1,8 +1,8 @@
 //! Taylor coefficients of the motion at one time, in double, and what the lowest of them lack.
 //!
-//! A step is 2^(-67/31) = 0.22 of the radius of convergence: the term of order LONG is below 0.22^9 = 2^-19 of the motion, and its
-//! rounding error below 2^-72. A motion that repeats itself rounds alike in every period, so that the errors of N steps may add up to
-//! 2^-72 N of the state; so the coefficients below LONG have low words. All coefficients come from those before in double first,
+//! A step is 2^(-70/31) = 0.21 of the radius of convergence: the term of order LONG is below 0.21^9 = 2^-20 of the motion, and its
+//! rounding error below 2^-73. A motion that repeats itself rounds alike in every period, so that the errors of N steps may add up to
+//! 2^-73 N of the state; so the coefficients below LONG have low words. All coefficients come from those before in double first,
 //! because each waits for the last one (jet_orders.rs); the low words follow, and are waited for by nothing but the next low words.
 //! Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
 

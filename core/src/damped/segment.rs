@@ -140,10 +140,10 @@ impl Segment {
 }
 
 /// What a step may leave out, of the size of each variable: a power of two.
-const TOLERANCE: f64 = -67.0;
+const TOLERANCE: f64 = -70.0;
 
-/// Length of a step whose terms of the two highest orders are at most 2^-67 of each variable; infinite for a motion that is a
-/// polynomial. The terms left out are 0.29 of that, since 2^(-67/31) = 0.22 is the ratio of one term to the next.
+/// Length of a step whose terms of the two highest orders are at most 2^-70 of each variable; infinite for a motion that is a
+/// polynomial. The terms left out are 0.27 of that, since 2^(-70/31) = 0.21 is the ratio of one term to the next.
 pub(super) fn step_length(jet: &Jet, piece: &Piece) -> f64 {
     let larger = |a: f64, b: f64| if a > b { a } else { b };
     let largest = |all: &[f64]| all.iter().fold(0.0, |most: f64, v| larger(v.abs(), most));

@@ -40,7 +40,7 @@ impl DampedPendulum {
     /// The motion from `start` <= 0 to `stop` >= 0, both in s; it may be evaluated there.
     ///
     /// Without friction and torque it is the exact [`Orbit`], bit for bit. Otherwise it is integrated by Taylor series of order
-    /// 31 whose steps leave out less than 2^-67 of the motion, in at most [`MOST_SEGMENTS`](super::MOST_SEGMENTS) steps in each
+    /// 31 whose steps leave out less than 2^-70 of the motion, in at most [`MOST_SEGMENTS`](super::MOST_SEGMENTS) steps in each
     /// direction (some fifteen in a period). **Error** of angle and velocity at most 2 ulp of the largest up to the time, plus 2^-57
     /// of the condition: the sum over the state and the constants of |each times the derivative by it|.
     /// Source: Jorba & Zou, Exp. Math. 14 (2005) 99.
