@@ -25,6 +25,10 @@ pub const ASKED_EVERY: usize = 512;
 /// Presliding has settled where what it leaves out of dry friction changes the velocity by less than a step may.
 const SETTLED: f64 = 1.0 / (1u128 << 68) as f64;
 
+/// Cosine of the angle beyond which steps end at turns, whatever the friction: near the top what a step leaves out of a larger
+/// velocity than that of its end would grow.
+const NEAR_TOP: f64 = -0.9;
+
 struct State {
     time: Dd,
     theta: Dd,
@@ -196,15 +200,15 @@ impl State {
         let length = if last { left } else { converged };
         let slips = self.values[SLIP].hi != 0.0;
         let mut all = jet.at(length, slips);
-        let root =
-            if !equation.cut || jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
+        let cut = equation.cut || self.values[COSINE].hi < NEAR_TOP;
+        let root = if !cut || jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
         if let Some(root) = root {
             all = jet.at(root, slips);
         }
         let mut passed = root.unwrap_or(length);
         let mut exactly = Dd::from(passed);
         let Ahead { values: mut ahead, change } = all;
-        let turns = equation.cut && (root.is_some() || ahead[VELOCITY].hi * self.side < 0.0);
+        let turns = cut && (root.is_some() || ahead[VELOCITY].hi * self.side < 0.0);
         if turns {
             // What the root in double misses; the angle changes only by its square.
             let rest = -ahead[VELOCITY].hi / value_and_slope(velocity, passed).1;
@@ -226,7 +230,7 @@ impl State {
             theta: self.theta + change,
             values: [sine, cosine, slip, v],
             sinusoid: self.sinusoid,
-            side: self.side,
+            side: if cut { self.side } else { f64::copysign(1.0, v.hi) },
             event: Event::Step,
             // At rest without a torque the sign is asked for again.
             decided: moving || turns,

@@ -33,7 +33,7 @@ pub(super) struct Piece {
     pub dry: f64,
     /// Sign of the velocity over the presliding angle; 0 where presliding has settled.
     pub slip: f64,
-    /// A power of 2^k this large is far above the growth of coefficients of order k.
+    /// The largest rate of the motion: its power k is how far coefficients of order k may grow, but for a factor.
     pub rate: f64,
 }
 
@@ -123,5 +123,55 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
         latest = constants.next::<FULL>(8, &mut rows, torque, latest);
         orders!(9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
         rows.keep::<FULL>(31, jet, latest);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// s^2 + c^2 = 1 and the equation of v, coefficient by coefficient: of the worst what they miss, with the low words and without.
+    fn missing(slip: f64, low: f64) -> f64 {
+        let (sine, cosine) = super::super::circular::of_double(1.1);
+        let start = [sine, cosine, Dd::new(0.7, 1e-18), Dd::new(0.83, 3e-17)];
+        let (omega2, linear, quadratic, dry) = (Dd::new(0.7, 1e-17), 0.0123, 0.21, 0.0031);
+        let piece = Piece { omega2, linear, quadratic, dry, slip, rate: 4.0 };
+        let mut torque = TorqueJet::ZERO;
+        torque.add(0, Dd::new(0.3, 1e-18));
+        torque.add(2, Dd::from(-0.1));
+        let mut jet = Jet::ZERO;
+        jet.fill(&start, &piece, &torque, false);
+        let at = |k: usize, place: usize| Dd::sum(jet.rows[k][place], low * jet.low_rows[k][place]);
+        let u = |k: usize| Dd::sum(jet.slip[k], low * jet.low_slip[k]);
+        let product = |k: usize, a: &dyn Fn(usize) -> Dd, b: &dyn Fn(usize) -> Dd| {
+            (0..=k).fold(Dd::ZERO, |sum, j| sum + a(j) * b(k - j))
+        };
+        let (s, c, v) = (|k| at(k, 0), |k| at(k, 1), |k| at(k, 2));
+        let mut worst: f64 = 0.0;
+        for k in 0..LONG - 1 {
+            let next = k as f64 + 1.0;
+            let circle = product(k + 1, &s, &s) + product(k + 1, &c, &c);
+            let resting = if k == 0 { Dd::from(dry) } else { Dd::ZERO };
+            let force = Dd::new(torque.hi[k], torque.lo[k])
+                - omega2 * s(k)
+                - v(k) * linear
+                - product(k, &v, &v) * quadratic
+                - resting
+                + u(k) * dry;
+            let sliding = product(k, &u, &v) * -slip;
+            let angle = at(k, 3) * next - v(k);
+            for rest in [circle, v(k + 1) * next - force, u(k + 1) * next - sliding, angle] {
+                worst = worst.max(rest.hi.abs());
+            }
+        }
+        worst
+    }
+
+    #[test]
+    fn coefficients_below_long_keep_the_equations() {
+        for slip in [0.0, 3.0] {
+            assert!(missing(slip, 1.0) < 1e-27, "{}", missing(slip, 1.0));
+            assert!(missing(slip, 0.0) > 1e-18);
+        }
     }
 }
