@@ -233,7 +233,7 @@ test/pages: $(TOOLS) $(VENV)/.built
 	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)
 
 test/bench: $(TOOLS) $(VENV)/.built
-	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check)
+	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check)
 
 # The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh

@@ -11,6 +11,8 @@ mod friction;
 mod half_swing;
 mod integrator;
 mod jet;
+mod jet_low_words;
+mod jet_orders;
 mod jet_sum;
 mod lazy_trajectory;
 mod roots;

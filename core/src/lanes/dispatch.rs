@@ -53,6 +53,7 @@ pub fn wide<K: Kernel>(kernel: K) -> K::Output {
 pub fn four<K: Kernel>(kernel: K) -> K::Output {
     match InstructionSet::in_use() {
         InstructionSet::Plain => K::Place::enter::<FourPlain, K>(kernel),
-        InstructionSet::Fused | InstructionSet::Avx512 => host::four_fused(kernel),
+        InstructionSet::Fused => host::four_fused(kernel),
+        InstructionSet::Avx512 => host::four_avx512(kernel),
     }
 }

@@ -56,6 +56,8 @@ pub trait Lane:
         let (product, error) = factor.two_product_in_range(other);
         (self - product) - error
     }
+    /// The exact product less a part of it near to it, rounded: exactly where it is fused.
+    fn product_rest(self, factor: Self, part: Self) -> Self;
     /// Nearest integer, ties to even.
     fn round(self) -> Self;
     /// Square root.

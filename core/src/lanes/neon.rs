@@ -36,6 +36,11 @@ pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
 }
 
 /// Not on this processor, and never in use there.
+pub fn four_avx512<K: Kernel>(kernel: K) -> K::Output {
+    four_fused(kernel)
+}
+
+/// Not on this processor, and never in use there.
 pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
     wide_fused(kernel)
 }

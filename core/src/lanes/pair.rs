@@ -83,8 +83,9 @@ impl<L: Lane> Lane for Pair<L> {
         (Pair(first.0, second.0), Pair(first.1, second.1))
     }
     methods!(
-        mul_add(factor, term) -> Self, remainder(factor, other) -> Self, round() -> Self, sqrt() -> Self, abs() -> Self, copysign(sign) -> Self,
-        exp2_integer() -> Self, exponent() -> Self, less(other) -> Self::Mask, equal(other) -> Self::Mask
+        mul_add(factor, term) -> Self, remainder(factor, other) -> Self, product_rest(factor, part) -> Self, round() -> Self,
+        sqrt() -> Self, abs() -> Self, copysign(sign) -> Self, exp2_integer() -> Self, exponent() -> Self, less(other) -> Self::Mask,
+        equal(other) -> Self::Mask
     );
     #[inline(always)]
     fn any(mask: Self::Mask) -> bool {

@@ -22,6 +22,11 @@ pub fn four_fused<K: Kernel>(kernel: K) -> K::Output {
 }
 
 /// Not on this processor.
+pub fn four_avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<Pair<Pair<f64>>>()
+}
+
+/// Not on this processor.
 pub fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<f64>()
 }

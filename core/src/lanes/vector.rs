@@ -108,6 +108,12 @@ macro_rules! vector {
                 // SAFETY: see the top of the table's file.
                 (product, Self(unsafe { $product_error }))
             }
+            #[inline(always)]
+            fn product_rest(self, factor: Self, part: Self) -> Self {
+                let ($a, $b, $c) = (self.0, factor.0, part.0);
+                // SAFETY: see the top of the table's file.
+                Self(unsafe { $product_error })
+            }
             $(
                 #[inline(always)]
                 fn two_product_in_range(self, factor: Self) -> (Self, Self) {

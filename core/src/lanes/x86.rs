@@ -16,7 +16,9 @@ pub const ONLY_PLAIN: bool = false;
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {
     let fused = std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
-    1 + usize::from(fused) + usize::from(fused && std::arch::is_x86_feature_detected!("avx512f"))
+    let wide =
+        std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx512vl");
+    1 + usize::from(fused) + usize::from(fused && wide)
 }
 
 /// The functions that hold the kernels, with the features they are compiled for; as [`Entry`](super::lane::Entry), default
@@ -36,6 +38,11 @@ trait FeatureEntry {
     #[target_feature(enable = "avx2,fma")]
     unsafe fn wide_fused<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<Pair<F64x4>>()
+    }
+    /// SAFETY: only where the processor has AVX-512. Twice as many registers as `four_fused` has.
+    #[target_feature(enable = "avx512f,avx512vl")]
+    unsafe fn four_avx512<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x4>()
     }
     /// SAFETY: only where the processor has AVX-512.
     #[target_feature(enable = "avx512f")]
@@ -58,6 +65,13 @@ pub fn single_fused<K: Kernel>(kernel: K) -> K::Output {
 pub fn four_fused<K: Kernel>(kernel: K) -> K::Output {
     // SAFETY: see the top of this file.
     unsafe { K::Place::four_fused(kernel) }
+}
+
+/// Width four with the registers of AVX-512.
+#[inline]
+pub fn four_avx512<K: Kernel>(kernel: K) -> K::Output {
+    // SAFETY: see the top of this file.
+    unsafe { K::Place::four_avx512(kernel) }
 }
 
 /// Width eight.
