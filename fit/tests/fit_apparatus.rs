@@ -136,3 +136,21 @@ fn monte_carlo_and_bootstrap_agree_with_the_budget() {
     assert!((0.5..1.6).contains(&(bootstrap / found.omega0.statistical)), "{bootstrap} {:?}", found.omega0);
     assert_eq!(found, fit(&record(0.5, 4), &options).unwrap());
 }
+
+#[test]
+fn monte_carlo_draws_how_much_of_each_correction_is_true() {
+    // A table-tennis ball, whose air counts more than the rest.
+    let corrections = Corrections { radius: Some(0.02), mass: Some(0.0027), ..Corrections::default() };
+    let known = FitOptions { corrections, monte_carlo: 4000, ..FitOptions::default() };
+    let with_length = FitOptions { length: Some(measure(0.5, 0.0)), ..known.clone() };
+    let with_gravity = FitOptions { gravity: Some(measure(9.81, 0.0)), ..known };
+    for options in [with_length, with_gravity] {
+        let found = fit(&record(0.5, 4), &options).unwrap();
+        let quoted = if options.length.is_some() { found.g } else { found.length }.unwrap();
+        let (low, high) = found.monte_carlo.unwrap();
+        let by_corrections = found.budget.iter().find(|row| row.source == "corrections").unwrap().u;
+        assert!(by_corrections > 0.9 * quoted.u, "{:?}", found.budget);
+        assert!(((high - low) / (2.0 * 1.96 * quoted.u) - 1.0).abs() < 0.1, "{low} {high} {quoted:?}");
+        assert!((0.5 * (low + high) / quoted.value - 1.0).abs() < 1e-3, "{low} {high} {quoted:?}");
+    }
+}
