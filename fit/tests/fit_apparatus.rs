@@ -122,6 +122,25 @@ fn several_lengths_show_what_they_leave_out() {
 }
 
 #[test]
+fn two_lengths_that_miss_the_same_say_so() {
+    let sentences = |short: f64| {
+        let runs = [record(0.4 + short, 50), record(1.0 + short, 51)];
+        let stated = [measure(0.4, 2e-4), measure(1.0, 2e-4)];
+        let found = fit_lengths(&runs, &stated, &FitOptions::default()).unwrap();
+        assert!(found.length_offset.is_none());
+        found.verdicts.into_iter().map(|verdict| verdict.sentence).collect::<Vec<_>>()
+    };
+    let said = sentences(0.015);
+    let numbers = said.iter().find_map(|s| s.strip_prefix("both lengths agree on g = ")).unwrap();
+    let number = |after: &str| -> f64 {
+        let rest = numbers.split_once(after).map_or(numbers, |cut| cut.1);
+        rest.split(' ').next().unwrap().parse().unwrap()
+    };
+    assert!((number("") - 9.81).abs() < 0.02 && (number("short by ") - 0.015).abs() < 1e-3, "{numbers}");
+    assert!(sentences(0.0).is_empty());
+}
+
+#[test]
 fn monte_carlo_and_bootstrap_agree_with_the_budget() {
     let options = FitOptions {
         length: Some(measure(0.5, 0.001)),
