@@ -22,7 +22,8 @@ pub(super) const DOUBT: f64 = 0.1;
 /// `times` what its formula says.
 pub(super) fn ideal(corrections: &[CorrectionRow], times: impl Fn(usize) -> f64) -> f64 {
     let made = corrections.iter().enumerate().filter(|(_, row)| row.made);
-    made.map(|(i, row)| (1.0 + times(i) * row.relative_period) * (1.0 + times(i) * row.relative_period)).product()
+    made.map(|(i, row)| (1.0 + times(i) * row.relative_period) * (1.0 + times(i) * row.relative_period))
+        .product()
 }
 
 /// g from a length or from parts, the length from g, and the budget of what is quoted.
