@@ -122,6 +122,25 @@ fn several_lengths_show_what_they_leave_out() {
 }
 
 #[test]
+fn two_lengths_that_miss_the_same_say_so() {
+    let sentences = |short: f64| {
+        let runs = [record(0.4 + short, 50), record(1.0 + short, 51)];
+        let stated = [measure(0.4, 2e-4), measure(1.0, 2e-4)];
+        let found = fit_lengths(&runs, &stated, &FitOptions::default()).unwrap();
+        assert!(found.length_offset.is_none());
+        found.verdicts.into_iter().map(|verdict| verdict.sentence).collect::<Vec<_>>()
+    };
+    let said = sentences(0.015);
+    let numbers = said.iter().find_map(|s| s.strip_prefix("both lengths agree on g = ")).unwrap();
+    let number = |after: &str| -> f64 {
+        let rest = numbers.split_once(after).map_or(numbers, |cut| cut.1);
+        rest.split(' ').next().unwrap().parse().unwrap()
+    };
+    assert!((number("") - 9.81).abs() < 0.02 && (number("short by ") - 0.015).abs() < 1e-3, "{numbers}");
+    assert!(sentences(0.0).is_empty());
+}
+
+#[test]
 fn monte_carlo_and_bootstrap_agree_with_the_budget() {
     let options = FitOptions {
         length: Some(measure(0.5, 0.001)),
@@ -135,4 +154,22 @@ fn monte_carlo_and_bootstrap_agree_with_the_budget() {
     let bootstrap = found.diagnostics.omega0_u_bootstrap.unwrap();
     assert!((0.5..1.6).contains(&(bootstrap / found.omega0.statistical)), "{bootstrap} {:?}", found.omega0);
     assert_eq!(found, fit(&record(0.5, 4), &options).unwrap());
+}
+
+#[test]
+fn monte_carlo_draws_how_much_of_each_correction_is_true() {
+    // A table-tennis ball, whose air counts more than the rest.
+    let corrections = Corrections { radius: Some(0.02), mass: Some(0.0027), ..Corrections::default() };
+    let known = FitOptions { corrections, monte_carlo: 4000, ..FitOptions::default() };
+    let with_length = FitOptions { length: Some(measure(0.5, 0.0)), ..known.clone() };
+    let with_gravity = FitOptions { gravity: Some(measure(9.81, 0.0)), ..known };
+    for options in [with_length, with_gravity] {
+        let found = fit(&record(0.5, 4), &options).unwrap();
+        let quoted = if options.length.is_some() { found.g } else { found.length }.unwrap();
+        let (low, high) = found.monte_carlo.unwrap();
+        let by_corrections = found.budget.iter().find(|row| row.source == "corrections").unwrap().u;
+        assert!(by_corrections > 0.9 * quoted.u, "{:?}", found.budget);
+        assert!(((high - low) / (2.0 * 1.96 * quoted.u) - 1.0).abs() < 0.1, "{low} {high} {quoted:?}");
+        assert!((0.5 * (low + high) / quoted.value - 1.0).abs() < 1e-3, "{low} {high} {quoted:?}");
+    }
 }

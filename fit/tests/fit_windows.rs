@@ -1,7 +1,7 @@
 //! Records that are no swing from a release: a drive before the decay, turns over the top throughout.
 
 use libration::{DampedPendulum, Frequency, Friction, Torque, Trajectory};
-use libration_fit::fit::{Data, FitOptions, Measured, Model, fit};
+use libration_fit::fit::{Data, FitOptions, Measured, Model, Stream, fit};
 
 fn motion(theta0: f64, velocity0: f64, friction: Friction, stop: f64) -> Trajectory {
     let frequency = Frequency::from_omega0(3.0).unwrap();
@@ -65,5 +65,19 @@ fn a_pendulum_that_turns_over_the_top_throughout_is_fitted() {
         assert!((found.omega0.value - 3.0).abs() < 5.0 * found.omega0.u.max(1e-4), "{:?}", found.omega0);
         assert!(found.rms < 0.0055, "{}", found.rms);
         assert!(found.stands(), "{:?}", found.verdicts);
+    }
+}
+
+#[test]
+fn a_swing_without_friction_is_fitted_from_its_begin() {
+    // Noise alone makes one of its swings the largest.
+    let along = motion(1.2, 0.0, Friction::NONE, 20.0);
+    let t: Vec<f64> = (0..600).map(|i| f64::from(i) / 30.0).collect();
+    for seed in 0..12 {
+        let noise = Stream::new(seed).noise(0.0, t.len());
+        let values = t.iter().zip(noise).map(|(t, e)| along.theta(*t) + 0.01 * e).collect();
+        let data = Data::Record { measured: Measured::Angle, t: t.clone(), values };
+        let found = fit(&data, &FitOptions { model: Some(Model::None), ..FitOptions::default() }).unwrap();
+        assert!(found.window.0 < 0.1 && found.samples > 590, "{seed}: {:?}", found.window);
     }
 }

@@ -68,6 +68,9 @@ pub(super) fn record(
     } else {
         without_held(inverse, &-(inverse * jacobian.tr_mul(&scale_column)), rung.free.len())
     };
+    // Of terms on their bound those that lean on it by more than noise would make them.
+    let leans = |i: &usize| -step[*i] > 3.0 * covariance.matrix[(*i, *i)].sqrt();
+    let wanted_negative = (rung.free.len()..varied.len()).filter(leans).count();
     covariance.matrix = with_bounds(&covariance.matrix, &varied, rung, &step);
     let (low, high) = extent(&samples.y);
     let reach = 0.5 * (high - low);
@@ -202,7 +205,7 @@ pub(super) fn record(
         &fit,
         &Evidence {
             reach,
-            wanted_negative: rung.wanted_negative.len(),
+            wanted_negative,
             rms_without_presliding: without_presliding,
             window_spread: scattered.map_or(0.0, |s| s.0 * (pieces.len() as f64).sqrt() / squared.value),
             periods: span / period,

@@ -7,7 +7,7 @@ use super::data::Measured;
 use super::ladder::{Rung, terms};
 use super::one_sided::{Bounded, one_sided};
 use super::problem::{
-    DRY, LINEAR, Loss, PRESLIDING, PRESLIDING_HELD, Problem, Samples, Values, least_linear, presliding,
+    DRY, LINEAR, Loss, PRESLIDING, PRESLIDING_HELD, Problem, QUADRATIC, Samples, Values, presliding,
 };
 use super::result::Estimate;
 use nalgebra::{DMatrix, DVector};
@@ -47,9 +47,6 @@ pub(super) fn with_bounds(
     let mut bounded = Vec::new();
     for (place, value) in varied.iter().enumerate().filter(|(_, value)| terms(rung.model).contains(value)) {
         let mut at = found[*value];
-        if *value == LINEAR {
-            at -= least_linear(found);
-        }
         if *value == PRESLIDING {
             // Its bound is that of the root of the angle.
             let angle = presliding(found);
@@ -60,7 +57,10 @@ pub(super) fn with_bounds(
         bounded.push(Bounded { place, found: at, unbounded: at + unit[place] * step[place] });
     }
     let units = &unit * unit.transpose();
-    one_sided(&covariance.component_mul(&units), &bounded).component_div(&units)
+    // The bound of linear friction moves with the others.
+    let place = |term: usize| bounded.iter().find(|b| varied[b.place] == term).map(|b| b.place);
+    let cone = place(LINEAR).zip(place(QUADRATIC)).zip(place(DRY)).map(|((l, q), d)| [l, q, d]);
+    one_sided(&covariance.component_mul(&units), &bounded, cone).component_div(&units)
 }
 
 /// A step of the first `free` values, without the others: what their part of a step of all does to it is taken back.
@@ -82,4 +82,39 @@ pub(super) fn presliding_held(found: &Values, u: f64) -> Estimate {
     let mut begins = *found;
     begins[PRESLIDING] = PRESLIDING_HELD;
     Estimate::new(presliding(found), presliding(&begins) * u * u, 0.0, 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::optimiser::Outcome;
+    use super::super::options::Model;
+    use super::*;
+
+    #[test]
+    fn linear_friction_is_measured_from_where_friction_would_drive() {
+        // On the bound -sqrt(0.01 0.04), with the minimum without it 2 deviations beyond; the other terms are known.
+        let mut values: Values = [0.0, 1.0, 9.0, -0.02, 0.01, 0.04, 0.0, 0.0, 1.0];
+        let (varied, deviation) = ([LINEAR, QUADRATIC, DRY], 1e-3);
+        let known = DVector::from_vec(vec![deviation * deviation, 1e-16, 1e-16]);
+        let step = DVector::from_vec(vec![-2.0 * deviation, 0.0, 0.0]);
+        let mean_square = |values: &Values| {
+            let outcome = Outcome { values: *values, sum_of_squares: 0.0, residuals: Vec::new() };
+            let rung = Rung {
+                model: Model::Dry,
+                outcome,
+                free: varied.to_vec(),
+                wanted_negative: vec![LINEAR],
+                mean_square: 0.0,
+                aicc: 0.0,
+                bic: 0.0,
+            };
+            with_bounds(&DMatrix::from_diagonal(&known), &varied, &rung, &step)[(0, 0)] / known[0]
+        };
+        // 1 + 4 - 2 h with h = phi(2)/Q(2) = 2.373216.
+        let wanted = 5.0 - 2.0 * 2.373_216;
+        assert!((mean_square(&values) - wanted).abs() < 0.15 * wanted, "{}", mean_square(&values));
+        // From 0 it would lie as far outside. It lies inside, where nothing is cut off.
+        values[LINEAR] = -0.01;
+        assert!((mean_square(&values) - 1.0).abs() < 1e-12, "{}", mean_square(&values));
+    }
 }

@@ -260,7 +260,7 @@ impl<'a> Problem<'a> {
         let sensitivity = DampedSensitivity::new(trajectory).ok()?;
         let t = &self.samples.t;
         let mut matrix = DMatrix::zeros(t.len(), self.free.len());
-        let mut columns = vec![vec![0.0; CHUNK]; 22];
+        let mut columns = vec![vec![0.0; CHUNK.min(t.len())]; 22];
         let mut earlier = if self.measured == Measured::Acceleration { columns.clone() } else { Vec::new() };
         for start in (0..t.len()).step_by(CHUNK) {
             let part = &t[start..(start + CHUNK).min(t.len())];

@@ -16,7 +16,15 @@ pub(super) struct Quote {
 }
 
 /// The share of a correction that stays uncertain: its formulas and the air are known to a tenth.
-const DOUBT: f64 = 0.1;
+pub(super) const DOUBT: f64 = 0.1;
+
+/// The ideal pendulum's squared frequency over the measured one: it is faster by what each effect adds to the period. Each is
+/// `times` what its formula says.
+pub(super) fn ideal(corrections: &[CorrectionRow], times: impl Fn(usize) -> f64) -> f64 {
+    let made = corrections.iter().enumerate().filter(|(_, row)| row.made);
+    made.map(|(i, row)| (1.0 + times(i) * row.relative_period) * (1.0 + times(i) * row.relative_period))
+        .product()
+}
 
 /// g from a length or from parts, the length from g, and the budget of what is quoted.
 pub(super) fn quoted(omega0: Estimate, options: &FitOptions) -> Result<Quote, FitRefusal> {
@@ -27,10 +35,9 @@ pub(super) fn quoted(omega0: Estimate, options: &FitOptions) -> Result<Quote, Fi
     let omega2 = omega0.value * omega0.value;
     let assumed = length.map_or(9.81 / omega2, |length| length.value);
     let corrections = table(&options.corrections, assumed, omega0.value);
-    let made = || corrections.iter().filter(|row| row.made);
-    // The ideal pendulum is faster by what each effect adds to the period.
-    let factor: f64 = made().map(|row| (1.0 + row.relative_period) * (1.0 + row.relative_period)).product();
-    let squares = made().fold(0.0, |sum, row| sum + row.relative_period * row.relative_period);
+    let factor = ideal(&corrections, |_| 1.0);
+    let made = corrections.iter().filter(|row| row.made);
+    let squares = made.fold(0.0, |sum, row| sum + row.relative_period * row.relative_period);
     let doubt = 2.0 * DOUBT * libm::sqrt(squares);
     let (name, known, value) = match (length, options.gravity) {
         (Some(length), _) => ("length", length, omega2 * factor * length.value),

@@ -10,7 +10,7 @@ use super::problem::{LINEAR, Loss, OFFSET, PRESLIDING, Samples, Values, always_f
 use super::refusal::FitRefusal;
 use super::start::{Start, driven, free_decay, rotation, starts};
 use super::swings::{Passage, Swings, noise};
-use super::window::{caught, last_motion, reached};
+use super::window::{caught, described, last_motion, reached};
 
 /// A record at the minimum of every rung.
 #[derive(Clone, Debug)]
@@ -101,13 +101,21 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         (from, to) = extended(&all, measured, &start, &values, sensor, to, &swings.passages[decay.clone()]);
     }
     let mut samples = part(from, to);
-    let mut rows: Vec<usize> =
-        (0..all.len()).filter(|i| (from..=to).contains(&all.t[*i])).map(|i| clean.rows[kept[i]]).collect();
-    let thin = samples.thinned(from, to, MOST);
+    let mut thin = samples.thinned(from, to, MOST);
     let linear_equation_rms = linear_equation(&thin, measured, values[OFFSET], first.rms());
     let linear_does =
         |rms: f64| measured == Measured::Angle && isochronous(linear_equation_rms, rms, start.reach);
     let mut rungs = climbed(&thin, measured, options, &values, &start, sensor, &linear_does);
+    if options.window.is_none()
+        && let Some(inner) = ends(&thin, &rungs, sensor.max(HAND * start.reach / OUTLIER))
+    {
+        (from, to) = inner;
+        samples = part(from, to);
+        thin = samples.thinned(from, to, MOST);
+        rungs = climbed(&thin, measured, options, &values, &start, sensor, &linear_does);
+    }
+    let mut rows: Vec<usize> =
+        (0..all.len()).filter(|i| (from..=to).contains(&all.t[*i])).map(|i| clean.rows[kept[i]]).collect();
     let is_isochronous = linear_does(rungs[chosen(&rungs)].outcome.rms());
     let mut anchor = start.anchor;
     let per_period = thin.len() as f64 * start.period / (to - from);
@@ -250,6 +258,29 @@ fn extended(
     (from, to)
 }
 
+/// A hand moves a pendulum away from its free motion by such a share of the swing; by less, it is the friction law that fails.
+const HAND: f64 = 0.05;
+
+/// What a hand at the ends leaves of a window, where it moves so few samples that they would be outliers of the chosen rung: then every
+/// rung is better without them.
+fn ends(samples: &Samples, rungs: &[Rung], noise: f64) -> Option<(f64, f64)> {
+    let whole = |rung: &&Rung| rung.outcome.residuals.len() == samples.len();
+    let best = rungs.iter().filter(whole).min_by(|a, b| a.mean_square.total_cmp(&b.mean_square))?;
+    let residuals = &best.outcome.residuals;
+    let (from, to) = described(samples, residuals, OUTLIER * robust_deviation(residuals).max(noise));
+    let left = samples.t.iter().filter(|t| (from..=to).contains(t)).count();
+    let lost = samples.len() - left;
+    (lost > 0 && few(lost, samples.len())).then_some((from, to))
+}
+
+/// An outlier is so many deviations from the fit.
+const OUTLIER: f64 = 6.0;
+
+/// Many are no outliers but the model's failure, which must stay in sight.
+fn few(count: usize, samples: usize) -> bool {
+    count * 50 <= samples
+}
+
 /// The rungs below presliding, each from what its own growing horizon has reached; `values` are those of the richest. Two do for a
 /// record that the linear equation describes.
 fn climbed(
@@ -322,15 +353,14 @@ fn finish(
     };
     *rung_chosen = again(samples, rung_chosen);
     let residuals = &rung_chosen.outcome.residuals;
-    let bound = 6.0 * robust_deviation(residuals).max(noise);
+    let bound = OUTLIER * robust_deviation(residuals).max(noise);
     let outside: Vec<bool> = residuals.iter().map(|r| r.abs() > bound).collect();
     let count = outside.iter().filter(|outside| **outside).count();
-    // Many are no outliers but the model's failure, which must stay in sight.
-    if count > 0 && count * 50 <= samples.len() && extent(residuals).1 > 0.0 {
+    if count > 0 && few(count, samples.len()) && extent(residuals).1 > 0.0 {
         for (i, row) in rows.iter().enumerate().filter(|(i, _)| outside[*i]) {
             dropped.push((
                 *row,
-                format!("outlier: {:.1} deviations from the fit", 6.0 * residuals[i].abs() / bound),
+                format!("outlier: {:.1} deviations from the fit", OUTLIER * residuals[i].abs() / bound),
             ));
         }
         *rows = rows.iter().zip(&outside).filter(|(_, outside)| !**outside).map(|(row, _)| *row).collect();

@@ -2,7 +2,7 @@
 
 use super::data::{Measured, median};
 use super::problem::{OFFSET, OMEGA2, SCALE, THETA, VELOCITY, Values};
-use super::swings::{Passage, Swings};
+use super::swings::{Passage, Swings, Turn};
 use libration::damped::averaged_energy_loss;
 use libration::{Frequency, Friction, Orbit};
 use nalgebra::{DMatrix, DVector};
@@ -252,7 +252,9 @@ fn start(
     if !omega0.is_finite() {
         return None;
     }
-    let fastest = passages.iter().max_by(|a, b| a.swing.total_cmp(&b.swing))?;
+    let largest = passages.iter().map(|p| p.swing).fold(0.0, f64::max);
+    // The first that noise alone may have made smaller: what goes before it is not used for the first searches.
+    let fastest = passages.iter().find(|p| p.swing >= largest - swings.slack)?;
     let angles: Vec<f64> = passages
         .iter()
         .filter_map(|p| match measured {
@@ -280,9 +282,9 @@ fn start(
         // The angle passes its rest where the velocity turns.
         Measured::Velocity => {
             let turns = &swings.turns[decay.start..=decay.end];
-            let turn = turns
-                .iter()
-                .max_by(|a, b| (a.y - swings.centre).abs().total_cmp(&(b.y - swings.centre).abs()))?;
+            let speed = |turn: &Turn| (turn.y - swings.centre).abs();
+            let largest = turns.iter().map(speed).fold(0.0, f64::max);
+            let turn = turns.iter().find(|turn| speed(turn) >= largest - swings.slack)?;
             values[VELOCITY] = turn.y - swings.centre;
             turning_angle(values[VELOCITY], omega0)?;
             turn.t

@@ -128,6 +128,14 @@ pub fn fit_lengths(runs: &[Data], lengths: &[Measure], options: &FitOptions) -> 
             ),
         ));
     }
+    if !free_offset && let Some((g, offset)) = apart(&fits, lengths).filter(|_| chi > 9.0) {
+        verdicts.push(Verdict::new(
+            Grade::Note,
+            format!(
+                "both lengths agree on g = {g:.3} m/s^2 if each is short by {offset:.4} m: a third length would tell"
+            ),
+        ));
+    }
     let row = |source: &str, u: f64| BudgetRow { source: source.to_string(), u };
     Ok(Together {
         omega0: None,
@@ -141,6 +149,13 @@ pub fn fit_lengths(runs: &[Data], lengths: &[Measure], options: &FitOptions) -> 
         verdicts,
         fits,
     })
+}
+
+/// g from the difference of two lengths, and what then is missing in both.
+fn apart(fits: &[Fit], lengths: &[Measure]) -> Option<(f64, f64)> {
+    let [first, second] = [0, 1].map(|i| 1.0 / fits[i].omega0.value.powi(2));
+    let g = (lengths[1].value - lengths[0].value) / (second - first);
+    (g.is_finite() && g > 0.0).then_some((g, g * first - lengths[0].value))
 }
 
 fn each(runs: &[Data], options: impl Fn(usize) -> FitOptions) -> Result<Vec<Fit>, FitRefusal> {

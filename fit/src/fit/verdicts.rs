@@ -8,7 +8,7 @@ use super::result::{Fit, Grade, Verdict};
 pub(super) struct Evidence {
     /// The largest distance from the rest, in the unit of the record.
     pub reach: f64,
-    /// Terms of the chosen model that wanted to be negative.
+    /// Terms of the chosen model that wanted to be negative by more than noise explains.
     pub wanted_negative: usize,
     /// rms of the best model without presliding, whose two terms can imitate another waveform.
     pub rms_without_presliding: f64,

@@ -50,6 +50,24 @@ pub(super) fn reached(
     last
 }
 
+/// From the first to the last sample between which a motion describes the record within `bound`: each end is cut where, counted from
+/// it, more samples lie beyond than within, by the most. There a hand still leads the pendulum, or catches it.
+pub(super) fn described(samples: &Samples, residuals: &[f64], bound: f64) -> (f64, f64) {
+    let cut = |rows: &mut dyn Iterator<Item = usize>| {
+        let (mut score, mut most, mut count) = (0, IN_A_ROW as i64 - 1, 0);
+        for (number, row) in rows.enumerate() {
+            score += if residuals[row].abs() > bound { 1 } else { -1 };
+            if score > most {
+                (most, count) = (score, number + 1);
+            }
+        }
+        count
+    };
+    let (first, last) = (cut(&mut (0..residuals.len())), cut(&mut (0..residuals.len()).rev()));
+    let last = residuals.len() - 1 - last.min(residuals.len() - 1);
+    (samples.t[first.min(last)], samples.t[last])
+}
+
 /// The end of the last period in which the record moves: after it dry friction holds the pendulum.
 pub(super) fn last_motion(all: &Samples, period: f64, noise: f64) -> f64 {
     let (first, last) = (all.t[0], all.t[all.len() - 1]);

@@ -94,6 +94,10 @@ PATTERNS = {
         "a todo comprimento indicado faltam {} m: talvez termine acima do centro da massa",
         "a toda longitud indicada le faltan {} m: quizá termina por encima del centro de la masa",
     ),
+    "both lengths agree on g = {} m/s^2 if each is short by {} m: a third length would tell": (
+        "os dois comprimentos concordam em g = {} m/s^2 se a cada um faltam {} m: um terceiro comprimento decidiria",
+        "las dos longitudes concuerdan en g = {} m/s^2 si a cada una le faltan {} m: una tercera longitud decidiría",
+    ),
     "the records do not agree on {}: chi squared {} for {} degrees of freedom": (
         "os registros não concordam em {}: qui-quadrado {} para {} graus de liberdade",
         "los registros no concuerdan en {}: ji cuadrado {} para {} grados de libertad",
