@@ -344,9 +344,9 @@ export class Model {
   /** Whether formulas of the period and elliptic functions are there. */
   readonly complete = secondLoaded
 
-  /** Formulas of the angle and of the period, in the order of the registry. */
+  /** Formulas of the angle and, once complete, of the period, in the order of the registry. */
   readonly angles: readonly Known[] = known(approx.angle.entries)
-  readonly periods: readonly Known[] = known(approx.period.entries)
+  readonly periods: readonly Known[] = secondLoaded ? known(approx.period.entries) : []
 
   motion(setup: Setup): Motion {
     return new Motion(setup)

@@ -3,6 +3,7 @@
 //! Each kind is a table of entries (entry.rs) that every binding lists alike.
 
 pub mod angle;
+mod angle_columns;
 mod angle_entries;
 mod angle_oscillator;
 mod angle_phase;

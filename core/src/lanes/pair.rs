@@ -84,7 +84,7 @@ impl<L: Lane> Lane for Pair<L> {
     }
     methods!(
         mul_add(factor, term) -> Self, round() -> Self, sqrt() -> Self, abs() -> Self, copysign(sign) -> Self,
-        exp2_integer() -> Self, less(other) -> Self::Mask, equal(other) -> Self::Mask
+        exp2_integer() -> Self, alternated(shifted) -> Self, larger(other) -> Self, smaller(other) -> Self, less(other) -> Self::Mask, equal(other) -> Self::Mask
     );
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {

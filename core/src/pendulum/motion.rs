@@ -93,7 +93,9 @@ impl Orbit {
         elliptic: &Elliptic,
         evaluation: E,
     ) -> E::Output {
-        if let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) {
+        // On a page columns.rs has the motion by polynomials, of single times too.
+        let polynomials = if COMPACT { None } else { self.polynomials::<ROTATION>(elliptic) };
+        if let Some(interpolant) = polynomials {
             self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
         } else if elliptic.lattice.by_hyperbolic() {
             self.framed::<ANGLE, VELOCITY, _, E>(ByThetaFunctions::<ROTATION, true>(elliptic), evaluation)
@@ -127,6 +129,9 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn theta(&self, t: f64) -> f64 {
+        if COMPACT {
+            return self.motion_of_page(t).0;
+        }
         self.evaluated::<true, false, _>(Once([t]))[0]
     }
 
@@ -142,6 +147,9 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
+        if COMPACT {
+            return self.motion_of_page(t).1;
+        }
         self.evaluated::<false, true, _>(Once([t]))[1]
     }
 
@@ -156,8 +164,25 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
+        if COMPACT {
+            return self.motion_of_page(t);
+        }
+        self.far_motion(t)
+    }
+
+    /// Both by the formula of one time.
+    pub(super) fn far_motion(&self, t: f64) -> (f64, f64) {
         let [theta, velocity, ..] = self.evaluated::<true, true, _>(Once([t]));
         (theta, velocity)
+    }
+
+    /// Both by columns of one row, where there are any.
+    fn motion_of_page(&self, t: f64) -> (f64, f64) {
+        let (mut theta, mut velocity) = ([0.0], [0.0]);
+        if self.in_blocks(&[t], &mut theta, Some(&mut velocity)) {
+            return (theta[0], velocity[0]);
+        }
+        self.far_motion(t)
     }
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
