@@ -44,7 +44,7 @@ export interface Largest {
 export type Refusal = 'rotation' | 'separatrix' | 'start' | 'steps' | 'loading'
 
 /** Formulas of the angle in the second module of the core, which has those of the period and the elliptic functions too. */
-const SECOND: readonly string[] = ['cubic', 'cubic-quintic']
+const SECOND: readonly string[] = ['small-m', 'small-m-bounded', 'cubic', 'cubic-quintic']
 let secondLoaded = false
 
 /** A curve beside the exact motion. */
@@ -158,12 +158,13 @@ export class Motion {
 
   energy({ theta, velocity }: Track): Energy {
     const { kinetic, potential } = this.#pendulum.energies({ theta, velocity })
-    const part = (values: Float64Array) => values.map((value) => value / this.#top)
-    return {
-      kinetic: part(kinetic),
-      potential: part(potential),
-      total: kinetic.map((value, i) => (value + (potential[i] as number)) / this.#top),
+    const total = new Float64Array(kinetic.length)
+    for (let i = 0; i < total.length; i++) {
+      total[i] = ((kinetic[i] as number) + (potential[i] as number)) / this.#top
+      kinetic[i] = (kinetic[i] as number) / this.#top
+      potential[i] = (potential[i] as number) / this.#top
     }
+    return { kinetic, potential, total }
   }
 
   energyAt(theta: number, velocity: number): { readonly kinetic: number; readonly potential: number } {
@@ -219,6 +220,13 @@ export class Motion {
   }
 }
 
+/** a + factor b. */
+function combined(a: Float64Array, b: Float64Array, factor: 1 | -1): Float64Array {
+  const out = new Float64Array(a.length)
+  for (let i = 0; i < out.length; i++) out[i] = (a[i] as number) + factor * (b[i] as number)
+  return out
+}
+
 class Formula implements Solution {
   readonly overTop = Number.NaN
   readonly #of: approx.AngleApproximation
@@ -263,10 +271,10 @@ class Formula implements Solution {
   #both(times: Float64Array, exact: Float64Array, plain: boolean): { theta: Float64Array; error: Float64Array } {
     if (plain) {
       const theta = this.#of.theta(times)
-      return { theta, error: theta.map((value, i) => value - (exact[i] as number)) }
+      return { theta, error: combined(theta, exact, -1) }
     }
     const error = this.#of.difference(times)
-    return { theta: error.map((value, i) => value + (exact[i] as number)), error }
+    return { theta: combined(error, exact, 1), error }
   }
 
   largest(periods: number): Largest | null {
@@ -302,7 +310,7 @@ class Stepped implements Solution {
 
   compared(times: Float64Array, exact: Track): Compared {
     const { theta, velocity } = this.#of.motion(times)
-    return { theta, velocity, error: theta.map((value, i) => value - (exact.theta[i] as number)) }
+    return { theta, velocity, error: combined(theta, exact.theta, -1) }
   }
 
   largest(): null {

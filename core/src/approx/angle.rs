@@ -8,13 +8,16 @@ use super::angle_columns::{AngleBlock, BLOCK, Framed};
 use super::angle_entries::{AngleRule, TABLE};
 use super::angle_oscillator::{Linear, Trigonometric};
 use super::angle_series::{Arcsine, Harmonic, Series};
+#[cfg(feature = "all-formulas")]
 use super::angle_small::{Bounded, Secular};
+#[cfg(not(feature = "all-formulas"))]
+use super::angle_small_absent::{NoBounded as Bounded, NoSecular as Secular};
 use super::angle_taylor::Polynomial;
 use super::entry::{Entry, Named};
 use super::salas::{CUBIC, QUINTIC};
-#[cfg(feature = "sine-models")]
+#[cfg(feature = "all-formulas")]
 use super::sine_model::SineModel;
-#[cfg(not(feature = "sine-models"))]
+#[cfg(not(feature = "all-formulas"))]
 use super::sine_model_absent::NoSineModel as SineModel;
 use crate::domain::{Domain, shown};
 use crate::pendulum::orbit::Solution;
@@ -44,6 +47,13 @@ pub struct AngleApproximation {
     /// Whether columns serve: for all but extreme numbers.
     by_columns: bool,
 }
+
+/// What is left out with the feature `all-formulas`.
+const ABSENT: &[AngleRule] = if cfg!(feature = "all-formulas") {
+    &[]
+} else {
+    &[AngleRule::SmallM, AngleRule::SmallMBounded, AngleRule::Cubic, AngleRule::CubicQuintic]
+};
 
 /// What the formula has become for the orbit.
 #[derive(Clone, Debug)]
@@ -100,6 +110,11 @@ impl AngleFormula {
             AngleRule::FourierTheta => (periodic, false),
             AngleRule::Taylor => (all, false),
         };
+        if ABSENT.contains(&self.kind) {
+            let allowed =
+                "any but small-m, small-m-bounded, cubic and cubic-quintic, until the whole core is loaded";
+            return Err(Domain::new("formula", self.name(), allowed));
+        }
         if !served {
             return Err(self.regime_refused(orbit, needs));
         }
