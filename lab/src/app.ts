@@ -87,7 +87,8 @@ export class App {
   }
 
   #draw(): void {
-    this.#rem = remPixels()
+    // No control changes the size of a letter.
+    if (this.store.session.held === null) this.#rem = remPixels()
     const page = this.page()
     const { documentElement } = document
     documentElement.lang = page.words.language

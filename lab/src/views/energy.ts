@@ -163,8 +163,8 @@ export function energyChart(page: Live, study: Study): TemplateResult {
       (energy) => store.set({ energy }),
     )}`,
     draw: (size) => draw(page, study, total, size),
-    caption: caption(page, study),
-    spoken: `${timeText(words, page.t)}. ${caption(page, study)}`,
+    caption: () => caption(page, study),
+    spoken: () => `${timeText(words, page.t)}. ${caption(page, study)}`,
     window: study.window,
     table: () => ({
       caption: words.fill(words.say.table.caption, {

@@ -192,8 +192,8 @@ export function errorChart(page: Live, study: Study): TemplateResult {
       (errorAxis) => store.set({ errorAxis }),
     )}`,
     draw: (size) => draw(page, study, size),
-    caption: caption(page, study, axis, percent),
-    spoken: caption(page, study, axis, percent),
+    caption: () => caption(page, study, axis, percent),
+    spoken: () => caption(page, study, axis, percent),
     window: study.window,
     table: () => ({
       caption: words.fill(words.say.table.caption, { plot: plots.error, unit }),
