@@ -136,6 +136,16 @@ export const enLater = {
     why: 'The ellipse is drawn for swings. Choose one:',
   },
 
+  convergence: {
+    title: 'Error against step',
+    error: 'Error',
+    unit: 'larger of angle and velocity/_ω_{0}, °; step in s',
+    step: 'step, s',
+    caption:
+      'Largest errors over one small-swing period. When the step is halved they fall by a factor of 2 to the power of the slope. Slopes seen, and in theory: {slopes}.',
+    rest: 'At rest every solution is exact.',
+  },
+
   share: {
     title: 'Share this picture',
     copy: 'Copy link',

@@ -158,6 +158,7 @@ export const en = {
     exact: 'exact',
     exactBy: 'Jacobi’s sn',
     add: 'Add a curve',
+    convergence: 'Error against step',
     examples: 'Examples',
     hatched: 'hatched',
     remove: 'Remove {name}',

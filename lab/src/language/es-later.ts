@@ -137,6 +137,16 @@ export const esLater: LaterCatalogue = {
     why: 'La elipse se dibuja para oscilaciones. Elija una:',
   },
 
+  convergence: {
+    title: 'Error en función del paso',
+    error: 'Error',
+    unit: 'el mayor entre ángulo y velocidad/_ω_{0}, °; paso en s',
+    step: 'paso, s',
+    caption:
+      'Mayores errores en un periodo de oscilaciones pequeñas. Cuando el paso se reduce a la mitad, bajan por un factor de 2 elevado a la pendiente. Pendientes vistas, y en teoría: {slopes}.',
+    rest: 'En reposo toda solución es exacta.',
+  },
+
   share: {
     title: 'Compartir esta imagen',
     copy: 'Copiar enlace',

@@ -160,6 +160,7 @@ export const es: FirstCatalogue = {
     exact: 'exacto',
     exactBy: 'sn de Jacobi',
     add: 'Añadir curva',
+    convergence: 'Error y paso',
     examples: 'Ejemplos',
     hatched: 'rayado',
     remove: 'Quitar {name}',

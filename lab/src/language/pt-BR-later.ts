@@ -137,6 +137,16 @@ export const ptBRLater: LaterCatalogue = {
     why: 'A elipse é desenhada para oscilações. Escolha uma:',
   },
 
+  convergence: {
+    title: 'Erro em função do passo',
+    error: 'Erro',
+    unit: 'o maior entre ângulo e velocidade/_ω_{0}, °; passo em s',
+    step: 'passo, s',
+    caption:
+      'Maiores erros em um período de pequenas oscilações. Quando o passo é reduzido à metade, eles caem por um fator de 2 elevado à inclinação. Inclinações vistas, e em teoria: {slopes}.',
+    rest: 'Em repouso toda solução é exata.',
+  },
+
   share: {
     title: 'Compartilhar esta imagem',
     copy: 'Copiar link',

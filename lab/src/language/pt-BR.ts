@@ -160,6 +160,7 @@ export const ptBR: FirstCatalogue = {
     exact: 'exato',
     exactBy: 'sn de Jacobi',
     add: 'Adicionar curva',
+    convergence: 'Erro e passo',
     examples: 'Exemplos',
     hatched: 'hachurado',
     remove: 'Remover {name}',

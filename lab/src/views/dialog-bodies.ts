@@ -1,10 +1,11 @@
-// The two dialogs: Share with the link and its QR code, and the list of keys.
+// The dialogs: Share with the link and its QR code, the list of keys, and the errors against the step (convergence.ts).
 
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { encode } from 'uqr'
 import { writeLink } from '../link'
+import { convergenceDialog } from './convergence'
 import { dialog } from './dialogs'
-import type { Page } from './page'
+import { isLive, type Page } from './page'
 
 /** Of the page as it is: all of the picture is in it. */
 function linkOf({ store }: Pick<Page, 'store'>): string {
@@ -69,5 +70,6 @@ function keys(page: Page, views: number): TemplateResult {
 export function dialogs(page: Page, views: number): TemplateResult | typeof nothing {
   if (page.session.dialog === 'share') return share(page)
   if (page.session.dialog === 'keys') return keys(page, views)
+  if (page.session.dialog === 'convergence' && isLive(page)) return convergenceDialog(page)
   return nothing
 }

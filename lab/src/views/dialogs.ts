@@ -4,11 +4,12 @@ import { html, type TemplateResult } from 'lit-html'
 import { keyed } from 'lit-html/directives/keyed.js'
 import { ref } from 'lit-html/directives/ref.js'
 import { iconButton } from '../controls/parts'
+import type { DialogName } from '../store'
 import type { Page } from './page'
 
 let opener: Element | null = null
 
-export function openDialog({ store }: Pick<Page, 'store'>, dialog: 'share' | 'keys'): void {
+export function openDialog({ store }: Pick<Page, 'store'>, dialog: DialogName): void {
   opener = document.activeElement
   store.setSession({ dialog, copied: false, copyFailed: false, menu: null })
 }

@@ -51,6 +51,7 @@ export const VIEWS: readonly View[] = [
 export function dialogs(page: Page): TemplateResult | typeof nothing {
   if (later) return later.dialogs(page, VIEWS.length)
   if (!failed || page.session.dialog === null) return nothing
-  const { shell, plots } = page.words.say
-  return dialog(page, 'failed', shell[page.session.dialog], html`<p>${plots.failedView}</p>`)
+  const { shell, plots, compare } = page.words.say
+  const title = page.session.dialog === 'convergence' ? compare.convergence : shell[page.session.dialog]
+  return dialog(page, 'failed', title, html`<p>${plots.failedView}</p>`)
 }
