@@ -3,6 +3,7 @@
 use crate::on_every_set;
 use crate::ruler::{bits, same};
 use libration::InstructionSet;
+use libration::approx::AngleFormula;
 use libration::pendulum;
 use libration::{Frequency, Jacobi, JacobiValues, Orbit, Parameter, advance, advance_into};
 
@@ -146,4 +147,33 @@ fn the_set_up_is_the_same_on_every_instruction_set() {
 fn lengths_must_agree() {
     let orbit = Orbit::new(1.0, 0.0, Frequency::from_omega0(1.0).unwrap()).unwrap();
     orbit.theta_into(&[0.0, 1.0], &mut [0.0]);
+}
+
+/// A formula of the angle is one function, whatever stands beside a time: every length, and every time alone.
+#[test]
+fn columns_of_formulas_are_their_scalars_on_every_instruction_set() {
+    let times = times();
+    let names = [
+        "linear", "harmonic", "fourier:1", "fourier:4", "fourier-theta:3", "trigonometric", "small-m",
+        "small-m-bounded", "cubic-quintic", "taylor:8", "taylor:200",
+    ];
+    let compared = std::cell::Cell::new(0);
+    on_every_set(|set| {
+        for (theta0, velocity0, omega2) in STARTS {
+            let orbit = Orbit::new(theta0, velocity0, Frequency::from_omega2(omega2).unwrap()).unwrap();
+            for name in names {
+                let Ok(made) = AngleFormula::named(name).unwrap().of(&orbit) else { continue };
+                for length in [0, 1, 2, 17, times.len()] {
+                    let t = &times[times.len() - length..];
+                    let mut theta = vec![7.0; length];
+                    made.theta_into(t, &mut theta);
+                    for (t, theta) in t.iter().zip(&theta) {
+                        assert!(same(made.theta(*t), *theta), "{set:?} {name} {theta0} {t}");
+                        compared.set(compared.get() + 1);
+                    }
+                }
+            }
+        }
+    });
+    assert!(compared.get() > 5000);
 }

@@ -10,7 +10,7 @@ import type { State } from './state'
 import { Store } from './store'
 import { onKey } from './views/keyboard'
 import { isLive, type Page } from './views/page'
-import { shell, type View, type Waiting } from './views/shell'
+import { type Dialogs, shell, type View, type Waiting } from './views/shell'
 
 export class App {
   readonly store: Store
@@ -31,6 +31,7 @@ export class App {
   constructor(
     private readonly root: HTMLElement,
     private readonly views: readonly View[],
+    private readonly dialogs: Dialogs,
     opened: Opened,
   ) {
     this.store = new Store(opened)
@@ -86,14 +87,15 @@ export class App {
   }
 
   #draw(): void {
-    this.#rem = remPixels()
+    // No control changes the size of a letter.
+    if (this.store.session.held === null) this.#rem = remPixels()
     const page = this.page()
     const { documentElement } = document
     documentElement.lang = page.words.language
     if (page.state.theme === 'auto') delete documentElement.dataset.theme
     else documentElement.dataset.theme = page.state.theme
     document.title = page.words.say.shell.title
-    render(shell(page, this.views, this.#waiting, this.#spoken), this.root)
+    render(shell(page, this.views, this.dialogs, this.#waiting, this.#spoken), this.root)
   }
 
   /** What changed goes to the address of the page and to the screen reader, a little later and not while playing. */

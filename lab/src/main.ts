@@ -14,7 +14,7 @@ import { readLink } from './link'
 import { completedModel, openModel } from './model'
 import { keepForLater } from './second-visit'
 import { SECOND, SOURCES } from './sources'
-import { loadViews, secondFailed, VIEWS } from './views'
+import { dialogs, loadViews, secondFailed, VIEWS } from './views'
 
 /** The views and formulas that the page can begin without; if they do not come, the page says so in their place. */
 async function completed(app: App, views: Promise<void>): Promise<void> {
@@ -35,7 +35,7 @@ async function begin(): Promise<void> {
   if (!root) return
   document.getElementById('still')?.setAttribute('hidden', '')
   const opened = readLink(location.hash)
-  const app = new App(root, VIEWS, opened)
+  const app = new App(root, VIEWS, dialogs, opened)
   const views = loadViews()
   window.addEventListener('hashchange', () => {
     const { state, faults } = readLink(location.hash)

@@ -13,12 +13,14 @@ export interface Message {
   readonly undo?: State
 }
 
+export type DialogName = 'share' | 'keys' | 'convergence'
+
 /** What is not in a link: drafts of fields, what is open, what is held. */
 export interface Session {
   /** Text being typed, by field, while it is not a value or has the focus. */
   readonly drafts: Readonly<Record<string, string>>
   readonly messages: readonly Message[]
-  readonly dialog: 'share' | 'keys' | null
+  readonly dialog: DialogName | null
   readonly menu: string | null
   /** The control that is being dragged. */
   readonly held: string | null

@@ -9,9 +9,8 @@ import { remember } from './memory'
 import type { Compared, Energy, Motion, Refusal, Solution, Track } from './model'
 import type { State } from './state'
 
-/** Steps of a curve in a window; while a hand is on a control, one to a pixel of a laptop's plot is enough. */
+/** Steps of a curve in a window. */
 export const POINTS = 1200
-export const QUICK_POINTS = 600
 
 export interface Window {
   readonly from: number
@@ -71,8 +70,13 @@ export function windowOf(span: number, t: number): Window {
 }
 
 export function evenTimes({ from, to }: Window, points: number): Float64Array {
-  return Float64Array.from({ length: points + 1 }, (_, i) => from + ((to - from) * i) / points)
+  const times = new Float64Array(points + 1)
+  for (let i = 0; i <= points; i++) times[i] = from + ((to - from) * i) / points
+  return times
 }
+
+/** The same while the window stays, so that what depends on them stays too. */
+const timesOf = remember((from: number, to: number) => evenTimes({ from, to }, POINTS))
 
 /** Largest size of the numbers, sharpened by the parabola through it and its neighbours, and when. */
 export function largestOf(values: Float64Array, times: Float64Array): { value: number; t: number } | null {
@@ -97,24 +101,6 @@ export function largestOf(values: Float64Array, times: Float64Array): { value: n
 function largestIn(solution: Solution, motion: Motion, { from, to }: Window, error: Float64Array, times: Float64Array) {
   const onePeriod = from === 0 && to === motion.period
   return (onePeriod && solution.largest(1)) || largestOf(error, times)
-}
-
-/** Every so many of the numbers. */
-function thinned(values: Float64Array, stride: number): Float64Array {
-  return Float64Array.from(
-    { length: Math.floor((values.length - 1) / stride) + 1 },
-    (_, i) => values[i * stride] as number,
-  )
-}
-
-/** And energies have half of them. */
-const QUICK_STRIDE = 2
-
-function energyOf(motion: Motion, times: Float64Array, track: Track, quick: boolean): Points {
-  if (!quick) return { x: times, y: motion.energy(track).total }
-  const theta = thinned(track.theta, QUICK_STRIDE)
-  const velocity = thinned(track.velocity, QUICK_STRIDE)
-  return { x: thinned(times, QUICK_STRIDE), y: motion.energy({ theta, velocity }).total }
 }
 
 const NOTHING: Points = { x: new Float64Array(0), y: new Float64Array(0) }
@@ -145,19 +131,19 @@ function drawn(
     solution,
     track,
     error,
-    energy: numerical ? energyOf(motion, times, track, quick) : NOTHING,
+    energy: numerical ? { x: times, y: motion.energy(track).total } : NOTHING,
     largest: quick ? largestOf(error, times) : largestIn(solution, motion, window, error, times),
     gone: gone < 0 ? Number.NaN : (times[gone] as number),
   }
 }
 
 /**
- * All that the Lab draws, but for the time shown. While a control is held it is `quick`: fewer points, errors as
- * plain differences, and what is switched off is not computed.
+ * All that the Lab draws, but for the time shown. While a control is held it is `quick`: errors are plain differences,
+ * and what is switched off is not computed.
  */
 export function study(motion: Motion, curves: readonly Curve[], from: number, to: number, quick = false): Study {
   const window = { from, to }
-  const times = evenTimes(window, quick ? QUICK_POINTS : POINTS)
+  const times = timesOf(from, to)
   const exact = motion.sample(times)
   const frame = { motion, window, times, exact, quick }
   const clothes = clothesOf(curves)
@@ -175,7 +161,7 @@ export function study(motion: Motion, curves: readonly Curve[], from: number, to
     window,
     times,
     exact,
-    total: times.map(() => motion.energyRatio),
+    total: new Float64Array(times.length).fill(motion.energyRatio),
     parts: () => {
       parts ??= motion.energy(exact)
       return parts

@@ -67,11 +67,11 @@ describe('a path', () => {
   const sy = linearScale([0, 1], [100, 0])
 
   it('goes through the points in tenths of a pixel', () => {
-    expect(pathOf({ x: numbers(0, 1, 2), y: numbers(0, 0.5, 1) }, sx, sy)).toBe('M0 1000L1000 500L2000 0')
+    expect(pathOf({ x: numbers(0, 1, 2), y: numbers(0, 0.5, 1) }, sx, sy)).toBe('M0 1000l1000-500 1000-500')
   })
 
   it('is broken where there is no value', () => {
-    expect(pathOf({ x: numbers(0, 1, 2, 3), y: numbers(0, Number.NaN, 1, 1) }, sx, sy)).toBe('M0 1000M2000 0L3000 0')
+    expect(pathOf({ x: numbers(0, 1, 2, 3), y: numbers(0, Number.NaN, 1, 1) }, sx, sy)).toBe('M0 1000M2000 0l1000 0')
   })
 
   it('is drawn again for another scale', () => {

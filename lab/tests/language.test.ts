@@ -2,9 +2,7 @@
 
 import { describe, expect, it } from 'vitest'
 import { nearestLanguage, Words } from '../src/language'
-import { en } from '../src/language/en'
-import { es } from '../src/language/es'
-import { ptBR } from '../src/language/pt-BR'
+import '../src/language/later'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 
@@ -15,6 +13,7 @@ function leaves(value: unknown, path = ''): Leaf[] {
   return Object.entries(value as object).flatMap(([key, each]) => leaves(each, `${path}/${key}`))
 }
 
+const [en, ptBR, es] = [new Words('en').say, new Words('pt-BR').say, new Words('es').say]
 const english = leaves(en)
 const placeholders = (text: string) =>
   [...text.matchAll(/\{([a-zA-Z]\w*)\}/g)]

@@ -9,7 +9,7 @@ use crate::objects::{Objects, ask, drop, keep};
 use crate::workspace::{self, ROWS, leave, say, with_columns, with_text};
 use libration::STANDARD_GRAVITY;
 use libration::approx::{
-    ANGLES, AngleApproximation, AngleFormula, Entry, NUMERICALS, NumericalFormula, NumericalSolution, PERIODS,
+    ANGLES, AngleApproximation, AngleFormula, Entry, NUMERICALS, NumericalFormula, NumericalSolution,
 };
 use libration::{Domain, Frequency, Orbit, Regime, Turns, VERSION};
 use std::cell::RefCell;
@@ -208,12 +208,14 @@ pub extern "C" fn orbit_turning_times(orbit: u32, start: f64, stop: f64) -> i32 
 
 /// The entries of a registry, one a line, cells parted by tabs: pattern, formula, source, stated range in words, where
 /// undefined. Columns 0 and 1: the stated range. Columns 2, 3, 4: the least N, the most, the step; 0 where there is none.
-/// Of a numerical solution that takes a step the least N is 1. Registries: angle, period, numerical from 0 on. Returns how many entries.
+/// Of a numerical solution that takes a step the least N is 1. Registries: angle, period, numerical from 0 on; the period's is in
+/// the second module. Returns how many entries.
 #[unsafe(no_mangle)]
 pub extern "C" fn registry(kind: u32) -> usize {
     let entries: &[Entry] = match kind {
         0 => &ANGLES,
-        1 => &PERIODS,
+        #[cfg(feature = "whole")]
+        1 => &libration::approx::PERIODS,
         _ => &NUMERICALS,
     };
     with_columns(|[low, high, least, most, step, _]| {
@@ -255,7 +257,9 @@ pub extern "C" fn angle_drop(approximation: u32) {
 /// t to the approximate angle.
 #[unsafe(no_mangle)]
 pub extern "C" fn angle_theta(approximation: u32, rows: usize) {
-    ask(&ANGLE_APPROXIMATIONS, approximation, |approximation| each(rows, |t| approximation.theta(t)));
+    ask(&ANGLE_APPROXIMATIONS, approximation, |approximation| {
+        with_columns(|[t, theta, ..]| approximation.theta_into(&t[..rows], &mut theta[..rows]));
+    });
 }
 
 /// t to the approximate minus the exact angle.

@@ -65,8 +65,9 @@ pub fn text_length() -> usize {
     TEXT.with_borrow(Vec::len)
 }
 
-/// Works on the text that JavaScript has written; one that is no UTF-8 is no name either.
+/// Works on the text that JavaScript has written. Names are ASCII; another letter is one that no name has.
 pub fn with_text<T>(work: impl FnOnce(&str) -> T) -> T {
     let written = TEXT.take();
-    work(str::from_utf8(&written).unwrap_or("?"))
+    let letter = |byte: &u8| if byte.is_ascii() { char::from(*byte) } else { '?' };
+    work(&written.iter().map(letter).collect::<String>())
 }

@@ -4,16 +4,20 @@
 //! All phases are exact in double-double, so that an approximation that repeats stays right for all times.
 //! Where a formula has no value it gives NaN; nothing is clipped. Sources: the table in angle_entries.rs.
 
+use super::angle_columns::{AngleBlock, BLOCK, Framed};
 use super::angle_entries::{AngleRule, TABLE};
 use super::angle_oscillator::{Linear, Trigonometric};
 use super::angle_series::{Arcsine, Harmonic, Series};
+#[cfg(feature = "all-formulas")]
 use super::angle_small::{Bounded, Secular};
+#[cfg(not(feature = "all-formulas"))]
+use super::angle_small_absent::{NoBounded as Bounded, NoSecular as Secular};
 use super::angle_taylor::Polynomial;
 use super::entry::{Entry, Named};
 use super::salas::{CUBIC, QUINTIC};
-#[cfg(feature = "sine-models")]
+#[cfg(feature = "all-formulas")]
 use super::sine_model::SineModel;
-#[cfg(not(feature = "sine-models"))]
+#[cfg(not(feature = "all-formulas"))]
 use super::sine_model_absent::NoSineModel as SineModel;
 use crate::domain::{Domain, shown};
 use crate::pendulum::orbit::Solution;
@@ -40,7 +44,16 @@ pub struct AngleApproximation {
     formula: AngleFormula,
     pub(super) orbit: Orbit,
     pub(super) shape: Shape,
+    /// Whether columns serve: for all but extreme numbers.
+    by_columns: bool,
 }
+
+/// What is left out with the feature `all-formulas`.
+const ABSENT: &[AngleRule] = if cfg!(feature = "all-formulas") {
+    &[]
+} else {
+    &[AngleRule::SmallM, AngleRule::SmallMBounded, AngleRule::Cubic, AngleRule::CubicQuintic]
+};
 
 /// What the formula has become for the orbit.
 #[derive(Clone, Debug)]
@@ -97,6 +110,11 @@ impl AngleFormula {
             AngleRule::FourierTheta => (periodic, false),
             AngleRule::Taylor => (all, false),
         };
+        if ABSENT.contains(&self.kind) {
+            let allowed =
+                "any but small-m, small-m-bounded, cubic and cubic-quintic, until the whole core is loaded";
+            return Err(Domain::new("formula", self.name(), allowed));
+        }
         if !served {
             return Err(self.regime_refused(orbit, needs));
         }
@@ -147,7 +165,8 @@ impl AngleFormula {
                 return Err(self.regime_refused(orbit, "libration"));
             }
         };
-        Ok(AngleApproximation { formula: *self, orbit: orbit.clone(), shape })
+        let by_columns = shape.in_columns(orbit);
+        Ok(AngleApproximation { formula: *self, orbit: orbit.clone(), shape, by_columns })
     }
 }
 
@@ -163,6 +182,51 @@ impl AngleApproximation {
     /// **Error** at most 8 ulp of its scale, plus the condition of its phase in what is rounded to double: the
     /// coefficients of the sine models.
     pub fn theta(&self, t: f64) -> f64 {
+        if !self.by_columns {
+            return self.long_theta(t);
+        }
+        let mut theta = [0.0];
+        self.theta_into(&[t], &mut theta);
+        theta[0]
+    }
+
+    /// [`AngleApproximation::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.
+    pub fn theta_into(&self, t: &[f64], theta: &mut [f64]) {
+        assert_eq!(t.len(), theta.len(), "columns of different lengths");
+        if let Shape::Exact = self.shape {
+            return self.orbit.theta_into(t, theta);
+        }
+        if !self.by_columns {
+            t.iter().zip(theta).for_each(|(t, theta)| *theta = self.long_theta(*t));
+            return;
+        }
+        let mut block = AngleBlock::new();
+        for (t, theta) in t.chunks(BLOCK).zip(theta.chunks_mut(BLOCK)) {
+            let rows = t.len();
+            block.t[..rows].copy_from_slice(t);
+            self.shape.columns(&self.orbit, &mut block, rows);
+            let frame = match &self.shape {
+                Shape::Linear(_) | Shape::Polynomial(_) => Framed::PLAIN,
+                _ => Framed::new(&self.orbit.frame),
+            };
+            block.through(rows, &frame);
+            theta.copy_from_slice(&block.angle[0][..rows]);
+            for (row, (t, theta)) in t.iter().zip(theta).enumerate() {
+                let beyond = match &self.shape {
+                    Shape::Linear(shape) => shape.is_early(*t),
+                    Shape::Polynomial(shape) => shape.is_far(*t),
+                    Shape::Arcsine(_) => block.is_close(row),
+                    _ => false,
+                };
+                if beyond {
+                    *theta = self.long_theta(*t);
+                }
+            }
+        }
+    }
+
+    /// One angle, whatever the size of its numbers.
+    fn long_theta(&self, t: f64) -> f64 {
         match &self.shape {
             Shape::Exact => self.orbit.theta(t),
             Shape::Linear(shape) => shape.theta(t),
@@ -201,5 +265,38 @@ impl AngleApproximation {
             _ => self.orbit.period(),
         };
         if period.is_finite() { period } else { f64::NAN }
+    }
+}
+
+impl Shape {
+    /// Whether columns carry its numbers.
+    fn in_columns(&self, orbit: &Orbit) -> bool {
+        match self {
+            Shape::Exact | Shape::Model(_) => false,
+            Shape::Linear(shape) => shape.in_columns(),
+            Shape::Harmonic(shape) => shape.in_columns(orbit),
+            Shape::Arcsine(shape) => shape.in_columns(orbit),
+            Shape::Series(shape) => shape.in_columns(orbit),
+            Shape::Trigonometric(shape) => shape.in_columns(),
+            Shape::Secular(shape) => shape.in_columns(),
+            Shape::Bounded(shape) => shape.in_columns(),
+            Shape::Polynomial(shape) => shape.in_columns(),
+        }
+    }
+
+    /// The angle of the first rows of a block, before it is framed.
+    fn columns(&self, orbit: &Orbit, block: &mut AngleBlock, rows: usize) {
+        match self {
+            // They have none.
+            Shape::Exact | Shape::Model(_) => {}
+            Shape::Linear(shape) => shape.columns(block, rows),
+            Shape::Harmonic(shape) => shape.columns(orbit, block, rows),
+            Shape::Arcsine(shape) => shape.columns(orbit, block, rows),
+            Shape::Series(shape) => shape.columns(orbit, block, rows),
+            Shape::Trigonometric(shape) => shape.columns(orbit, block, rows),
+            Shape::Secular(shape) => shape.columns(block, rows),
+            Shape::Bounded(shape) => shape.columns(block, rows),
+            Shape::Polynomial(shape) => shape.columns(block, rows),
+        }
     }
 }

@@ -2,10 +2,12 @@
 //!
 //! Source: Salas 2019 (30), (34), (35).
 
+use super::angle_columns::{AngleBlock, AngleRow, Combination, Pass, Turns, constant, double, ordinary};
 use super::angle_phase::{counted, framed, turning_angle};
-use crate::elliptic::phase::Phase;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::float::exponent::{carried, exp2, ldexp};
 use crate::float::{Dd, PI, Scaled, Td};
+use crate::lanes::Lane;
 use crate::pendulum::Orbit;
 use crate::pendulum::theta_quotients::Elliptic;
 
@@ -45,11 +47,27 @@ impl Linear {
 
     pub fn theta(&self, t: f64) -> f64 {
         let passed = ldexp(t, self.power);
-        if passed.abs() < EARLY {
+        if self.is_early(t) {
             return (self.start + self.velocity * t).value();
         }
         let Some((sine, cosine)) = counted(&self.phase, passed) else { return f64::NAN };
         (self.start * Scaled::from(cosine) + self.swing * Scaled::from(sine)).value()
+    }
+
+    /// Whether t has no phase yet: there the sine may be below the range.
+    pub fn is_early(&self, t: f64) -> bool {
+        ldexp(t, self.power).abs() < EARLY
+    }
+
+    pub fn in_columns(&self) -> bool {
+        let numbers = [self.start, self.velocity, self.swing, Scaled::new(Dd::ONE, self.power)];
+        numbers.into_iter().all(ordinary)
+    }
+
+    pub fn columns(&self, block: &mut AngleBlock, rows: usize) {
+        let time_scale = exp2(self.power);
+        block.through(rows, &Turns { phase: self.phase, time_scale, end: LAST_HALF_PERIOD, turning: false });
+        block.through(rows, &Combination { along: self.swing.to_dd(), across: self.start.to_dd() });
     }
 
     pub fn period(&self) -> f64 {
@@ -99,7 +117,31 @@ impl Trigonometric {
         framed(&orbit.frame, self.turning * Scaled::from(cosine / root))
     }
 
+    pub fn in_columns(&self) -> bool {
+        ordinary(self.turning)
+    }
+
+    pub fn columns(&self, orbit: &Orbit, block: &mut AngleBlock, rows: usize) {
+        let (phase, time_scale) = (self.phase, orbit.time_scale);
+        block.through(rows, &Turns { phase, time_scale, end: LAST_HALF_PERIOD, turning: false });
+        block.through(rows, &Flattened { turning: self.turning.to_dd(), flattening: self.flattening });
+    }
+
     pub fn period(&self) -> f64 {
         self.period
+    }
+}
+
+/// turning cosine/sqrt(1 + flattening sine^2).
+struct Flattened {
+    turning: Dd,
+    flattening: Dd,
+}
+
+impl Pass for Flattened {
+    #[inline(always)]
+    fn at<L: Lane>(&self, row: AngleRow<L>) -> AngleRow<L> {
+        let square = double(1.0) + constant(self.flattening) * row.opposite.square();
+        AngleRow { angle: constant(self.turning) * row.adjacent * square.inverse_root(), ..row }
     }
 }

@@ -3,7 +3,9 @@
 
 use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase, alternating};
 use crate::float::series::long_sin_cos;
+use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI, Scaled, series};
+use crate::lanes::Lane;
 use crate::pendulum::Orbit;
 use crate::pendulum::state::{Frame, State};
 
@@ -17,6 +19,20 @@ pub(super) fn half_turn(f: Dd) -> (Dd, Dd) {
         long_sin_cos(size * PI)
     };
     (if f.hi < 0.0 { -sine } else { sine }, cosine)
+}
+
+/// The same over lanes, as accurate.
+#[inline(always)]
+pub(super) fn half_turn_lanes<L: Lane>(f: Dd<L>) -> (Unnormalised<L>, Unnormalised<L>) {
+    let one = L::splat(1.0);
+    let sign = one.copysign(f.hi);
+    let size = Unnormalised::from(f.scale(sign));
+    let steep = L::splat(0.25).less(size.hi);
+    let rest = Unnormalised::from_double(L::splat(0.5)) - size;
+    let near = series::sine(Unnormalised::select(steep, rest, size) * Unnormalised::splat(PI));
+    // At least 1/2: nothing cancels.
+    let far = Unnormalised::from_double(one).minus_smaller(near.square()).root();
+    (Unnormalised::select(steep, far, near).scale(sign), Unnormalised::select(steep, near, far))
 }
 
 /// Sine and cosine of pi (n + f) for a phase counted as whole and rest; `None` beyond 2^53 half turns.

@@ -7,6 +7,7 @@
 //! What is left out is summed from its own terms, so that a difference from the exact angle keeps its digits however small.
 //! Source: DLMF 22.11.1, 22.11.3 and their integrals; Lima 2019 (17), (20)-(22).
 
+use super::angle_columns::{AngleBlock, BLOCK, Combination, SineSide, SineSum, Turns, TwiceAngle, ordinary};
 use super::angle_phase::{framed, half_turn, turning_angle};
 use crate::elliptic::phase::{LAST_HALF_PERIOD, ReducedPhase, alternating};
 use crate::float::elementary::arctangent;
@@ -54,6 +55,24 @@ impl PhasePoint<'_> {
         let at = ReducedPhase { n: Dd::ZERO, sign, f: self.f.scale(sign), parity: alternating(self.n) };
         self.elliptic.lattice.long_values(&at)[2]
     }
+}
+
+/// Whether columns carry a factor of an orbit's series.
+fn carries(orbit: &Orbit, factor: Scaled) -> bool {
+    orbit.state.is_some_and(|state| state.power == 0) && ordinary(factor)
+}
+
+/// Sine and cosine of the phase of the first rows, and its angle in rotation.
+fn turned(orbit: &Orbit, block: &mut AngleBlock, rows: usize) {
+    let (elliptic, turning) = match &orbit.solution {
+        Solution::Libration(elliptic) => (elliptic, false),
+        Solution::Rotation(elliptic) => (elliptic, true),
+        // A series has neither in other motions, and no columns.
+        _ => return,
+    };
+    let end = if turning { 0.5 * LAST_HALF_PERIOD } else { LAST_HALF_PERIOD };
+    block.angle = [[0.0; BLOCK]; 2];
+    block.through(rows, &Turns { phase: elliptic.phase, time_scale: orbit.time_scale, end, turning });
 }
 
 /// scale times the sum of c_i sin(j_i phi) with j_i = first, first + step, ... and c_0 = 1.
@@ -128,6 +147,11 @@ impl Sum {
         }
         Scaled::from(sum) * self.scale
     }
+
+    /// Its pass over columns, from the first harmonic on.
+    fn pass(&self) -> SineSum<'_> {
+        SineSum { coefficients: &self.coefficients, scale: self.scale.to_dd(), odd: self.step == 2 }
+    }
 }
 
 /// e^(-pi K'/2K) of a libration, and the nome of the inner parameter of a rotation; and the step of the harmonics.
@@ -180,6 +204,15 @@ impl Series {
         framed(&orbit.frame, angle)
     }
 
+    pub fn in_columns(&self, orbit: &Orbit) -> bool {
+        carries(orbit, self.head.scale)
+    }
+
+    pub fn columns(&self, orbit: &Orbit, block: &mut AngleBlock, rows: usize) {
+        turned(orbit, block, rows);
+        block.through(rows, &self.head.pass());
+    }
+
     pub fn difference(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         -(self.tail.at(point.turn) * orbit.frame.side).value()
@@ -205,6 +238,15 @@ impl Harmonic {
     pub fn theta(&self, orbit: &Orbit, t: f64) -> f64 {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         framed(&orbit.frame, self.theta_max * Scaled::from(point.turn.0))
+    }
+
+    pub fn in_columns(&self, orbit: &Orbit) -> bool {
+        carries(orbit, self.theta_max)
+    }
+
+    pub fn columns(&self, orbit: &Orbit, block: &mut AngleBlock, rows: usize) {
+        turned(orbit, block, rows);
+        block.through(rows, &Combination { along: self.theta_max.to_dd(), across: Dd::ZERO });
     }
 
     /// theta_max is the sum of all harmonics where the phase is 1/2, the first among them.
@@ -254,6 +296,16 @@ impl Arcsine {
         let Some(point) = PhasePoint::new(orbit, t) else { return f64::NAN };
         let Some((sine, cosine)) = self.side(&point) else { return f64::NAN };
         framed(&orbit.frame, multiple_of_angle(sine, cosine, 1))
+    }
+
+    pub fn in_columns(&self, orbit: &Orbit) -> bool {
+        self.sine.in_columns(orbit)
+    }
+
+    pub fn columns(&self, orbit: &Orbit, block: &mut AngleBlock, rows: usize) {
+        self.sine.columns(orbit, block, rows);
+        block.through(rows, &SineSide);
+        block.through(rows, &TwiceAngle);
     }
 
     /// tan of a quarter of the difference is (sin a - sin b)/(cos a + cos b) of the halves, and sin a - sin b is what the

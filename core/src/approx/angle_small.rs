@@ -7,11 +7,14 @@
 //! The other one is tan(theta/2) = (s c cn + x dn sn)/(c^2 - x^2 sn^2) (Salas 23 times c^2) with the first harmonics of
 //! sn, cn and dn at the exact phase. Source: Salas 2019, (23), (24) and before fig. 6; DLMF 22.10, 22.11.
 
+use super::angle_columns::{AngleBlock, AngleRow, Pass, Turns, TwiceAngle, constant, double, ordinary};
 use super::angle_phase::{counted, framed};
-use crate::elliptic::phase::Phase;
+use crate::elliptic::phase::{LAST_HALF_PERIOD, Phase};
 use crate::float::elementary::arctangent;
-use crate::float::exponent::ldexp;
+use crate::float::exponent::{exp2, ldexp};
+use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI, Scaled};
+use crate::lanes::Lane;
 use crate::pendulum::Orbit;
 use crate::pendulum::state::State;
 use crate::pendulum::theta_quotients::Elliptic;
@@ -60,6 +63,17 @@ impl Secular {
         self.theta_and_stride(t).0
     }
 
+    pub fn in_columns(&self) -> bool {
+        self.start.power == 0 && ordinary(Scaled::new(Dd::ONE, self.power))
+    }
+
+    pub fn columns(&self, block: &mut AngleBlock, rows: usize) {
+        let (phase, time_scale) = (self.phase, exp2(self.power));
+        block.through(rows, &Turns { phase, time_scale, end: LAST_HALF_PERIOD, turning: false });
+        block.through(rows, &SecularPoint { start: &self.start, rate: phase.rate * PI, time_scale });
+        block.through(rows, &TwiceAngle);
+    }
+
     /// The angle, and a time in s within which it changes by a part of a radian at most.
     ///
     /// tan of half the angle is the quotient of two functions, and by x the sum of their sizes falls by no more than x
@@ -93,6 +107,31 @@ impl Secular {
     }
 }
 
+/// The point (n/d, 1) of [`Secular`], times d^2.
+struct SecularPoint<'a> {
+    start: &'a State,
+    rate: Dd,
+    time_scale: f64,
+}
+
+impl Pass for SecularPoint<'_> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, row: AngleRow<L>) -> AngleRow<L> {
+        let State { s, c, x, m, .. } = self.start;
+        let (sine, cosine, x, across) = (row.opposite, row.adjacent, constant(*x), constant::<L>(*s * *c));
+        let passed = Unnormalised::from_double(row.t * L::splat(self.time_scale));
+        let mixed = sine * cosine;
+        let y = constant(self.rate) * passed - mixed;
+        let (sine_square, square) = (sine.square(), x.square());
+        let n0 = across * cosine + x * sine;
+        let n1 = across * y * sine - x * ((sine * sine_square).scale(L::splat(2.0)) + y * cosine);
+        let d0 = constant(c.square()) - square * sine_square;
+        let d1 = (square * y * mixed).scale(L::splat(2.0));
+        let above = n0 * d0 + constant(m.scale(0.25)) * (n1 * d0 - n0 * d1);
+        AngleRow { opposite: above, adjacent: d0.square(), ..row }
+    }
+}
+
 /// Of the shortest time in which the quotient may change as much as it is.
 const PART: f64 = 0.25;
 
@@ -121,5 +160,33 @@ impl Bounded {
         let dn = Dd::ONE - (m * square).scale(0.5);
         let opposite = s * c * cn + x * dn * sn;
         twice_angle(&self.start, opposite, c.square() - square_of(&self.start, x) * sn.square())
+    }
+    pub fn in_columns(&self) -> bool {
+        self.start.power == 0
+    }
+
+    pub fn columns(&self, block: &mut AngleBlock, rows: usize) {
+        let (phase, time_scale) = (self.phase, self.time_scale);
+        block.through(rows, &Turns { phase, time_scale, end: LAST_HALF_PERIOD, turning: false });
+        block.through(rows, &BoundedPoint(&self.start));
+        block.through(rows, &TwiceAngle);
+    }
+}
+
+/// The point of [`Bounded`].
+struct BoundedPoint<'a>(&'a State);
+
+impl Pass for BoundedPoint<'_> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, row: AngleRow<L>) -> AngleRow<L> {
+        let State { s, c, x, m, .. } = self.0;
+        let (sine, cosine, x, one) = (row.opposite, row.adjacent, constant(*x), double::<L>(1.0));
+        let square = sine.square();
+        let part = constant::<L>(*m) * square;
+        let sn = sine * (one + constant(m.scale(0.0625)) * (double(4.0) - square.scale(L::splat(4.0))));
+        let cn = cosine * (one - part.scale(L::splat(0.25)));
+        let dn = one - part.scale(L::splat(0.5));
+        let opposite = constant(*s * *c) * cn + x * dn * sn;
+        AngleRow { opposite, adjacent: constant(c.square()) - x.square() * sn.square(), ..row }
     }
 }

@@ -4,9 +4,12 @@
 //!   k s_k = sum j a_j c_(k-j),   k c_k = -sum j a_j s_(k-j),   (k + 1)(k + 2) a_(k+2) = -s_k,
 //! in units of time short enough for |a_1| <= 1. Source: derivatives of sin theta and cos theta.
 
+use super::angle_columns::{AngleBlock, AngleRow, Pass, constant, double, ordinary};
 use crate::elliptic::amplitude::sine_cosine;
-use crate::float::exponent::ldexp;
+use crate::float::exponent::{exp2, ldexp};
+use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, Scaled};
+use crate::lanes::Lane;
 use crate::pendulum::Orbit;
 
 /// sum a_k (unit t)^k.
@@ -53,5 +56,42 @@ impl Polynomial {
         }
         let x = self.unit * t;
         self.coefficients.iter().rev().fold(Scaled::ZERO, |sum, a| sum * x + Scaled::from(*a)).value()
+    }
+    /// Whether the powers of the time may leave the range of doubles.
+    pub fn is_far(&self, t: f64) -> bool {
+        let most = exp2(MOST_POWER / self.coefficients.len() as i32);
+        let size = (self.unit * t).abs().value();
+        !(size == 0.0 || (size < most && size > 1.0 / most))
+    }
+
+    pub fn in_columns(&self) -> bool {
+        ordinary(self.unit)
+    }
+
+    pub fn columns(&self, block: &mut AngleBlock, rows: usize) {
+        block.through(rows, &Powers { coefficients: &self.coefficients, unit: self.unit.to_dd() });
+    }
+}
+
+/// Of the terms of a polynomial in columns.
+const MOST_POWER: i32 = 800;
+
+/// Horner's scheme.
+struct Powers<'a> {
+    coefficients: &'a [Dd],
+    unit: Dd,
+}
+
+impl Pass for Powers<'_> {
+    #[inline(always)]
+    fn at<L: Lane>(&self, row: AngleRow<L>) -> AngleRow<L> {
+        let x = constant(self.unit) * Unnormalised::from_double(row.t);
+        let mut sum = double(0.0);
+        let mut i = self.coefficients.len();
+        while i > 0 {
+            i -= 1;
+            sum = sum * x + constant(self.coefficients[i]);
+        }
+        AngleRow { angle: sum, ..row }
     }
 }

@@ -3,12 +3,16 @@
 //! Each kind is a table of entries (entry.rs) that every binding lists alike.
 
 pub mod angle;
+mod angle_columns;
 mod angle_entries;
 mod angle_oscillator;
 mod angle_phase;
 mod angle_ranges;
 mod angle_series;
+#[cfg(feature = "all-formulas")]
 mod angle_small;
+#[cfg(not(feature = "all-formulas"))]
+mod angle_small_absent;
 mod angle_taylor;
 mod dormand_prince;
 pub mod entry;
@@ -20,9 +24,9 @@ mod remez;
 mod salas;
 mod search;
 pub mod sine;
-#[cfg(feature = "sine-models")]
+#[cfg(feature = "all-formulas")]
 mod sine_model;
-#[cfg(not(feature = "sine-models"))]
+#[cfg(not(feature = "all-formulas"))]
 mod sine_model_absent;
 mod steps;
 mod turning;

@@ -1,7 +1,7 @@
-//! In place of sine_model.rs where the feature `sine-models` is left out: none can be made, so the room oscillator/, which is
+//! In place of sine_model.rs where the feature `all-formulas` is left out: none can be made, so the room oscillator/, which is
 //! as large as all the rest, is not linked.
 
-use crate::domain::Domain;
+use crate::domain::{Domain, shown};
 use crate::pendulum::Orbit;
 
 /// There is none.
@@ -9,10 +9,9 @@ use crate::pendulum::Orbit;
 pub(super) enum NoSineModel {}
 
 impl NoSineModel {
-    /// Refused.
-    pub fn new(_: &Orbit, _: [[f64; 2]; 2]) -> Result<NoSineModel, Domain> {
-        let allowed = "any but cubic and cubic-quintic, until the whole core is loaded";
-        Err(Domain::new("formula", "a polynomial in place of the sine".into(), allowed))
+    /// Refused before (angle.rs).
+    pub fn new(orbit: &Orbit, _: [[f64; 2]; 2]) -> Result<NoSineModel, Domain> {
+        Err(Domain::new("formula", shown(orbit.theta0), "loaded"))
     }
 
     pub fn theta(&self, _: f64) -> f64 {

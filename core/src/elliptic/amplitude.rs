@@ -1,6 +1,8 @@
 //! An amplitude phi modulo pi, for every finite phi: the half turns as a double-double, the rest as a triple-double.
 
-use crate::float::{Dd, Td, angle_reduction, series};
+use super::phase::alternating;
+use crate::float::elementary::sin_cos;
+use crate::float::{Dd, HALF_PI, Td, angle_reduction, series};
 
 /// phi = n pi + side * r, 0 <= r <= pi/2.
 pub(crate) struct ReducedAmplitude {
@@ -50,4 +52,20 @@ pub(crate) fn sine_cosine(theta: f64) -> (Dd, Dd) {
     let parity = if odd { -1.0 } else { 1.0 };
     let (sine, cosine) = sines(r, rest);
     (sine.scale(side * parity), cosine.scale(parity))
+}
+
+/// Sine of an angle, where a correction in double is enough: to 2^-57 of itself, and quickly while |theta| is below
+/// [`angle_reduction::FAR`]. NaN where it is not finite.
+pub(crate) fn short_sine(theta: f64) -> Dd {
+    if !theta.is_finite() {
+        return Dd::from(f64::NAN);
+    }
+    if theta.abs() >= angle_reduction::FAR {
+        return sine_cosine(theta).0;
+    }
+    let (half_turns, rest) = angle_reduction::half_turns(theta);
+    let size = rest.abs();
+    let sine =
+        if size.hi > core::f64::consts::FRAC_PI_4 { sin_cos(HALF_PI - size).1 } else { sin_cos(size).0 };
+    sine.scale(1f64.copysign(rest.hi) * alternating(half_turns))
 }

@@ -7,7 +7,7 @@
 use crate::float::Dd;
 use crate::float::double_double::two_sum;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{COMPACT, Lane};
+use crate::lanes::Lane;
 
 /// Half periods per unit of the argument, and at its zero.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ pub struct ReducedPhase<L: Lane> {
 pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
 /// Up to this count the sum with the start has 26 digits after the point.
-const NEAR: f64 = 67_108_864.0;
+pub(crate) const NEAR: f64 = 67_108_864.0;
 
 /// Beyond this argument every hyperbolic function has its limit.
 const FAR: f64 = 1e6;

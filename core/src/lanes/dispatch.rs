@@ -13,6 +13,12 @@ type WidePlain = Pair<wasm::F64x2>;
 #[cfg(not(target_feature = "simd128"))]
 type WidePlain = f64;
 
+/// The single vector of `Plain`.
+#[cfg(target_feature = "simd128")]
+type OnePlain = wasm::F64x2;
+#[cfg(not(target_feature = "simd128"))]
+type OnePlain = f64;
+
 /// The lane of four of `Plain`.
 #[cfg(target_feature = "simd128")]
 type FourPlain = WidePlain;
@@ -35,7 +41,9 @@ pub fn single<K: Kernel>(kernel: K) -> K::Output {
 #[inline]
 pub fn wide<K: Kernel>(kernel: K) -> K::Output {
     if host::ONLY_PLAIN {
-        return if K::VECTORS {
+        return if K::SINGLE_VECTORS {
+            K::Place::enter::<OnePlain, K>(kernel)
+        } else if K::VECTORS {
             K::Place::enter::<WidePlain, K>(kernel)
         } else {
             K::Place::enter::<f64, K>(kernel)

@@ -5,6 +5,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Whether code is to be short rather than fast but where it is asked for by the million: on a page.
 pub const COMPACT: bool = cfg!(target_arch = "wasm32");
 
+/// 1.5 * 2^52: adding it leaves the nearest integer in the low bits of the mantissa.
+pub const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
 /// Doubles side by side, with the operations the kernels use.
 pub trait Lane:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
@@ -79,6 +82,22 @@ pub trait Lane:
     fn less(self, other: Self) -> Self::Mask;
     /// `self == other`.
     fn equal(self, other: Self) -> Self::Mask;
+    /// `self`, negative where a whole number is odd: n + 1.5 2^52, which has n in its low bits, |n| < 2^51.
+    #[inline(always)]
+    fn alternated(self, shifted: Self) -> Self {
+        let half = (shifted - Self::splat(ROUNDER)) * Self::splat(0.5);
+        Self::select(half.equal(half.round()), self, -self)
+    }
+    /// The larger; `self` where either is a NaN.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self::select(self.less(other), other, self)
+    }
+    /// The smaller; `self` where either is a NaN.
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Self::select(other.less(self), other, self)
+    }
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
@@ -92,6 +111,8 @@ pub trait Kernel {
     /// Whether WebAssembly runs it on vectors. A kernel without fused multiplication is long, and a page loads what is
     /// compiled: only what is asked for by the million has a second one.
     const VECTORS: bool = false;
+    /// Whether those are single ones: half the code, for what is asked for by the thousand.
+    const SINGLE_VECTORS: bool = false;
     /// Runs it on the lane type of the instruction set; `#[inline(always)]`, so that it is compiled for it.
     fn run<L: Lane>(self) -> Self::Output;
 }

@@ -36,4 +36,4 @@ pub use dispatch::{four, single, wide};
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
 pub(crate) use lane::compiled_once;
-pub use lane::{COMPACT, Kernel, Lane, PIECES, WIDEST};
+pub use lane::{COMPACT, Kernel, Lane, PIECES, ROUNDER, WIDEST};

@@ -84,7 +84,8 @@ impl<L: Lane> Lane for Pair<L> {
     }
     methods!(
         mul_add(factor, term) -> Self, remainder(factor, other) -> Self, product_rest(factor, part) -> Self, round() -> Self,
-        sqrt() -> Self, abs() -> Self, copysign(sign) -> Self, exp2_integer() -> Self, exponent() -> Self, less(other) -> Self::Mask,
+        sqrt() -> Self, abs() -> Self, copysign(sign) -> Self, exp2_integer() -> Self, exponent() -> Self,
+        alternated(shifted) -> Self, larger(other) -> Self, smaller(other) -> Self, less(other) -> Self::Mask,
         equal(other) -> Self::Mask
     );
     #[inline(always)]

@@ -1,14 +1,11 @@
 //! The lane of width one without fused multiplication: a plain double, on every processor.
 
-use super::lane::{COMPACT, Lane, PIECES};
+use super::lane::{COMPACT, Lane, PIECES, ROUNDER};
 
 /// Factors above 2^990 are scaled by 2^-56 so that splitting does not overflow, and their product back by 2^56.
 pub(super) const HUGE: f64 = 1.046_336_793_293_362_4e298;
 pub(super) const DOWN: f64 = 1.387_778_780_781_445_7e-17;
 pub(super) const UP: f64 = 72_057_594_037_927_936.0;
-
-/// 1.5 * 2^52: adding it leaves the nearest integer in the low bits of the mantissa.
-pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// 2^52: an integer below stands in the low bits of its mantissa.
 pub(super) const FIELD: f64 = 4_503_599_627_370_496.0;

@@ -10,6 +10,8 @@
 //! - `lookup` has the pointer to a table of sixteen doubles as `b`, and takes entries by four bits of each double;
 //! - `select` has the flags, what is taken where they hold, and the rest.
 //!
+//! A table may leave out the last three.
+//!
 //! SAFETY of every row: the file of the table answers for it; pointers are those of slices of the right length.
 //! An expression is pasted into its method, never called: a closure would be compiled without the instruction set.
 
@@ -41,6 +43,7 @@ macro_rules! vector {
         less = $less:expr;
         equal = $equal:expr;
         select = $select:expr;
+        $(alternated = $alternated:expr; larger = $larger:expr; smaller = $smaller:expr;)?
     ) => {
         $(#[$about])*
         #[derive(Clone, Copy)]
@@ -142,7 +145,7 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn exp2_integer(self) -> Self {
-                let $a = (self + Self::splat(super::scalar::ROUNDER + 1023.0)).0;
+                let $a = (self + Self::splat(super::lane::ROUNDER + 1023.0)).0;
                 // SAFETY: see the top of the table's file.
                 Self(unsafe { $shift_52 })
             }
@@ -163,6 +166,11 @@ macro_rules! vector {
                 // SAFETY: see the top of the table's file; the table has an entry for each value of four bits.
                 Self(unsafe { $lookup })
             }
+            $(
+                vector!(@binary alternated $a $b $alternated);
+                vector!(@binary larger $a $b $larger);
+                vector!(@binary smaller $a $b $smaller);
+            )?
             vector!(@compare less $a $b $less, $flags);
             vector!(@compare equal $a $b $equal, $flags);
             #[inline(always)]
@@ -191,6 +199,15 @@ macro_rules! vector {
         #[inline(always)]
         fn $method(self) -> Self {
             let $a = self.0;
+            // SAFETY: see the top of the table's file.
+            Self(unsafe { $value })
+        }
+    };
+
+    (@binary $method:ident $a:ident $b:ident $value:expr) => {
+        #[inline(always)]
+        fn $method(self, other: Self) -> Self {
+            let ($a, $b) = (self.0, other.0);
             // SAFETY: see the top of the table's file.
             Self(unsafe { $value })
         }

@@ -33,6 +33,9 @@ vector! {
     less = f64x2_lt(a, b);
     equal = f64x2_eq(a, b);
     select = v128_bitselect(b, c, a);
+    alternated = v128_xor(a, i64x2_shl(b, 63));
+    larger = f64x2_pmax(a, b);
+    smaller = f64x2_pmin(a, b);
 }
 
 /// 26 bits and the rest, as exact as Veltkamp's splitting and an operation shorter: the bits are rounded as an integer.

@@ -80,6 +80,11 @@ fn rounded(moebius: f64) -> f64 {
 }
 
 impl ConformalMap {
+    /// How many terms.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
     /// For functions whose nearest singularity is f = i K'/2K, if few enough terms serve: up to about 170 degrees.
     pub fn of(lattice: &NevilleTheta) -> Option<ConformalMap> {
         let ellipse = semi_axes(1.0 + 2.0 * lattice.aspect * lattice.aspect);

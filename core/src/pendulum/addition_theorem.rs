@@ -73,7 +73,20 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
             (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one)
         };
         let rate = (stretch * lattices.frequency).tight();
-        StateOnLanes { theta, velocity, s_square, c_square, across, x, speed, m, mc, lattices, rate, k_inverse }
+        StateOnLanes {
+            theta,
+            velocity,
+            s_square,
+            c_square,
+            across,
+            x,
+            speed,
+            m,
+            mc,
+            lattices,
+            rate,
+            k_inverse,
+        }
     }
 
     /// The state a time dt later, in terms of the turn of half the angle.

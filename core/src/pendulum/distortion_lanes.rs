@@ -37,7 +37,7 @@ impl Formula<1, 1> for Distortion {
         let square = unit.plus_smaller(root.root()).square();
         let lambda = small.scale(L::splat(0.5)).over(unit.plus_smaller(root) * square);
         let inverse = Unnormalised::splat(PI_SQUARE).over(minus_log_short_nome(lambda));
-        let q = L::select(above, exp((-inverse).tight()).value(), short_nome(lambda.hi));
+        let q = L::select(above, exp((-inverse).tight()).value(), short_nome(lambda).value());
         let q = L::select(q.less(L::splat(LARGEST_NOME)), q, nan);
         let (step, mut order, mut power, mut inner) = (q * q, L::splat(3.0), one, q * q * q);
         let mut sum = zero;

@@ -5,6 +5,7 @@
 
 use super::half_angle::half_angle;
 use super::orbit::Orbit;
+use crate::elliptic::amplitude::short_sine;
 use crate::float::Td;
 use crate::float::angle_reduction;
 use crate::float::exponent::ldexp;
@@ -22,6 +23,15 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn potential_energy(&self, theta: f64) -> f64 {
+        if let Some((root, power)) = self.force.root()
+            && !self.force.upside_down()
+        {
+            // Where the square is an ordinary number, a sine with a correction in double is enough.
+            let sine = short_sine(0.5 * theta);
+            if sine.hi.abs() > 1e-100 {
+                return ldexp((root.to_dd() * sine).square().value(), 2 * power + 1);
+            }
+        }
         self.of_half_distance(theta, |omega, [sine, _]| (omega * sine).square(), 2)
     }
 

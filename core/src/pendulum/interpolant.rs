@@ -2,26 +2,29 @@
 //!
 //! With f in [-1/2, 1/2] half periods from the bottom and x = f^2,
 //!   angle = f P,  velocity = (1/4 - x) R in libration and R in rotation.
-//! The nearest pole of both is f = i K'/2K. Where it is so near that one polynomial would need too many terms, they are
-//! piecewise (motion/pieces.rs). Method: docs/decisions/0011.
+//! The nearest pole of both is f = i a, a = K'/2K. Near the separatrix R falls off steeply from it; there the polynomial is that
+//! of (x + a^2) R, which varies little. Nearer, where one polynomial would need too many terms, they are piecewise
+//! (motion/pieces.rs). Method: docs/decisions/0011.
 
 use super::canonical::{Canonical, CanonicalMotion, last_count, turns_and_sign};
 use super::orbit::Orbit;
 use super::theta_quotients::{Elliptic, speed, tangent};
+use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
-use crate::float::elementary::{arctangent, quotient};
+use crate::float::double_double::fast_two_sum;
+use crate::float::elementary::arctangent;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{COMPACT, Lane};
+use crate::lanes::Lane;
 use crate::motion::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
 use crate::motion::pieces::Pieces;
 use std::sync::Arc;
 
-/// Up to this count the velocity is a polynomial too; beyond, it varies too much for one to be accurate.
-const MOST_OF_VELOCITY: usize = 24;
+/// Up to this count R itself is a polynomial; beyond, it varies too much for one to be accurate.
+const MOST_WITH_POLE: usize = 24;
 
-/// Whether the velocity is one polynomial as the angle is.
-pub(super) fn by_one(interpolant: &Interpolant) -> bool {
-    interpolant.count() <= MOST_OF_VELOCITY
+/// a^2 of the pole that is taken out of R at this count.
+fn removed(lattice: &NevilleTheta, count: usize) -> Option<f64> {
+    (count > MOST_WITH_POLE).then_some(0.25 * lattice.aspect * lattice.aspect)
 }
 
 impl Orbit {
@@ -30,102 +33,97 @@ impl Orbit {
     pub(super) fn polynomials<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&Interpolant> {
         self.interpolant.or_make(|| {
             let map = self.interpolant.kind?;
+            let pole = removed(&elliptic.lattice, map.count());
             Some(if elliptic.lattice.by_hyperbolic() {
-                Interpolant::new(map, &EvenParts::<ROTATION, true>(elliptic))
+                Interpolant::new(map, &EvenParts::<ROTATION, true>(elliptic, pole))
             } else {
-                Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic))
+                Interpolant::new(map, &EvenParts::<ROTATION, false>(elliptic, pole))
             })
         })
     }
-}
 
-impl Orbit {
     /// The piecewise polynomials, where they serve; the first call makes them.
     #[inline]
     pub(super) fn pieces<const ROTATION: bool>(&self, elliptic: &Elliptic) -> Option<&Pieces> {
         let pieces = self.pieces.as_ref()?;
         Some(pieces.get_or_init(|| {
             // Next to a separatrix m > 1/2.
-            Arc::new(Pieces::new(&EvenParts::<ROTATION, true>(elliptic)))
+            Arc::new(Pieces::new(&EvenParts::<ROTATION, true>(elliptic, None)))
         }))
     }
 }
 
-/// P and R on one side of the theta functions.
-struct EvenParts<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Elliptic);
+/// P and R on one side of the theta functions, R without the pole at this a^2.
+struct EvenParts<'a, const ROTATION: bool, const HYPERBOLIC: bool>(&'a Elliptic, Option<f64>);
 
 impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for EvenParts<'_, ROTATION, HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, Node { f, to_ends }: Node<L>) -> [Unnormalised<L>; 2] {
-        let EvenParts(elliptic) = self;
+        let EvenParts(elliptic, pole) = self;
         let thetas = elliptic.lattice.thetas_on::<HYPERBOLIC, L>(f.tight());
         let [opposite, adjacent] = tangent::<ROTATION, L>(elliptic, &thetas);
         let angle = Unnormalised::from(arctangent(opposite, adjacent)).scale(L::splat(2.0)).over(f);
         let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
         let velocity = Unnormalised::from(numerator).over(Unnormalised::from(denominator));
-        [angle, if ROTATION { velocity } else { velocity.over(to_ends) }]
+        let velocity = if ROTATION { velocity } else { velocity.over(to_ends) };
+        let velocity = match pole {
+            Some(pole) => velocity * (f.square() + Unnormalised::from_double(L::splat(*pole))),
+            None => velocity,
+        };
+        [angle, velocity]
     }
 }
 
 /// A libration or a rotation that is not next to the separatrix, by polynomials.
-pub(super) struct ByInterpolant<'a, const ROTATION: bool> {
-    pub elliptic: &'a Elliptic,
-    pub interpolant: &'a Interpolant,
-    /// Where the velocity is piecewise.
-    pub pieces: Option<&'a Pieces>,
-}
+pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Interpolant);
 
 impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
     const DIRECT: bool = true;
     #[inline(always)]
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
-        let (n, f) = self.elliptic.phase.spread::<L>().count(t, last_count(ROTATION));
+        let (n, f) = self.0.phase.spread::<L>().count(t, last_count(ROTATION));
         self.at_phase::<ANGLE, VELOCITY, L>(n, f)
     }
 }
 
 impl<const ROTATION: bool> ByInterpolant<'_, ROTATION> {
-    /// Whether the velocity is one polynomial too.
-    pub fn whole(&self) -> bool {
-        by_one(self.interpolant)
-    }
-
     /// The motion at n + f half periods.
     #[inline(always)]
     fn at_phase<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, n: L, f: Dd<L>) -> Canonical<L> {
-        let value = if ANGLE { self.interpolant.first(f) } else { Unnormalised::from_double(L::splat(0.0)) };
-        self.at_value::<ANGLE, VELOCITY, L>(n, f, value)
-    }
-
-    /// The same with the value of P.
-    #[inline(always)]
-    pub fn at_value<const ANGLE: bool, const VELOCITY: bool, L: Lane>(
-        &self,
-        n: L,
-        f: Dd<L>,
-        value: Unnormalised<L>,
-    ) -> Canonical<L> {
-        let ByInterpolant { elliptic, interpolant, pieces } = self;
         let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
         let mut motion = Canonical::at_bottom(turns, sign);
         if ANGLE {
-            motion.opposite = angle_of(value, f);
+            motion.opposite = angle_of(self.1.first(f), f);
         }
         if VELOCITY {
-            // Rows on vectors are not asked for the other one (columns.rs).
-            motion.velocity = if !COMPACT && let Some(pieces) = pieces {
-                velocity_of::<ROTATION, L>(pieces.second(f), f) * sign
-            } else if !COMPACT || L::WIDTH > 1 || self.whole() {
-                velocity_of::<ROTATION, L>(interpolant.second(f), f) * sign
-            } else {
-                let size = f.scale(L::splat(1.0).copysign(f.hi));
-                let thetas = elliptic.lattice.thetas_on::<true, L>(size);
-                let [numerator, denominator] = speed::<ROTATION, L>(elliptic, &thetas);
-                quotient(numerator, denominator).value() * sign
-            };
+            motion.velocity = self.speed(f) * sign;
         }
         motion
+    }
+
+    /// The velocity at the rest of the phase, but for its sign.
+    #[inline(always)]
+    pub fn speed<L: Lane>(&self, f: Dd<L>) -> L {
+        let ByInterpolant(elliptic, interpolant) = self;
+        let r = interpolant.second(f);
+        let pole = removed(&elliptic.lattice, interpolant.count());
+        if ROTATION && pole.is_none() {
+            return r.hi + r.lo;
+        }
+        let ends = to_ends(f);
+        let speed = if ROTATION { r.hi + r.lo } else { rounded_product(r, ends) };
+        let Some(pole) = pole else { return speed };
+        // x + a^2 as (1/4 + a^2) - (1/4 - x), which has the rest of the second.
+        let (whole, rest) = (0.25 + pole, pole - ((0.25 + pole) - 0.25));
+        let (below, error) = fast_two_sum(L::splat(whole), -ends.hi);
+        let below_rest = error - ends.lo + L::splat(rest);
+        let inverse = L::splat(1.0) / below;
+        let quotient = speed * inverse;
+        // What the quotient lacks by the rounding of its inverse and of its divisor.
+        let (back, back_error) = quotient.two_product_in_range(below);
+        let lacking = ((speed - back) - back_error) - quotient * below_rest;
+        lacking.mul_add(inverse, quotient)
     }
 }
 

@@ -46,7 +46,7 @@ pub use phase_lanes::phase_into;
 pub use regime::Regime;
 pub use second_derivatives::Hessians;
 pub use sensitivity::{Jacobian, Sensitivity};
-pub use start::{OrbitStart, StartAngle, StartMotion};
 pub use sensitivity_rows::sensitivities_into;
+pub use start::{OrbitStart, StartAngle, StartMotion};
 pub use state_of_lanes::state_of_into;
 pub use turns::Turns;

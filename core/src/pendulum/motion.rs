@@ -4,7 +4,7 @@
 
 use super::canonical::{Canonical, CanonicalMotion, RESULTS};
 use super::force_free::{AtEquilibrium, ForceFree};
-use super::interpolant::{ByInterpolant, ByPieces, by_one};
+use super::interpolant::{ByInterpolant, ByPieces};
 use super::orbit::{Orbit, Solution};
 use super::theta_quotients::{ByThetaFunctions, Elliptic};
 use crate::float::elementary::arctangent;
@@ -93,16 +93,10 @@ impl Orbit {
         elliptic: &Elliptic,
         evaluation: E,
     ) -> E::Output {
-        if let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) {
-            let pieces = if !COMPACT && VELOCITY && !by_one(interpolant) {
-                self.pieces::<ROTATION>(elliptic)
-            } else {
-                None
-            };
-            self.framed::<ANGLE, VELOCITY, _, E>(
-                ByInterpolant::<ROTATION> { elliptic, interpolant, pieces },
-                evaluation,
-            )
+        // On a page columns.rs has the motion by polynomials, of single times too.
+        let polynomials = if COMPACT { None } else { self.polynomials::<ROTATION>(elliptic) };
+        if let Some(interpolant) = polynomials {
+            self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
         } else if !COMPACT && let Some(pieces) = self.pieces::<ROTATION>(elliptic) {
             self.framed::<ANGLE, VELOCITY, _, E>(ByPieces::<ROTATION>(elliptic, pieces), evaluation)
         } else if elliptic.lattice.by_hyperbolic() {
@@ -137,6 +131,9 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn theta(&self, t: f64) -> f64 {
+        if COMPACT {
+            return self.motion_of_page(t).0;
+        }
         self.evaluated::<true, false, _>(Once([t]))[0]
     }
 
@@ -152,6 +149,9 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn velocity(&self, t: f64) -> f64 {
+        if COMPACT {
+            return self.motion_of_page(t).1;
+        }
         self.evaluated::<false, true, _>(Once([t]))[1]
     }
 
@@ -166,8 +166,25 @@ impl Orbit {
     /// ```
     #[must_use]
     pub fn motion(&self, t: f64) -> (f64, f64) {
+        if COMPACT {
+            return self.motion_of_page(t);
+        }
+        self.far_motion(t)
+    }
+
+    /// Both by the formula of one time.
+    pub(super) fn far_motion(&self, t: f64) -> (f64, f64) {
         let [theta, velocity, ..] = self.evaluated::<true, true, _>(Once([t]));
         (theta, velocity)
+    }
+
+    /// Both by columns of one row, where there are any.
+    fn motion_of_page(&self, t: f64) -> (f64, f64) {
+        let (mut theta, mut velocity) = ([0.0], [0.0]);
+        if self.in_blocks(&[t], &mut theta, Some(&mut velocity)) {
+            return (theta[0], velocity[0]);
+        }
+        self.far_motion(t)
     }
 
     /// [`Orbit::theta`] of every time, bit for bit, on the widest lanes; panics where the lengths differ.

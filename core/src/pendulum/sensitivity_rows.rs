@@ -70,7 +70,8 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 6>
         } else {
             (n * two).mul_add(whole, within_half)
         };
-        let g = Unnormalised::from_double(integral) - Unnormalised::from_double(s_s.hi * sn.hi / point.unit.hi);
+        let g =
+            Unnormalised::from_double(integral) - Unnormalised::from_double(s_s.hi * sn.hi / point.unit.hi);
         let (left, later) = (mc - s_square, mc - square);
         let per = one / (m.hi * mc.hi);
         let tau = omega * t;

@@ -193,7 +193,8 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for StateOf<ROT
         let kc = mc.sqrt();
         let (small, other) = if HYPERBOLIC { (mc, m.sqrt()) } else { (m, kc) };
         let sum = one + other.sqrt();
-        let q = short_nome(small * half / ((one + other) * (sum * sum)));
+        let lambda = small * half / ((one + other) * (sum * sum));
+        let q = short_nome(Unnormalised::from_double(lambda)).value();
         let fourth = (q * q) * (q * q);
         // theta3 at the origin: 2K/pi, or 2K'/pi, is its square.
         let origin = q.mul_add(two, fourth.mul_add(two, (fourth * fourth * q).mul_add(two, one)));

@@ -1,6 +1,7 @@
 // A curve as an SVG path: broken where it has no value, cut at the frame, with marks where it leaves it.
 //
-// Coordinates are whole tenths of a pixel, for a group scaled by 0.1: whole numbers make short text fast.
+// Coordinates are whole tenths of a pixel, for a group scaled by 0.1: whole numbers make short text fast, and steps from point to
+// point shorter text than places. They are written as bytes, and become text once.
 
 import type { Scale } from './scale'
 
@@ -29,29 +30,71 @@ export function pathOf({ x, y }: Points, sx: Scale, sy: Scale, factor = 1): stri
 /** Far beyond the frame, so that a steep line keeps its slope and no number grows long. */
 const FAR = 20_000
 
+/** Bytes of a point, both numbers with a sign and six digits, and of the letter of a command. */
+const POINT = 16
+let text = new Uint8Array(POINT * 1536)
+const letters = new TextDecoder()
+const [ZERO, MINUS, SPACE, MOVE, LINE] = [48, 45, 32, 77, 108]
+
+/** Writes a whole number at a place, the last four digits one by one; the place after it. */
+function put(value: number, at: number): number {
+  let left = value
+  let place = at
+  if (left < 0) {
+    text[place++] = MINUS
+    left = -left
+  }
+  if (left >= 10_000) {
+    const head = (left / 10_000) | 0
+    place = put(head, place)
+    left -= head * 10_000
+    text[place++] = ZERO + ((left / 1000) | 0)
+    text[place++] = ZERO + (((left / 100) | 0) % 10)
+    text[place++] = ZERO + (((left / 10) | 0) % 10)
+  } else if (left >= 10) {
+    if (left >= 100) {
+      if (left >= 1000) text[place++] = ZERO + ((left / 1000) | 0)
+      text[place++] = ZERO + (((left / 100) | 0) % 10)
+    }
+    text[place++] = ZERO + (((left / 10) | 0) % 10)
+  }
+  text[place] = ZERO + (left % 10)
+  return place + 1
+}
+
 function written(x: Float64Array, y: Float64Array, sx: Scale, sy: Scale, factor: number): string {
-  let d = ''
-  let pen = false
-  let before = Number.NaN
+  if (text.length < POINT * (y.length + 1)) text = new Uint8Array(2 * POINT * (y.length + 1))
+  let end = 0
+  /** Commands since the pen was put down. */
+  let steps = -1
+  let lastX = 0
+  let lastY = 0
   for (let i = 0; i < y.length; i++) {
     const value = (y[i] as number) * factor
     const px = Math.round(10 * sx(x[i] as number))
     const py = Math.round(10 * sy(value))
     if (!(Number.isFinite(value) && Number.isFinite(py))) {
-      pen = false
+      steps = -1
       continue
     }
     const kept = Math.min(Math.max(py, -FAR), FAR)
     // Both ends far on the same side: nothing of the line is in the frame.
-    if (pen && Math.abs(kept) === FAR && kept === before) {
-      pen = false
+    if (steps >= 0 && (kept === FAR || kept === -FAR) && kept === lastY) {
+      steps = -1
       continue
     }
-    d += `${pen ? 'L' : 'M'}${px} ${kept}`
-    pen = true
-    before = kept
+    const dx = steps < 0 ? px : px - lastX
+    const dy = steps < 0 ? kept : kept - lastY
+    if (steps < 1) text[end++] = steps < 0 ? MOVE : LINE
+    else if (dx >= 0) text[end++] = SPACE
+    end = put(dx, end)
+    if (dy >= 0) text[end++] = SPACE
+    end = put(dy, end)
+    steps++
+    lastX = px
+    lastY = kept
   }
-  return d
+  return letters.decode(text.subarray(0, end))
 }
 
 export interface Leaving {

@@ -150,139 +150,6 @@ export const en = {
     caption: 'Velocity against angle: the orbit of this motion, and the separatrix between swinging and turning over.',
   },
 
-  phase: {
-    title: 'Phase portrait',
-    unit: "velocity _θ'_ in rad/s against angle _θ_",
-    swings: 'swings',
-    over: 'turns over',
-    forwards: 'turns over, forwards',
-    backwards: 'turns over, backwards',
-    separatrix: 'separatrix',
-    orbits: 'Orbits',
-    start: 'start',
-    period: 'period',
-    regimes: { rest: 'at rest', libration: 'libration', separatrix: 'separatrix', rotation: 'rotation' },
-    energy: '{regime}, energy {energy}',
-    add: 'Add an orbit',
-    addLibration: 'Swings: libration',
-    addSeparatrix: 'On the separatrix',
-    addRotation: 'Turns over: rotation',
-    remove: 'Remove orbit {letter}',
-    help: 'Click or drag in the portrait to start orbit {letter} there. Arrow keys move its start. The {hint} parts swings from turns.',
-    startOf: 'Start of orbit {letter}',
-    onePeriod: 'over one period of {letter}',
-    angle: 'Angle',
-    angleUnit: '_θ_ over one period of {letter}',
-    angleUnitEndless: '_θ_ of {letter}: no period',
-    reading: '{letter} at {t}: *{degrees}* = *{radians}*',
-    captionAngle:
-      'The angle of the orbits from {from} to {to}, counted on through turns. {letter} is between {least} and {most}.',
-    caption: 'Velocity against angle, with the separatrix between swinging and turning over.',
-    captionOrbit: '{letter} starts at {start}: {regime}',
-    tableCaption: 'Velocity upwards at each angle; downwards it has the other sign',
-    inside:
-      'Orbit {letter} stays *inside the separatrix*: it swings to *{top}* and back, its energy *{energy}* short of the top’s.',
-    outside:
-      'Orbit {letter} is *outside the separatrix*: it turns over forwards once in *{period}*, its energy *{energy}* above the top’s.',
-    outsideBack:
-      'Orbit {letter} is *outside the separatrix*: it turns over backwards once in *{period}*, its energy *{energy}* above the top’s.',
-    onIt: 'Orbit {letter} is *on the separatrix*: it climbs to the top and *never arrives*. Its period is infinite.',
-    balance: 'Orbit {letter} is the point at *180°*, where both branches of the separatrix meet: unstable balance.',
-    rest: 'Orbit {letter} is the point at *0°*: the pendulum hangs at rest.',
-  },
-
-  period: {
-    title: 'Period',
-    amplitude: 'Amplitude',
-    amplitudeColumn: '_θ_{max}, °',
-    cursor: 'Amplitude in the plot of the period',
-    cursorError: 'Amplitude in the plot of the errors',
-    noLimit: 'without limit at 180°',
-    reading: '_T_ = *{ratio}* _T_{0}',
-    caption: 'Period over that of small swings against the amplitude, 0° to 180°.',
-    at: 'At {angle} the exact ratio is {ratio}.',
-    endless: 'At *{angle}* the period is *infinite*: the pendulum climbs to the top and never arrives, or stays there.',
-    rotation:
-      'This motion *turns over*: it has no amplitude. Choose one to compare the formulas, which are for swings.',
-    sentence: 'At *{angle}* the period is *{ratio}* times that of a small swing.',
-    nearestShort: 'Nearest of these formulas: *{name}*, {percent} short.',
-    nearestLong: 'Nearest of these formulas: *{name}*, {percent} long.',
-    nearestSame: 'Nearest of these formulas: *{name}*, the same to the last digit.',
-    errorUnit: '% of exact, without sign; shaded: range stated',
-    errorUnitLinear: '% of exact; shaded: range stated',
-    errorsAt: 'Errors at {angle}: {errors}.',
-    empty: 'Only the exact period is drawn. Switch a formula on to see its error.',
-    tableRatio: 'Period',
-    tableError: 'Error, formula − exact over exact',
-    formulasTitle: 'Formulas',
-    letters: '_a_ = cos(_θ_/2), _m_ = sin²(_θ_/2)',
-    column: 'for _T_/_T_{0}',
-    errorAt: 'error at {angle}',
-    errorColumn: 'error',
-    sortError: 'Sort by the size of the error',
-    sortRegistry: 'Sort as the registry',
-    exactBy: '2_K_(_m_)/π, by Gauss’s mean',
-    more: '{count} more formulas',
-    fewer: 'Fewer formulas',
-    help: 'Point at a formula for all of it, its source, and the range its author states.',
-    formulas: {
-      linear: 'small swings',
-      series: 'Taylor series, degree {n}',
-      seriesWhat: 'of 2_K_/π about 0',
-      agm: 'Gauss’s mean, _N_ = {n}',
-      agmWhat: 'of 1 and _a_',
-      rational: 'rational in _m_',
-    },
-    full: {
-      series: '1 + _θ_²/16 + 11_θ_⁴/3072 + … to _θ_^{N}',
-      agm: '1/_a_{N}: _N_ times the arithmetic and geometric mean, from 1 and _a_',
-    },
-    sources: {
-      linear: 'Small swings',
-      series: 'Taylor series of 2_K_/π; DLMF 19.5.1',
-      agm: 'DLMF 19.8.1; one step: Carvalhaes & Suppes',
-    },
-    stated: {
-      upTo: 'offered up to {angle}',
-      beyond: '{formula}; stated to {angle}',
-      cromer: 'offered near 180°',
-      'ganley-parwani': 'offered to 0.001 up to 100°, to 5 % up to 160°',
-      chachiyo: 'offered for all swings',
-    },
-  },
-
-  functions: {
-    ellipse: 'Ellipse',
-    equation: '_x_² + (1 − _m_) _y_² = 1',
-    shortened: '_y_ drawn 1 : {times}',
-    point: 'Point of the ellipse',
-    three: 'At u = {u}: sn {sn}, cn {cn}, dn {dn}.',
-    lengths: 'The point of the ellipse has x = {x}, y = {y} and r = {r}.',
-    difference: 'differs from the core by *{size}*',
-    pendulum: 'Pendulum',
-    chord: 'chord',
-    chordOver: 'chord/2_L_',
-    rest: 'chord − 2_L k x_ = *{rest}*',
-    chordCaption:
-      'The bob is at {angle}. Its chord to the lowest point is {chord} with its sign; chord less 2 L k x is {rest}.',
-    graph: 'Graph',
-    graphUnit: 'against _u_ = _ω_{0}_t_, quarter period _K_ = {quarter}; dashed grey: cosine',
-    caption: 'sn, cn, dn and x = cd over one period, for m = {m}; beside them the cosine of the same period.',
-    tableUnit: 'against _u_',
-    cosine: 'cosine',
-    onePeriod: 'over one period, 4_K_',
-    modulus: 'Modulus',
-    parameter: 'Parameter',
-    which: 'Which of them does my program ask for?',
-    sentence:
-      'The *chord* to the bob is the *ellipse’s _x_*, times 2_Lk_. For small swings the ellipse is a circle, and the chord the arc.',
-    circle:
-      'At _m_ = 0 the ellipse is a *circle*, sn and cn are *sine and cosine*, and dn is 1: the picture of small swings.',
-    rotation: 'This motion *turns over*: its _m_ is above 1 and there is no ellipse. Choose an amplitude below 180°.',
-    limit: 'At *180°* the ellipse has no end: _m_ is 1. Choose an amplitude below 180°.',
-    why: 'The ellipse is drawn for swings. Choose one:',
-  },
-
   compare: {
     title: 'Compare',
     curve: 'curve',
@@ -291,6 +158,7 @@ export const en = {
     exact: 'exact',
     exactBy: 'Jacobi’s sn',
     add: 'Add a curve',
+    convergence: 'Error against step',
     examples: 'Examples',
     hatched: 'hatched',
     remove: 'Remove {name}',
@@ -352,37 +220,6 @@ export const en = {
     overTop: '{name} over the top at {t}',
   },
 
-  share: {
-    title: 'Share this picture',
-    copy: 'Copy link',
-    copied: 'Copied',
-    failed: 'The browser does not let the page copy. The link is selected: copy it by hand.',
-    embed: 'Copy embed code',
-    link: 'Link',
-    qr: 'QR code of the link',
-    about: '{count} characters. All of the picture is in the link; nothing is stored anywhere.',
-  },
-
-  keys: {
-    title: 'Keys',
-    singles: 'Single keys work',
-    rows: [
-      ['Space', 'play, pause'],
-      ['. ,', 'one frame on, back'],
-      ['R', 'release again from the start'],
-      ['← →', 'bob or slider: 1° or one step'],
-      ['Shift + ← →', 'a tenth of it'],
-      ['Page ↑ ↓', '10° or ten steps'],
-      ['Home End', 'least, greatest'],
-      ['1 … {views}', 'views'],
-      ['T', 'data table of the plot'],
-      ['L', 'listen to the plot'],
-      ['S', 'share'],
-      ['? /', 'this list'],
-      ['Esc', 'close'],
-    ] as readonly (readonly [string, string])[],
-  },
-
   table: {
     caption: '{plot}, {unit}.',
     csv: 'CSV',
@@ -412,5 +249,5 @@ export const en = {
 }
 
 /** Text where English has text. */
-type Loose<T> = T extends string ? string : { readonly [K in keyof T]: Loose<T[K]> }
-export type Catalogue = Loose<typeof en>
+export type Loose<T> = T extends string ? string : { readonly [K in keyof T]: Loose<T[K]> }
+export type FirstCatalogue = Loose<typeof en>

@@ -1,8 +1,8 @@
 // Español. Machine-assisted until a native reader has seen it. Marks and {braces} as in en.ts.
 
-import type { Catalogue } from './en'
+import type { FirstCatalogue } from './en'
 
-export const es: Catalogue = {
+export const es: FirstCatalogue = {
   functionNames: { sin: 'sen', tan: 'tan' },
   machineAssisted: 'traducción automática',
   units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', deg: '°', '': '' },
@@ -152,140 +152,6 @@ export const es: Catalogue = {
     caption: 'Velocidad contra ángulo: la órbita de este movimiento y la separatriz entre oscilaciones y vueltas.',
   },
 
-  phase: {
-    title: 'Retrato de fases',
-    unit: "velocidad _θ'_ en rad/s contra ángulo _θ_",
-    swings: 'oscila',
-    over: 'da vueltas',
-    forwards: 'da vueltas, hacia adelante',
-    backwards: 'da vueltas, hacia atrás',
-    separatrix: 'separatriz',
-    orbits: 'Órbitas',
-    start: 'inicio',
-    period: 'periodo',
-    regimes: { rest: 'en reposo', libration: 'libración', separatrix: 'separatriz', rotation: 'rotación' },
-    energy: '{regime}, energía {energy}',
-    add: 'Añadir órbita',
-    addLibration: 'Oscila: libración',
-    addSeparatrix: 'En la separatriz',
-    addRotation: 'Da vueltas: rotación',
-    remove: 'Quitar la órbita {letter}',
-    help: 'Haga clic o arrastre en el retrato para iniciar allí la órbita {letter}. Las flechas mueven su inicio. La {hint} separa oscilaciones de vueltas.',
-    startOf: 'Inicio de la órbita {letter}',
-    onePeriod: 'en un periodo de {letter}',
-    angle: 'Ángulo',
-    angleUnit: '_θ_ en un periodo de {letter}',
-    angleUnitEndless: '_θ_ de {letter}: sin periodo',
-    reading: '{letter} en {t}: *{degrees}* = *{radians}*',
-    captionAngle:
-      'El ángulo de las órbitas de {from} a {to}, contado a través de las vueltas. {letter} queda entre {least} y {most}.',
-    caption: 'Velocidad contra ángulo, con la separatriz entre oscilaciones y vueltas.',
-    captionOrbit: '{letter} empieza en {start}: {regime}',
-    tableCaption: 'Velocidad hacia arriba en cada ángulo; hacia abajo tiene el otro signo',
-    inside:
-      'La órbita {letter} queda *dentro de la separatriz*: oscila hasta *{top}* y vuelve, con energía *{energy}* por debajo de la de lo alto.',
-    outside:
-      'La órbita {letter} está *fuera de la separatriz*: da una vuelta hacia adelante en *{period}*, con energía *{energy}* por encima de la de lo alto.',
-    outsideBack:
-      'La órbita {letter} está *fuera de la separatriz*: da una vuelta hacia atrás en *{period}*, con energía *{energy}* por encima de la de lo alto.',
-    onIt: 'La órbita {letter} está *en la separatriz*: sube a lo alto y *nunca llega*. Su periodo es infinito.',
-    balance:
-      'La órbita {letter} es el punto a *180°*, donde se juntan las dos ramas de la separatriz: equilibrio inestable.',
-    rest: 'La órbita {letter} es el punto a *0°*: el péndulo cuelga en reposo.',
-  },
-
-  period: {
-    title: 'Periodo',
-    amplitude: 'Amplitud',
-    amplitudeColumn: '_θ_{max}, °',
-    cursor: 'Amplitud en el gráfico del periodo',
-    cursorError: 'Amplitud en el gráfico de los errores',
-    noLimit: 'sin límite a 180°',
-    reading: '_T_ = *{ratio}* _T_{0}',
-    caption: 'Periodo sobre el de las oscilaciones pequeñas contra la amplitud, de 0° a 180°.',
-    at: 'A {angle} la razón exacta es {ratio}.',
-    endless: 'A *{angle}* el periodo es *infinito*: el péndulo sube a lo alto y nunca llega, o se queda allí.',
-    rotation:
-      'Este movimiento *da vueltas*: no tiene amplitud. Elija una para comparar las fórmulas, que son para oscilaciones.',
-    sentence: 'A *{angle}* el periodo es *{ratio}* veces el de una oscilación pequeña.',
-    nearestShort: 'Más cercana: *{name}*, {percent} de menos.',
-    nearestLong: 'Más cercana: *{name}*, {percent} de más.',
-    nearestSame: 'Más cercana: *{name}*, igual hasta el último dígito.',
-    errorUnit: '% del exacto, sin signo; sombreado: intervalo declarado',
-    errorUnitLinear: '% del exacto; sombreado: intervalo declarado',
-    errorsAt: 'Errores a {angle}: {errors}.',
-    empty: 'Solo está dibujado el periodo exacto. Active una fórmula para ver su error.',
-    tableRatio: 'Periodo',
-    tableError: 'Error, fórmula − exacto sobre exacto',
-    formulasTitle: 'Fórmulas',
-    letters: '_a_ = cos(_θ_/2), _m_ = sin²(_θ_/2)',
-    column: 'para _T_/_T_{0}',
-    errorAt: 'error a {angle}',
-    errorColumn: 'error relativo',
-    sortError: 'Ordenar por el tamaño del error',
-    sortRegistry: 'Ordenar como en el registro',
-    exactBy: '2_K_(_m_)/π, por la media de Gauss',
-    more: '{count} fórmulas más',
-    fewer: 'Menos fórmulas',
-    help: 'Señale una fórmula para verla entera, con su fuente y el intervalo que declara su autor.',
-    formulas: {
-      linear: 'oscilaciones pequeñas',
-      series: 'Serie de Taylor, grado {n}',
-      seriesWhat: 'de 2_K_/π alrededor de 0',
-      agm: 'Media de Gauss, _N_ = {n}',
-      agmWhat: 'de 1 y _a_',
-      rational: 'racional en _m_',
-    },
-    full: {
-      series: '1 + _θ_²/16 + 11_θ_⁴/3072 + … hasta _θ_^{N}',
-      agm: '1/_a_{N}: _N_ veces la media aritmética y la geométrica, desde 1 y _a_',
-    },
-    sources: {
-      linear: 'Oscilaciones pequeñas',
-      series: 'Serie de Taylor de 2_K_/π; DLMF 19.5.1',
-      agm: 'DLMF 19.8.1; un paso: Carvalhaes y Suppes',
-    },
-    stated: {
-      upTo: 'propuesta hasta {angle}',
-      beyond: '{formula}; propuesta hasta {angle}',
-      cromer: 'propuesta cerca de 180°',
-      'ganley-parwani': 'propuesta a 0,001 hasta 100°, a 5 % hasta 160°',
-      chachiyo: 'propuesta para todas las oscilaciones',
-    },
-  },
-
-  functions: {
-    ellipse: 'Elipse',
-    equation: '_x_² + (1 − _m_) _y_² = 1',
-    shortened: '_y_ dibujado 1 : {times}',
-    point: 'Punto de la elipse',
-    three: 'En u = {u}: sn {sn}, cn {cn}, dn {dn}.',
-    lengths: 'El punto de la elipse tiene x = {x}, y = {y} y r = {r}.',
-    difference: 'difiere del núcleo en *{size}*',
-    pendulum: 'Péndulo',
-    chord: 'cuerda',
-    chordOver: 'cuerda/2_L_',
-    rest: 'cuerda − 2_L k x_ = *{rest}*',
-    chordCaption:
-      'La masa está en {angle}. Su cuerda al punto más bajo es {chord} con signo; la cuerda menos 2 L k x es {rest}.',
-    graph: 'Gráfico',
-    graphUnit: 'contra _u_ = _ω_{0}_t_, cuarto de periodo _K_ = {quarter}; gris a trazos: coseno',
-    caption: 'sn, cn, dn y x = cd en un periodo, para m = {m}; al lado el coseno del mismo periodo.',
-    tableUnit: 'contra _u_',
-    cosine: 'coseno',
-    onePeriod: 'en un periodo, 4_K_',
-    modulus: 'Módulo',
-    parameter: 'Parámetro',
-    which: '¿Cuál de ellos pide mi programa?',
-    sentence:
-      'La *cuerda* hasta la masa es el *_x_ de la elipse*, por 2_Lk_. En oscilaciones pequeñas la elipse es un círculo, y la cuerda el arco.',
-    circle:
-      'En _m_ = 0 la elipse es un *círculo*, sn y cn son *seno y coseno*, y dn es 1: la imagen de las oscilaciones pequeñas.',
-    rotation: 'Este movimiento *da vueltas*: su _m_ pasa de 1 y no hay elipse. Elija una amplitud menor que 180°.',
-    limit: 'A *180°* la elipse no tiene fin: _m_ es 1. Elija una amplitud menor que 180°.',
-    why: 'La elipse se dibuja para oscilaciones. Elija una:',
-  },
-
   compare: {
     title: 'Comparar',
     curve: 'curva',
@@ -294,6 +160,7 @@ export const es: Catalogue = {
     exact: 'exacto',
     exactBy: 'sn de Jacobi',
     add: 'Añadir curva',
+    convergence: 'Error y paso',
     examples: 'Ejemplos',
     hatched: 'rayado',
     remove: 'Quitar {name}',
@@ -352,37 +219,6 @@ export const es: Catalogue = {
   },
 
   alarms: { overTop: '{name} pasa por lo alto en {t}' },
-
-  share: {
-    title: 'Compartir esta imagen',
-    copy: 'Copiar enlace',
-    copied: 'Copiado',
-    failed: 'El navegador no deja copiar a la página. El enlace está seleccionado: cópialo a mano.',
-    embed: 'Copiar código para insertar',
-    link: 'Enlace',
-    qr: 'Código QR del enlace',
-    about: '{count} caracteres. Toda la imagen está en el enlace; nada se guarda en ninguna parte.',
-  },
-
-  keys: {
-    title: 'Teclas',
-    singles: 'Las teclas simples funcionan',
-    rows: [
-      ['Espacio', 'reproducir, pausa'],
-      ['. ,', 'un cuadro adelante, atrás'],
-      ['R', 'soltar otra vez desde el principio'],
-      ['← →', 'masa o control: 1° o un paso'],
-      ['Shift + ← →', 'una décima de eso'],
-      ['Page ↑ ↓', '10° o diez pasos'],
-      ['Home End', 'mínimo, máximo'],
-      ['1 … {views}', 'vistas'],
-      ['T', 'tabla de datos de la gráfica'],
-      ['L', 'escuchar la gráfica'],
-      ['S', 'compartir'],
-      ['? /', 'esta lista'],
-      ['Esc', 'cerrar'],
-    ],
-  },
 
   table: {
     caption: '{plot}, {unit}.',

@@ -2,14 +2,22 @@
 
 import { degrees, shortest } from '../number'
 import { LANGUAGES, type Language } from '../state'
-import { type Catalogue, en } from './en'
+import { en, type FirstCatalogue } from './en'
+import type { LaterCatalogue } from './en-later'
 import { es } from './es'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
 
-export type { Catalogue } from './en'
+export type Catalogue = FirstCatalogue & LaterCatalogue
 
-const CATALOGUES: Readonly<Record<Language, Catalogue>> = { en, 'pt-BR': ptBR, es }
+const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }
+/** Whole once the words of the later views have come; nothing that is there before asks for those. */
+const CATALOGUES = FIRST as Readonly<Record<Language, Catalogue>>
+
+/** Adds the words of the later views (later.ts). */
+export function addWords(later: Readonly<Record<Language, LaterCatalogue>>): void {
+  for (const language of LANGUAGES) Object.assign(CATALOGUES[language], later[language])
+}
 
 /** In their own names; those made by machine say so until a native reader has seen them. */
 export const LANGUAGE_NAMES: Readonly<Record<Language, string>> = { en: 'English', 'pt-BR': 'Português', es: 'Español' }

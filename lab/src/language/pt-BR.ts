@@ -1,8 +1,8 @@
 // Português do Brasil. Machine-assisted until a native reader has seen it. Marks and {braces} as in en.ts.
 
-import type { Catalogue } from './en'
+import type { FirstCatalogue } from './en'
 
-export const ptBR: Catalogue = {
+export const ptBR: FirstCatalogue = {
   functionNames: { sin: 'sen', tan: 'tg' },
   machineAssisted: 'tradução automática',
   units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', deg: '°', '': '' },
@@ -152,140 +152,6 @@ export const ptBR: Catalogue = {
     caption: 'Velocidade contra ângulo: a órbita deste movimento e a separatriz entre oscilações e voltas.',
   },
 
-  phase: {
-    title: 'Retrato de fase',
-    unit: "velocidade _θ'_ em rad/s contra ângulo _θ_",
-    swings: 'oscila',
-    over: 'dá voltas',
-    forwards: 'dá voltas, para a frente',
-    backwards: 'dá voltas, para trás',
-    separatrix: 'separatriz',
-    orbits: 'Órbitas',
-    start: 'início',
-    period: 'período',
-    regimes: { rest: 'em repouso', libration: 'libração', separatrix: 'separatriz', rotation: 'rotação' },
-    energy: '{regime}, energia {energy}',
-    add: 'Adicionar órbita',
-    addLibration: 'Oscila: libração',
-    addSeparatrix: 'Na separatriz',
-    addRotation: 'Dá voltas: rotação',
-    remove: 'Remover a órbita {letter}',
-    help: 'Clique ou arraste no retrato para iniciar ali a órbita {letter}. As setas movem o início. A {hint} separa oscilações de voltas.',
-    startOf: 'Início da órbita {letter}',
-    onePeriod: 'em um período de {letter}',
-    angle: 'Ângulo',
-    angleUnit: '_θ_ em um período de {letter}',
-    angleUnitEndless: '_θ_ de {letter}: sem período',
-    reading: '{letter} em {t}: *{degrees}* = *{radians}*',
-    captionAngle:
-      'O ângulo das órbitas de {from} a {to}, contado através das voltas. {letter} fica entre {least} e {most}.',
-    caption: 'Velocidade contra ângulo, com a separatriz entre oscilações e voltas.',
-    captionOrbit: '{letter} começa em {start}: {regime}',
-    tableCaption: 'Velocidade para cima em cada ângulo; para baixo tem o outro sinal',
-    inside:
-      'A órbita {letter} fica *dentro da separatriz*: oscila até *{top}* e volta, com energia *{energy}* abaixo da do topo.',
-    outside:
-      'A órbita {letter} está *fora da separatriz*: dá uma volta para a frente em *{period}*, com energia *{energy}* acima da do topo.',
-    outsideBack:
-      'A órbita {letter} está *fora da separatriz*: dá uma volta para trás em *{period}*, com energia *{energy}* acima da do topo.',
-    onIt: 'A órbita {letter} está *na separatriz*: sobe ao topo e *nunca chega*. Seu período é infinito.',
-    balance:
-      'A órbita {letter} é o ponto a *180°*, onde os dois ramos da separatriz se encontram: equilíbrio instável.',
-    rest: 'A órbita {letter} é o ponto a *0°*: o pêndulo está em repouso.',
-  },
-
-  period: {
-    title: 'Período',
-    amplitude: 'Amplitude angular',
-    amplitudeColumn: '_θ_{max}, °',
-    cursor: 'Amplitude no gráfico do período',
-    cursorError: 'Amplitude no gráfico dos erros',
-    noLimit: 'sem limite a 180°',
-    reading: '_T_ = *{ratio}* _T_{0}',
-    caption: 'Período sobre o das oscilações pequenas contra a amplitude, de 0° a 180°.',
-    at: 'A {angle} a razão exata é {ratio}.',
-    endless: 'A *{angle}* o período é *infinito*: o pêndulo sobe ao topo e nunca chega, ou fica nele.',
-    rotation:
-      'Este movimento *dá voltas*: não tem amplitude. Escolha uma para comparar as fórmulas, que são para oscilações.',
-    sentence: 'A *{angle}* o período é *{ratio}* vezes o de uma oscilação pequena.',
-    nearestShort: 'Mais próxima: *{name}*, {percent} a menos.',
-    nearestLong: 'Mais próxima: *{name}*, {percent} a mais.',
-    nearestSame: 'Mais próxima: *{name}*, igual até o último dígito.',
-    errorUnit: '% do exato, sem sinal; sombreado: faixa declarada',
-    errorUnitLinear: '% do exato; sombreado: faixa declarada',
-    errorsAt: 'Erros a {angle}: {errors}.',
-    empty: 'Só o período exato está desenhado. Ligue uma fórmula para ver seu erro.',
-    tableRatio: 'Período',
-    tableError: 'Erro, fórmula − exato sobre exato',
-    formulasTitle: 'Fórmulas',
-    letters: '_a_ = cos(_θ_/2), _m_ = sin²(_θ_/2)',
-    column: 'para _T_/_T_{0}',
-    errorAt: 'erro a {angle}',
-    errorColumn: 'erro',
-    sortError: 'Ordenar pelo tamanho do erro',
-    sortRegistry: 'Ordenar como no registro',
-    exactBy: '2_K_(_m_)/π, pela média de Gauss',
-    more: 'mais {count} fórmulas',
-    fewer: 'Menos fórmulas',
-    help: 'Aponte para uma fórmula para vê-la inteira, com a fonte e a faixa que o autor declara.',
-    formulas: {
-      linear: 'oscilações pequenas',
-      series: 'Série de Taylor, grau {n}',
-      seriesWhat: 'de 2_K_/π em torno de 0',
-      agm: 'Média de Gauss, _N_ = {n}',
-      agmWhat: 'de 1 e _a_',
-      rational: 'racional em _m_',
-    },
-    full: {
-      series: '1 + _θ_²/16 + 11_θ_⁴/3072 + … até _θ_^{N}',
-      agm: '1/_a_{N}: _N_ vezes a média aritmética e a geométrica, a partir de 1 e _a_',
-    },
-    sources: {
-      linear: 'Oscilações pequenas',
-      series: 'Série de Taylor de 2_K_/π; DLMF 19.5.1',
-      agm: 'DLMF 19.8.1; um passo: Carvalhaes e Suppes',
-    },
-    stated: {
-      upTo: 'proposta até {angle}',
-      beyond: '{formula}; proposta até {angle}',
-      cromer: 'proposta perto de 180°',
-      'ganley-parwani': 'proposta a 0,001 até 100°, a 5 % até 160°',
-      chachiyo: 'proposta para todas as oscilações',
-    },
-  },
-
-  functions: {
-    ellipse: 'Elipse',
-    equation: '_x_² + (1 − _m_) _y_² = 1',
-    shortened: '_y_ desenhado 1 : {times}',
-    point: 'Ponto da elipse',
-    three: 'Em u = {u}: sn {sn}, cn {cn}, dn {dn}.',
-    lengths: 'O ponto da elipse tem x = {x}, y = {y} e r = {r}.',
-    difference: 'difere do núcleo em *{size}*',
-    pendulum: 'Pêndulo',
-    chord: 'corda',
-    chordOver: 'corda/2_L_',
-    rest: 'corda − 2_L k x_ = *{rest}*',
-    chordCaption:
-      'A massa está em {angle}. Sua corda ao ponto mais baixo é {chord} com sinal; a corda menos 2 L k x é {rest}.',
-    graph: 'Gráfico',
-    graphUnit: 'contra _u_ = _ω_{0}_t_, quarto de período _K_ = {quarter}; cinza tracejado: cosseno',
-    caption: 'sn, cn, dn e x = cd em um período, para m = {m}; ao lado o cosseno do mesmo período.',
-    tableUnit: 'contra _u_',
-    cosine: 'cosseno',
-    onePeriod: 'em um período, 4_K_',
-    modulus: 'Módulo',
-    parameter: 'Parâmetro',
-    which: 'Qual deles o meu programa pede?',
-    sentence:
-      'A *corda* até a massa é o *_x_ da elipse*, vezes 2_Lk_. Em oscilações pequenas a elipse é um círculo, e a corda o arco.',
-    circle:
-      'Em _m_ = 0 a elipse é um *círculo*, sn e cn são *seno e cosseno*, e dn é 1: a imagem das oscilações pequenas.',
-    rotation: 'Este movimento *dá voltas*: seu _m_ passa de 1 e não há elipse. Escolha uma amplitude abaixo de 180°.',
-    limit: 'A *180°* a elipse não tem fim: _m_ é 1. Escolha uma amplitude abaixo de 180°.',
-    why: 'A elipse é desenhada para oscilações. Escolha uma:',
-  },
-
   compare: {
     title: 'Comparar',
     curve: 'curva',
@@ -294,6 +160,7 @@ export const ptBR: Catalogue = {
     exact: 'exato',
     exactBy: 'sn de Jacobi',
     add: 'Adicionar curva',
+    convergence: 'Erro e passo',
     examples: 'Exemplos',
     hatched: 'hachurado',
     remove: 'Remover {name}',
@@ -352,37 +219,6 @@ export const ptBR: Catalogue = {
   },
 
   alarms: { overTop: '{name} passa pelo topo em {t}' },
-
-  share: {
-    title: 'Compartilhar esta imagem',
-    copy: 'Copiar link',
-    copied: 'Copiado',
-    failed: 'O navegador não deixa a página copiar. O link está selecionado: copie-o à mão.',
-    embed: 'Copiar código para inserir',
-    link: 'Link',
-    qr: 'Código QR do link',
-    about: '{count} caracteres. Toda a imagem está no link; nada é guardado em lugar algum.',
-  },
-
-  keys: {
-    title: 'Teclas',
-    singles: 'Teclas simples funcionam',
-    rows: [
-      ['Espaço', 'tocar, pausar'],
-      ['. ,', 'um quadro adiante, atrás'],
-      ['R', 'soltar de novo desde o início'],
-      ['← →', 'massa ou controle: 1° ou um passo'],
-      ['Shift + ← →', 'um décimo disso'],
-      ['Page ↑ ↓', '10° ou dez passos'],
-      ['Home End', 'mínimo, máximo'],
-      ['1 … {views}', 'vistas'],
-      ['T', 'tabela de dados do gráfico'],
-      ['L', 'ouvir o gráfico'],
-      ['S', 'compartilhar'],
-      ['? /', 'esta lista'],
-      ['Esc', 'fechar'],
-    ],
-  },
 
   table: {
     caption: '{plot}, {unit}.',

@@ -239,13 +239,13 @@ export function angleChart(page: Live, study: Study): TemplateResult {
   const [low, high] = extent(values)
   const say = (value: number) =>
     angle ? words.angle(value, 1) : words.with(words.fixed(value, 2), words.say.units['rad/s'])
-  const alarm = alarmText(page, study)
-  const caption = words.fill(angle ? plots.captionAngle : plots.captionVelocity, {
-    from: timeText(words, study.window.from),
-    to: timeText(words, study.window.to),
-    least: say(low),
-    most: say(high),
-  })
+  const caption = () =>
+    words.fill(angle ? plots.captionAngle : plots.captionVelocity, {
+      from: timeText(words, study.window.from),
+      to: timeText(words, study.window.to),
+      least: say(low),
+      most: say(high),
+    })
   return chart(page, {
     key: 'angle',
     className: 'first-chart',
@@ -264,8 +264,8 @@ export function angleChart(page: Live, study: Study): TemplateResult {
       (quantity) => store.set({ quantity }),
     ),
     draw: (size) => draw(page, study, size),
-    caption: `${caption} ${alarm}`.trim(),
-    spoken: spoken(page, study),
+    caption: () => `${caption()} ${alarmText(page, study)}`.trim(),
+    spoken: () => spoken(page, study),
     window: study.window,
     table: () => tableOf(page, study),
     sound: () => ({ values, low, high }),

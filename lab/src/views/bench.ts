@@ -7,7 +7,7 @@ import { angleAt, BOX, type Ghost, pendulum, spot } from '../draw/pendulum'
 import { rich } from '../language/rich'
 import { degrees, radians } from '../number'
 import type { Live } from './page'
-import { stateValue } from './values'
+import { fieldFault, stateValue } from './values'
 
 /** Shows a release angle from the beginning, at rest in time: what a hand on the bob does. */
 function hold({ store }: Live, angle: number): void {
@@ -107,9 +107,12 @@ export function facts(page: Live): TemplateResult {
   </dl>`
 }
 
-/** The column of Lab and Phase portrait. */
+const VALUES = ['theta0', 'velocity0', 'length', 'gravity'] as const
+
+/** The column of Lab and Phase portrait. What is wrong with a value takes its room from the drawing. */
 export function bench(page: Live, ghosts: readonly Ghost[]): TemplateResult {
-  return html`<div class="column left">${drawnPendulum(page, ghosts)}
+  const faulty = VALUES.some((name) => fieldFault(page, name, page.session.drafts[name]) !== null)
+  return html`<div class="column left ${faulty ? 'faulty' : ''}">${drawnPendulum(page, ghosts)}
     <div class="first-values">${stateValue(page, 'theta0')}</div>
     <div class="more-values">${stateValue(page, 'velocity0')}${stateValue(page, 'length')}${stateValue(page, 'gravity')}</div>
     ${facts(page)}</div>`

@@ -1,6 +1,6 @@
 // A chart of the page: title with unit, switches, data table and sound, the plot itself as a slider of time, a sentence.
 
-import { html, nothing, type TemplateResult } from 'lit-html'
+import { html, noChange, nothing, type TemplateResult } from 'lit-html'
 import { iconButton } from '../controls/parts'
 import { measured, sizeOf } from '../controls/size'
 import { afterKey, type Drag, dragging, partAlong } from '../controls/slide'
@@ -23,10 +23,18 @@ export interface Cursor {
   readonly most: number
   readonly now: number
   /** As a screen reader says it; null while it moves by itself. */
-  readonly text: string | null
+  readonly text: string | typeof noChange | null
   /** Whether the key was one of its own. */
   readonly key: (event: KeyboardEvent) => boolean
   readonly drag: Drag
+}
+
+type Text = string | (() => string)
+
+/** A text, which stays as it was while a hand is on a control: nobody reads it then. */
+function settled(page: Page, text: Text): string | typeof noChange {
+  if (typeof text === 'string') return plain(text)
+  return page.session.held === null ? plain(text()) : noChange
 }
 
 export interface ChartSpec {
@@ -43,10 +51,10 @@ export interface ChartSpec {
   /** The plot, once its size is known; the text of a plot that has none. */
   readonly draw: (size: PlotSize) => TemplateResult
   readonly waiting?: string
-  /** One sentence from the state: the figure in words. */
-  readonly caption: string
-  /** What an arrow key on the plot says. */
-  readonly spoken?: string
+  /** One sentence from the state: the figure in words. A function where it takes time: not asked while a control is held. */
+  readonly caption: Text
+  /** What an arrow key on the plot says, likewise. */
+  readonly spoken?: Text
   readonly window?: Window
   /** Instead of the time of `window`. */
   readonly cursor?: Cursor
@@ -83,7 +91,8 @@ export function toggleTable({ store, session }: Page, key: string): void {
 }
 
 /** The time of a window as what is moved. */
-function timeCursor({ store, t, words }: Page, { name, spoken }: ChartSpec, { from, to }: Window): Cursor {
+function timeCursor(page: Page, { name, spoken }: ChartSpec, { from, to }: Window): Cursor {
+  const { store, t, words } = page
   const seek = (time: number) => {
     store.clock.pause()
     store.seek(Math.min(Math.max(time, 0), to - 1e-6 * (to - from)))
@@ -94,7 +103,7 @@ function timeCursor({ store, t, words }: Page, { name, spoken }: ChartSpec, { fr
     least: from,
     most: to,
     now: playing ? from : Number(t.toFixed(3)),
-    text: playing ? null : (spoken ?? null),
+    text: playing || spoken === undefined ? null : settled(page, spoken),
     key: (event) => {
       const next = afterKey(event, { value: store.clock.t, least: from, most: to, step: (to - from) / 100 })
       if (next !== null) seek(next)
@@ -132,6 +141,6 @@ export function chart(page: Page, spec: ChartSpec): TemplateResult {
     ${area(page, spec)}
     ${spec.note ?? nothing}
     ${open && spec.table ? table(page, spec.key, spec.table()) : nothing}
-    <figcaption class="unseen">${plain(spec.caption)}</figcaption>
+    <figcaption class="unseen">${settled(page, spec.caption)}</figcaption>
   </figure>`
 }

@@ -7,6 +7,7 @@ import { icon } from '../draw/icons'
 import { plain, rich } from '../language/rich'
 import { curveFault, MOST_CURVES, missingCurves, withCurve } from '../state'
 import { errorFactor, inPercent, type Row, type Study } from '../study'
+import { openDialog } from './dialogs'
 import { examples } from './examples'
 import type { Live } from './page'
 
@@ -141,9 +142,15 @@ function heading({ words, state }: Live, { window, motion }: Study): TemplateRes
   return html`<div class="caption"><span>${compare.curve}</span><span>${rich(text)}</span></div>`
 }
 
+/** The way to the errors against the step, once a curve goes step by step. */
+function stepping(page: Live): TemplateResult | typeof nothing {
+  if (!page.state.curves.some(({ name }) => kindOf(name).numerical)) return nothing
+  return html`<button type="button" class="text-button" id="convergence" @click=${() => openDialog(page, 'convergence')}>${page.words.say.compare.convergence}</button>`
+}
+
 export function compareList(page: Live, study: Study): TemplateResult {
   const { compare } = page.words.say
-  return html`<section class="compare" aria-labelledby="compare-title"><div class="head"><h2 id="compare-title">${compare.title}</h2></div>
+  return html`<section class="compare" aria-labelledby="compare-title"><div class="head"><h2 id="compare-title">${compare.title}</h2>${stepping(page)}</div>
     ${heading(page, study)}
     <ul class="rows"><li class="row exact">${sample('c-exact', false)}<span class="name">${compare.exact}<small>${compare.exactBy}</small></span><span class="result">0</span></li>
     ${study.rows.map((each) => row(page, study, each))}</ul>

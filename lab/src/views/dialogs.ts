@@ -1,16 +1,15 @@
-// The two dialogs: Share with the link and its QR code, and the list of keys. Focus returns to where it was.
+// The frame of a dialog, and how it opens and closes. Focus returns to where it was. What is in it: dialog-bodies.ts.
 
-import { html, nothing, type TemplateResult } from 'lit-html'
+import { html, type TemplateResult } from 'lit-html'
 import { keyed } from 'lit-html/directives/keyed.js'
 import { ref } from 'lit-html/directives/ref.js'
-import { encode } from 'uqr'
 import { iconButton } from '../controls/parts'
-import { writeLink } from '../link'
+import type { DialogName } from '../store'
 import type { Page } from './page'
 
 let opener: Element | null = null
 
-export function openDialog({ store }: Pick<Page, 'store'>, dialog: 'share' | 'keys'): void {
+export function openDialog({ store }: Pick<Page, 'store'>, dialog: DialogName): void {
   opener = document.activeElement
   store.setSession({ dialog, copied: false, copyFailed: false, menu: null })
 }
@@ -21,7 +20,7 @@ function closed({ store }: Page): void {
   opener = null
 }
 
-function dialog(page: Page, key: string, title: string, body: TemplateResult): TemplateResult {
+export function dialog(page: Page, key: string, title: string, body: TemplateResult): TemplateResult {
   return html`${keyed(
     key,
     html`<dialog class="dialog" aria-labelledby="dialog-title" ${ref((element) => {
@@ -37,70 +36,4 @@ function dialog(page: Page, key: string, title: string, body: TemplateResult): T
         () => document.querySelector<HTMLDialogElement>('dialog[open]')?.close(),
       )}</div>${body}</div></dialog>`,
   )}`
-}
-
-/** Of the page as it is: all of the picture is in it. */
-export function linkOf({ store }: Pick<Page, 'store'>): string {
-  return location.href.replace(/#.*$/, '') + writeLink(store.moment, store.kept)
-}
-
-function embedCode(link: string): string {
-  return `<iframe src="${link.replaceAll('&', '&amp;')}" width="800" height="600" style="border:0" title="libration"></iframe>`
-}
-
-async function copy({ store }: Page, text: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(text)
-    store.setSession({ copied: true, copyFailed: false })
-    setTimeout(() => store.setSession({ copied: false }), 2000)
-  } catch {
-    store.setSession({ copyFailed: true })
-    document.querySelector<HTMLTextAreaElement>('#share-link')?.select()
-  }
-}
-
-function qr(text: string, name: string): TemplateResult {
-  const { size, data } = encode(text, { ecc: 'L', border: 0 })
-  let d = ''
-  data.forEach((line, y) => {
-    line.forEach((dark, x) => {
-      if (dark) d += `M${x} ${y}h1v1h-1z`
-    })
-  })
-  const box = size + 8
-  return html`<svg class="qr" viewBox="-4 -4 ${box} ${box}" role="img" aria-label=${name}><path d="M-4-4h${box}v${box}h-${box}z" fill="#fff"/><path d=${d} fill="#000"/></svg>`
-}
-
-function share(page: Page): TemplateResult {
-  const { words, session } = page
-  const say = words.say.share
-  const link = linkOf(page)
-  const body = html`<div class="share">${qr(link, say.qr)}<div>
-      <textarea id="share-link" class="link" readonly rows="4" aria-label=${say.link} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()} .value=${link}></textarea>
-      <p class="soft small">${words.fill(say.about, { count: link.length })}</p></div></div>
-    ${session.copyFailed ? html`<p class="soft small" role="status">${say.failed}</p>` : nothing}
-    <div class="foot"><button type="button" class="button primary" @click=${() => copy(page, link)}>${session.copied ? say.copied : say.copy}</button>
-    <button type="button" class="button" @click=${() => copy(page, embedCode(link))}>${say.embed}</button></div>
-    <span class="unseen" role="status">${session.copied ? say.copied : ''}</span>`
-  return dialog(page, 'share', say.title, body)
-}
-
-function keys(page: Page, views: number): TemplateResult {
-  const { words, session, store } = page
-  const say = words.say.keys
-  const body = html`<dl class="key-list">${say.rows.map(
-    ([key, what]) =>
-      html`<dt>${words
-        .fill(key, { views })
-        .split(' + ')
-        .map((each) => html`<kbd>${each}</kbd>`)}</dt><dd>${what}</dd>`,
-  )}</dl>
-    <label class="check"><input type="checkbox" .checked=${session.singleKeys} @change=${(event: Event) => store.setSession({ singleKeys: (event.target as HTMLInputElement).checked })}> ${say.singles}</label>`
-  return dialog(page, 'keys', say.title, body)
-}
-
-export function dialogs(page: Page, views: number): TemplateResult | typeof nothing {
-  if (page.session.dialog === 'share') return share(page)
-  if (page.session.dialog === 'keys') return keys(page, views)
-  return nothing
 }

@@ -20,7 +20,15 @@ const LEAST_DRIFT = 2e-3
 function lines(page: Live, study: Study, total: boolean): Line[] {
   const x = study.times
   const { pointed } = page.session
-  const exact: Line = { x, y: study.total, clothes: 'c-exact', factor: FACTOR, faded: pointed !== null }
+  // It does not change: a line from end to end.
+  const ends = Float64Array.of(study.window.from, study.window.to)
+  const exact: Line = {
+    x: ends,
+    y: study.total.subarray(0, 2),
+    clothes: 'c-exact',
+    factor: FACTOR,
+    faded: pointed !== null,
+  }
   if (!total) {
     return [
       { x, y: study.parts().potential, clothes: 'c-potential', factor: FACTOR },
@@ -155,8 +163,8 @@ export function energyChart(page: Live, study: Study): TemplateResult {
       (energy) => store.set({ energy }),
     )}`,
     draw: (size) => draw(page, study, total, size),
-    caption: caption(page, study),
-    spoken: `${timeText(words, page.t)}. ${caption(page, study)}`,
+    caption: () => caption(page, study),
+    spoken: () => `${timeText(words, page.t)}. ${caption(page, study)}`,
     window: study.window,
     table: () => ({
       caption: words.fill(words.say.table.caption, {

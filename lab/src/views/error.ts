@@ -14,7 +14,6 @@ import {
   tickDecimals,
 } from '../draw/scale'
 import type { Words } from '../language'
-import { remember } from '../memory'
 import { degrees } from '../number'
 import { errorFactor, inPercent, isLog, type Study } from '../study'
 import { chart, type PlotSize } from './chart'
@@ -73,7 +72,8 @@ export function powerText(words: Words, value: number): string {
   return `${value < 0 ? '−' : ''}10^{${String(exponent).replace('-', '−')}}`
 }
 
-const zeros = remember((count: number) => new Float64Array(count))
+/** Of the exact motion, from end to end. */
+const NO_ERROR = new Float64Array(2)
 
 function draw(page: Live, study: Study, size: PlotSize): TemplateResult {
   const { words, t, session } = page
@@ -90,7 +90,12 @@ function draw(page: Live, study: Study, size: PlotSize): TemplateResult {
       factor: axis.factor,
       faded: pointed !== null && pointed !== drawn.key,
     })),
-    { x: study.times, y: zeros(study.times.length), clothes: 'c-exact', faded: pointed !== null },
+    {
+      x: Float64Array.of(study.window.from, study.window.to),
+      y: NO_ERROR,
+      clothes: 'c-exact',
+      faded: pointed !== null,
+    },
   ]
   return plot(
     {
@@ -187,8 +192,8 @@ export function errorChart(page: Live, study: Study): TemplateResult {
       (errorAxis) => store.set({ errorAxis }),
     )}`,
     draw: (size) => draw(page, study, size),
-    caption: caption(page, study, axis, percent),
-    spoken: caption(page, study, axis, percent),
+    caption: () => caption(page, study, axis, percent),
+    spoken: () => caption(page, study, axis, percent),
     window: study.window,
     table: () => ({
       caption: words.fill(words.say.table.caption, { plot: plots.error, unit }),

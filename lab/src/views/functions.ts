@@ -175,7 +175,6 @@ function chordFigure(page: Live, { swing, now }: Shown): TemplateResult {
         : words.fill(functions.chordCaption, {
             angle: words.angle(theta, 1),
             chord: words.with(words.fixed(chord, 4), units.m),
-            rest: plain(metres),
           })
     }</figcaption>
   </figure>`

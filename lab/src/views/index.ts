@@ -1,9 +1,10 @@
 // The views that there are, in the order of their tabs. A view that does not exist yet has no tab.
 
-import { html } from 'lit-html'
+import { html, nothing, type TemplateResult } from 'lit-html'
 import { motionSentence } from './bench'
+import { dialog } from './dialogs'
 import { lab, labAlarm } from './lab'
-import type { Live } from './page'
+import type { Live, Page } from './page'
 import type { View } from './shell'
 
 type Later = typeof import('./later')
@@ -45,3 +46,12 @@ export const VIEWS: readonly View[] = [
   view('period'),
   view('functions'),
 ]
+
+/** The dialog that is open; where its part did not come it says so. */
+export function dialogs(page: Page): TemplateResult | typeof nothing {
+  if (later) return later.dialogs(page, VIEWS.length)
+  if (!failed || page.session.dialog === null) return nothing
+  const { shell, plots, compare } = page.words.say
+  const title = page.session.dialog === 'convergence' ? compare.convergence : shell[page.session.dialog]
+  return dialog(page, 'failed', title, html`<p>${plots.failedView}</p>`)
+}

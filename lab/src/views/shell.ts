@@ -7,7 +7,7 @@ import { LANGUAGE_NAMES, languageNote } from '../language'
 import { plain, rich } from '../language/rich'
 import { LANGUAGES, type Language, type State, type Theme, type ViewName } from '../state'
 import type { Message } from '../store'
-import { dialogs, openDialog } from './dialogs'
+import { openDialog } from './dialogs'
 import { faultText } from './faults'
 import { isLive, type Live, type Page } from './page'
 
@@ -139,7 +139,16 @@ function waitingBody(page: Page, waiting: Waiting): TemplateResult {
   return message(html`<p>${linked}</p>`, messages.close, null)
 }
 
-export function shell(page: Page, views: readonly View[], waiting: Waiting, spoken: string): TemplateResult {
+/** The dialog of a page, if one is open. */
+export type Dialogs = (page: Page) => TemplateResult | typeof nothing
+
+export function shell(
+  page: Page,
+  views: readonly View[],
+  dialogs: Dialogs,
+  waiting: Waiting,
+  spoken: string,
+): TemplateResult {
   const { words, state, session } = page
   const view = views.find(({ name }) => name === state.view) ?? views[0]
   const live = isLive(page) && view ? page : null
@@ -157,5 +166,5 @@ export function shell(page: Page, views: readonly View[], waiting: Waiting, spok
       ${live && view ? view.body(live) : waitingBody(page, waiting)}
     </main>
     <div class="unseen" role="status" aria-live="polite" id="live">${plain(spoken)}</div>
-    ${dialogs(page, views.length)}`
+    ${dialogs(page)}`
 }

@@ -12,6 +12,8 @@ export interface Column {
   /** From the unit of the data to that of the table. */
   readonly factor: number
   readonly decimals: number
+  /** Significant ones instead, where sizes differ much. */
+  readonly digits?: number
 }
 
 export interface TableSpec {
@@ -57,9 +59,10 @@ export function table(page: Page, key: string, spec: TableSpec): TemplateResult 
   const stride = whole ? 1 : Math.max(1, Math.floor((count - 1) / SOME))
   const even = Array.from({ length: Math.floor((count - 1) / stride) + 1 }, (_, i) => i * stride)
   const rows = whole ? even : (spec.some ?? even)
-  const cell = ({ values, factor, decimals }: Column, i: number) => {
+  const cell = ({ values, factor, decimals, digits }: Column, i: number) => {
     const value = (values[i] as number) * factor
-    return Number.isNaN(value) ? words.say.table.noValue : words.fixed(value, decimals)
+    if (Number.isNaN(value)) return words.say.table.noValue
+    return digits === undefined ? words.fixed(value, decimals) : words.significant(value, digits)
   }
   const toggle = () =>
     store.setSession({
@@ -70,6 +73,6 @@ export function table(page: Page, key: string, spec: TableSpec): TemplateResult 
     <caption>${rich(spec.caption)} <button type="button" class="text-button" @click=${() => save(csv(words, spec, link()), `${spec.file}.csv`)}>${words.say.table.csv}</button> ·
       <button type="button" class="text-button" @click=${toggle}>${whole ? words.say.table.some : words.fill(words.say.table.all, { count })}</button></caption>
     <thead><tr><th scope="col">${rich(first.title)}</th>${columns.map(({ title }) => html`<th scope="col">${rich(title)}</th>`)}</tr></thead>
-    <tbody>${rows.map((i) => html`<tr><th scope="row">${cell(first, i)}</th>${columns.map((column) => html`<td>${cell(column, i)}</td>`)}</tr>`)}</tbody>
+    <tbody>${rows.map((i) => html`<tr><th scope="row">${cell(first, i)}</th>${columns.map((column) => html`<td>${rich(cell(column, i))}</td>`)}</tr>`)}</tbody>
   </table></div>`
 }

@@ -1,10 +1,11 @@
 // Stories 2 and 3: formulas beside the exact motion with Lima's errors, and numerical solutions that go wrong where they do.
 
-import { approx, load, Pendulum } from 'libration'
+import { approx, load, loadSecond, Pendulum } from 'libration'
 import { column, csvOf, expect, largest, radians, type Sheet, show, test } from './lab'
 
 test.beforeAll(async () => {
   await load()
+  await loadSecond()
 })
 
 /** Largest errors of the drawn numbers, in % of the amplitude. */
@@ -142,4 +143,29 @@ test('story 3: errors of Euler, Euler–Cromer and RK4 fall with orders 1, 1 and
   expect(Math.abs(slope('euler') - 1)).toBeLessThan(0.1)
   expect(Math.abs(slope('euler-cromer') - 1)).toBeLessThan(0.1)
   expect(Math.abs(slope('rk4') - 4)).toBeLessThan(0.1)
+})
+
+test('story 3: the errors against the step are lines of slope 1, 1, 2 and 4', async ({ lab }) => {
+  await show(lab, 'th0=150deg&L=1m&g=9.81&curves=linear&t=0s')
+  // The way there stands beside the curves that go step by step.
+  await expect(lab.locator('#convergence')).toHaveCount(0)
+  await show(lab, 'th0=150deg&L=1m&g=9.81&curves=rk4:0.025&t=0s')
+  await lab.locator('#convergence').click()
+  const sheet = await csvOf(lab, 'convergence')
+  expect(sheet.header).toEqual(['step, s', 'Euler', 'Euler–Cromer', 'Verlet', 'RK4'])
+  const steps = column(sheet, 'step, s')
+  const orders = { Euler: 1, 'Euler–Cromer': 1, Verlet: 2, RK4: 4 }
+  for (const [name, order] of Object.entries(orders)) {
+    const errors = column(sheet, name)
+    // Of RK4 the last ones are rounding.
+    const at = name === 'RK4' ? 5 : steps.length - 2
+    const slope =
+      Math.log((errors[at] as number) / (errors[at + 1] as number)) /
+      Math.log((steps[at] as number) / (steps[at + 1] as number))
+    expect(Math.abs(slope - order), name).toBeLessThan(0.1)
+  }
+  await expect(lab.locator('dialog')).toContainText('RK4 4.00 (4)')
+  await expect(lab.locator('dialog path.c')).toHaveCount(4)
+  await lab.keyboard.press('Escape')
+  await expect(lab.locator('dialog')).toHaveCount(0)
 })

@@ -9,7 +9,7 @@ import { DIST } from './server'
 
 const LOADS = 9
 const FRAMES = 200
-/** Six curves beside the exact motion; a window has 1,201 samples, 601 while a control is held. */
+/** Six curves beside the exact motion; a window has 1,201 samples, while a control is held too. */
 const LINK = 'th0=150deg&L=1m&g=9.81&curves=linear,harmonic,fourier:4,trigonometric,taylor:8,rk4:0.01&t=0s'
 
 const part = (values: readonly number[], at: number): number =>
@@ -67,6 +67,15 @@ test('measure', async ({ browser }) => {
   await page.mouse.move(bob.x + bob.width / 2, bob.y + bob.height / 2)
   await page.mouse.down()
   await page.evaluate(() => (window as unknown as { frames: number[] }).frames.splice(0))
+  // The time of the processor as well, of all script between two frames: a busy machine leaves it nearly as it is.
+  const session = await page.context().newCDPSession(page)
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' })
+  const script = async () => {
+    const { metrics } = await session.send('Performance.getMetrics')
+    return 1000 * (metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? Number.NaN)
+  }
+  const processor: number[] = []
+  let before = await script()
   for (let i = 0; i < FRAMES; i++) {
     const angle = 1.6 + 0.9 * Math.sin(i / 9)
     await page.mouse.move(
@@ -74,6 +83,9 @@ test('measure', async ({ browser }) => {
       box.y + (box.width * (127 + 92 * Math.cos(angle))) / 280,
     )
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)))
+    const after = await script()
+    processor.push(after - before)
+    before = after
   }
   // Frames that only waited are not frames of the drag.
   const frames = await page.evaluate(() =>
@@ -89,5 +101,6 @@ test('measure', async ({ browser }) => {
   console.log(
     `script of a frame of a drag, six curves: median ${ms(part(frames, 0.5))}, 95 % ${ms(part(frames, 0.95))}, ${frames.length} frames`,
   )
+  console.log(`of the processor for it: median ${ms(part(processor, 0.5))}, 95 % ${ms(part(processor, 0.95))}`)
   await page.close()
 })

@@ -1,7 +1,10 @@
-// Draws docs/lab/*.png: every view in light and dark, on a phone and for a projector. `npm run pictures`; not part of the tests.
+// Draws docs/lab/*.png: every view in light and dark, on a phone and for a projector, in 256 colours. `npm run pictures`; not part
+// of the tests.
 
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, writeFileSync } from 'node:fs'
+import type { Page } from '@playwright/test'
 import { drawn, expect, opened, show, test } from './lab'
+import { inPalette } from './palette'
 
 const FOLDER = new URL('../../../docs/lab/', import.meta.url).pathname
 const VIEWS = {
@@ -17,6 +20,11 @@ const SIZES = {
   '1920-light': [1920, 1080],
 } as const
 
+async function picture(page: Page, name: string): Promise<void> {
+  const png = await page.screenshot({ animations: 'disabled' })
+  writeFileSync(`${FOLDER}${name}.png`, await inPalette(page, png))
+}
+
 for (const [size, [width, height]] of Object.entries(SIZES)) {
   test(`pictures of ${size}`, async ({ browser }) => {
     mkdirSync(FOLDER, { recursive: true })
@@ -30,7 +38,7 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
       await page.setViewportSize({ width, height: width === 360 ? tall : height })
       await drawn(page)
       await page.mouse.move(0, 0)
-      await page.screenshot({ path: `${FOLDER}${view}-${size}.png`, animations: 'disabled' })
+      await picture(page, `${view}-${size}`)
     }
     await page.context().close()
   })
@@ -39,6 +47,15 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
 test('pictures of the errors a link may have', async ({ browser }) => {
   const page = await opened(browser, 'th0=200deg&L=1m&curves=magic&t=0s&theme=light')
   await page.locator('#field-length').fill('0')
-  await page.screenshot({ path: `${FOLDER}faults-1280-light.png`, animations: 'disabled' })
+  await picture(page, 'faults-1280-light')
+  await page.context().close()
+})
+
+test('a picture of the errors against the step', async ({ browser }) => {
+  const page = await opened(browser, `${VIEWS.lab}&theme=light`)
+  await page.locator('#convergence').click()
+  await expect(page.locator('dialog .plot-drawing')).toBeVisible()
+  await drawn(page)
+  await picture(page, 'convergence-1280-light')
   await page.context().close()
 })

@@ -238,3 +238,19 @@ test('story 13: a second visit needs no network', async ({ browser }) => {
   await useAll(page)
   await context.close()
 })
+
+test('story 10: a wrong value of a field keeps the page within the screen, in every language', async ({ lab }) => {
+  for (const language of ['en', 'pt-BR', 'es']) {
+    await show(lab, `t=0s&lang=${language}`)
+    for (const [name, text] of [
+      ['length', '0'],
+      ['velocity0', '-123456.789'],
+    ] as const) {
+      await lab.locator(`#field-${name}`).fill(text)
+      await expect(lab.locator(`#field-${name}-fault`)).toBeVisible()
+      await drawn(lab)
+      expect(await lab.evaluate(() => document.documentElement.scrollHeight), `${language} ${name}`).toBe(720)
+      await lab.keyboard.press('Escape')
+    }
+  }
+})

@@ -24,7 +24,7 @@ export interface Sources {
 }
 
 /** What the second module adds to the formulas of the angle, by their names. */
-const SECOND: readonly string[] = ["cubic", "cubic-quintic"];
+const SECOND: readonly string[] = ["small-m", "small-m-bounded", "cubic", "cubic-quintic"];
 
 /** Numbers to be worked on: any array of numbers. Float64Array is copied fastest. */
 export type Numbers = ArrayLike<number>;
@@ -270,7 +270,7 @@ export function load(sources: Sources = {}): Promise<void> {
 
 /**
  * Loads the second module, with what a page does not need at first: the formulas of the period, `ranges`, the elliptic
- * functions, and the approximations `cubic` and `cubic-quintic`, which are as large as all the rest.
+ * functions, and the approximations `small-m`, `small-m-bounded`, `cubic` and `cubic-quintic`, which are as large as all the rest.
  *
  * @param source Where it comes from, if not from the package.
  * @throws Error where it cannot be read or compiled; a later call may try again.

@@ -1,6 +1,6 @@
 /** What is known of named formulas before they are asked anything: the tables of the core, and how they are listed. */
 
-import { core } from "../core.js";
+import { core, coreWith } from "../core.js";
 
 /** What N may be: from the least to the most in steps. */
 export interface Orders {
@@ -75,9 +75,10 @@ export function intervals(ends: Float64Array): Interval[] {
 }
 
 function list(kind: number): readonly Entry[] {
-  core().exports.registry(kind);
-  const [low, high, least, most, step] = [0, 1, 2, 3, 4].map((i) => core().column(i));
-  return core()
+  const of = kind === KINDS.period ? coreWith("period_values", "approx.period") : core();
+  of.exports.registry(kind);
+  const [low, high, least, most, step] = [0, 1, 2, 3, 4].map((i) => of.column(i));
+  return of
     .text()
     .split("\n")
     .map((line, i) => {
