@@ -350,7 +350,10 @@ COMMAND = command(
     PeriodOptions,
     short="the period, and how much longer it is than that of small swings",
     parameters=[
-        *state_options("(gives the period in seconds)", "initial angle from the lowest point, or several (required)"),
+        *state_options(
+            "(gives the period in seconds)",
+            "initial angle from the lowest point, or several (required beside a velocity)",
+        ),
         Value(
             "--only",
             "NAMES",

@@ -88,7 +88,9 @@ class StateOptions(Options):
     downwards: bool
 
 
-def state_options(frequency: str, angle: str = "initial angle from the lowest point (required)") -> list[click.Option]:
+def state_options(
+    frequency: str, angle: str = "initial angle from the lowest point (required beside a velocity)"
+) -> list[click.Option]:
     """The options of the state and the frequency; `frequency` says what happens without one."""
     group = "the pendulum"
     gravity = "acceleration of gravity, positive, with --length (default 9.80665 m/s2)"

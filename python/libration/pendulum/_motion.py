@@ -91,9 +91,16 @@ def theta(
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         if not _one_orbit(*state):
             return apply(_core.state_theta, t, *state, results=(THETA,), out=out, where=where)
-    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+        given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
+    else:
+        angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+        motions = {
+            "velocity0": velocity0,
+            "energy_ratio": energy_ratio,
+            "energy_ratio_c": energy_ratio_c,
+            "energy": energy,
+        }
+        given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
     return apply(_core.orbit_theta, t, *given, results=(THETA,), out=out, where=where)
 
 
@@ -152,9 +159,16 @@ def velocity(
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         if not _one_orbit(*state):
             return apply(_core.state_velocity, t, *state, results=(VELOCITY,), out=out, where=where)
-    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+        given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
+    else:
+        angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+        motions = {
+            "velocity0": velocity0,
+            "energy_ratio": energy_ratio,
+            "energy_ratio_c": energy_ratio_c,
+            "energy": energy,
+        }
+        given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
     return apply(_core.orbit_velocity, t, *given, results=(VELOCITY,), out=out, where=where)
 
 
@@ -213,9 +227,16 @@ def motion(
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
         if not _one_orbit(*state):
             return apply(_core.state_motion, t, *state, results=MOTION, out=out, where=where)
-    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+        given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
+    else:
+        angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
+        motions = {
+            "velocity0": velocity0,
+            "energy_ratio": energy_ratio,
+            "energy_ratio_c": energy_ratio_c,
+            "energy": energy,
+        }
+        given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
     return apply(_core.orbit_motion, t, *given, results=MOTION, out=out, where=where)
 
 

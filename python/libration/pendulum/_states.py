@@ -18,6 +18,7 @@ KNOWN = (
     "period",
     "rotation",
 )
+NOTHING = {type(None)}
 COUNTED = ("theta", "from_top", "bottom")
 
 
@@ -50,7 +51,7 @@ def start(angles: dict[str, Any], motions: dict[str, Any], direction: Any) -> tu
 
 def plain(direction: Any, *others: Any) -> bool:
     """Whether a state is given by its angle, its velocity and omega0 alone."""
-    return type(direction) is float and direction == 1.0 and all(other is None for other in others)
+    return type(direction) is float and direction == 1.0 and NOTHING.issuperset(map(type, others))
 
 
 def factors(omega0: Any, omega2: Any, length: Any, gravity: Any) -> Any:
