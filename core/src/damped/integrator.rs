@@ -1,5 +1,5 @@
-//! The motion as segments: steps of the Taylor series, cut where the velocity vanishes, where samples of the torque begin a new
-//! polynomial, and where dry friction takes hold or lets go.
+//! The motion as segments: steps of the Taylor series, cut where samples of the torque begin a new polynomial, where dry friction takes
+//! hold or lets go, and where the velocity vanishes: with quadratic or dry friction, or if asked for.
 //!
 //! State, time and the angle are double-doubles; sine and cosine are carried as variables of their own and put back on the
 //! circle after every step. With dry friction, at a turn with the pull r = torque - omega2 s the pendulum stays where

@@ -124,77 +124,113 @@ impl<L: Lane> LowWords<'_, L> {
         (whole + exchanged(whole)) + (sum.rest + exchanged(sum.rest))
     }
 
-    /// Coefficient k of what the products with v lack: from low words of the rows and of v.
+    /// The low words of order k + 1 from those up to k.
     #[inline(always)]
-    fn lacking(&self, pairs: &Pairs<L>, low: &[L; LONG], velocity: &[L; LONG], rest: L, k: usize) -> L {
-        let mut sum = rest;
-        let mut i = 0;
-        while i <= k {
-            sum = pairs.one[k - i].mul_add(velocity[i], sum);
-            sum = low[i].mul_add(self.rows.v[k - i], sum);
-            i += 1;
+    fn next<const FULL: bool>(
+        &self,
+        k: usize,
+        jet: &Jet,
+        low: &LowRows<L>,
+        latest: Lacking<L>,
+        [rest, anchor]: [f64; 2],
+    ) -> Lacking<L> {
+        let LowWords { rows, piece, at_limit, .. } = self;
+        let order = (k + 1) as f64;
+        let inverse = L::splat(INVERSE[k + 1].hi);
+        let taken = L::load(&jet.rows[k + 1]);
+        let circle = self.rest(&rows.circle, taken, order, anchor, k);
+        let circle = low.products(rows, &rows.circle, &low.circle, circle, k) * inverse;
+        let mut force = L::splat(-piece.linear).mul_add(latest.velocity, L::splat(rest));
+        let mut slip = L::splat(0.0);
+        if FULL || k == 0 {
+            force = L::splat(piece.dry).mul_add(latest.slip, force);
         }
-        sum
+        if FULL {
+            let taken = rows.sums[k];
+            let sums = self.rest(&rows.slip, taken, 1.0, anchor, k);
+            let [sum, square, ..] = places(low.products(rows, &rows.slip, &low.slip, sums, k));
+            force = L::splat(-piece.quadratic).mul_add(L::splat(square), force);
+            // What the division by k + 1 has left.
+            let (change, error) = L::splat(-piece.slip).two_product(L::splat(places(taken)[0]));
+            let (taken, taken_error) = L::splat(jet.slip[k + 1]).two_product(L::splat(order));
+            let rest = (change - taken) + (error - taken_error);
+            slip = L::splat(-piece.slip).mul_add(L::splat(sum), rest) * inverse;
+        }
+        force = L::splat(-piece.omega2.hi).mul_add(L::splat(latest.circle.first()), force);
+        let velocity = if k == 0 && *at_limit { L::splat(0.0) } else { force * inverse };
+        Lacking { circle, velocity, slip }
     }
 
     /// All low words, into the jet.
     #[inline(always)]
     pub fn keep<const FULL: bool>(&self, jet: &mut Jet) {
-        let LowWords { rows, start, piece, torque, at_limit } = self;
-        let zero = L::splat(0.0);
+        let LowWords { start, piece, torque, .. } = self;
         let anchors = anchors(start, piece, torque);
         jet.anchor = anchors[0];
-        let of_velocity =
+        let rests =
             [self.velocity_rests::<FULL>(jet, &anchors, 0), self.velocity_rests::<FULL>(jet, &anchors, 4)];
-        let (omega2, linear) = (L::splat(-piece.omega2.hi), L::splat(-piece.linear));
-        let (quadratic, dry, slip) = (L::splat(-piece.quadratic), L::splat(piece.dry), L::splat(-piece.slip));
-        // Of c, -s twice; of v in every place; of u, v twice.
-        let (mut circle, mut velocity, mut slips) = ([zero; LONG], [zero; LONG], [zero; LONG]);
+        let none = [L::splat(0.0); LONG];
+        let mut low = LowRows { circle: none, velocity: none, slip: none };
         let [s, c] = [start[SINE].lo, start[COSINE].lo];
-        let mut sines = L::load(&[s, c, s, c]);
-        let mut speed = L::splat(start[VELOCITY].lo);
-        let mut sliding = L::splat(start[SLIP].lo);
+        let mut latest = Lacking {
+            circle: L::load(&[s, c, s, c]),
+            velocity: L::splat(start[VELOCITY].lo),
+            slip: L::splat(start[SLIP].lo),
+        };
         macro_rules! orders {
-            ($($k:literal)*) => {$({
-                const K: usize = $k;
-                circle[K] = alternating(swapped(sines), -swapped(sines));
-                velocity[K] = speed;
-                if FULL {
-                    slips[K] = alternating(sliding, speed);
-                    jet.low_slip[K] = sliding.first();
-                } else {
-                    jet.low_slip[K] = if K == 0 { sliding.first() } else { 0.0 };
-                }
-                let inverse = L::splat(INVERSE[K + 1].hi);
-                let [v, slope] = [jet.rows[K][2], jet.rows[K][3]].map(L::splat);
-                let low_slope = (speed - slope.product_rest(L::splat((K + 1) as f64), v)) * inverse;
-                alternating(halves(sines, speed), halves(sines, low_slope)).store(&mut jet.low_rows[K]);
-                jet.velocity[K] = (v + speed).first();
-                if K < RESTS {
-                    let taken = L::load(&jet.rows[K + 1]);
-                    let rest = self.rest(&rows.circle, taken, (K + 1) as f64, anchors[K % RESTS], K);
-                    let next = self.lacking(&rows.circle, &circle, &velocity, rest, K) * inverse;
-                    let mut force = linear.mul_add(speed, L::splat(of_velocity[K / 4 % 2][K % 4]));
-                    if FULL || K == 0 {
-                        force = dry.mul_add(sliding, force);
-                    }
-                    if FULL {
-                        let taken = rows.sums[K];
-                        let rest = self.rest(&rows.slip, taken, 1.0, anchors[K % RESTS], K);
-                        let [sum, square, ..] = places(self.lacking(&rows.slip, &slips, &velocity, rest, K));
-                        force = quadratic.mul_add(L::splat(square), force);
-                        // What the division by k + 1 has left.
-                        let (change, error) = slip.two_product(L::splat(places(taken)[0]));
-                        let (taken, taken_error) = L::splat(jet.slip[K + 1]).two_product(L::splat((K + 1) as f64));
-                        let rest = (change - taken) + (error - taken_error);
-                        sliding = slip.mul_add(L::splat(sum), rest) * inverse;
-                    }
-                    force = omega2.mul_add(L::splat(sines.first()), force);
-                    speed = if K == 0 && *at_limit { zero } else { force * inverse };
-                    sines = next;
-                }
-            })*};
+            ($($k:literal)*) => {$(
+                low.keep::<FULL>($k, jet, latest);
+                latest = self.next::<FULL>($k, jet, &low, latest, [rests[$k / 4][$k % 4], anchors[$k]]);
+            )*};
         }
-        orders!(0 1 2 3 4 5 6 7 8);
+        orders!(0 1 2 3 4 5 6 7);
+        low.keep::<FULL>(8, jet, latest);
+    }
+}
+
+/// The low words of one order: of s, c twice; of v and of u in every place.
+#[derive(Clone, Copy)]
+struct Lacking<L: Lane> {
+    circle: L,
+    velocity: L,
+    slip: L,
+}
+
+/// The low words so far: of c, -s twice; of v in every place; of u, v twice.
+struct LowRows<L: Lane> {
+    circle: [L; LONG],
+    velocity: [L; LONG],
+    slip: [L; LONG],
+}
+
+impl<L: Lane> LowRows<L> {
+    /// Those of order k, also into the jet, with that of the slope of the angle.
+    #[inline(always)]
+    fn keep<const FULL: bool>(&mut self, k: usize, jet: &mut Jet, latest: Lacking<L>) {
+        let Lacking { circle, velocity, slip } = latest;
+        self.circle[k] = alternating(swapped(circle), -swapped(circle));
+        self.velocity[k] = velocity;
+        if FULL {
+            self.slip[k] = alternating(slip, velocity);
+        }
+        jet.low_slip[k] = slip.first();
+        let [v, slope] = [L::splat(jet.rows[k][2]), L::splat(jet.rows[k][3])];
+        let rest = slope.product_rest(L::splat((k + 1) as f64), v);
+        let low_slope = (velocity - rest) * L::splat(INVERSE[k + 1].hi);
+        alternating(halves(circle, velocity), halves(circle, low_slope)).store(&mut jet.low_rows[k]);
+        jet.velocity[k] = (v + velocity).first();
+    }
+
+    /// Coefficient k of what products of the rows with v lack, beside their rest.
+    #[inline(always)]
+    fn products(&self, rows: &Rows<L>, pairs: &Pairs<L>, low: &[L; LONG], rest: L, k: usize) -> L {
+        let mut sum = rest;
+        let mut i = 0;
+        while i <= k {
+            sum = pairs.one[k - i].mul_add(self.velocity[i], sum);
+            sum = low[i].mul_add(rows.v[k - i], sum);
+            i += 1;
+        }
+        sum
     }
 }

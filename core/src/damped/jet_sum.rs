@@ -1,6 +1,7 @@
 //! The state that the Taylor coefficients of one time give at another: the sums of their terms.
 //!
-//! Of the four variables side by side: 23 terms in double, every fourth power by itself, then 9 in double-double by Horner's rule.
+//! Of the four variables side by side: 23 terms in double, every fourth power by itself; then 9 with low words, of which what each
+//! addition leaves out is kept (jet_low_words.rs).
 
 use super::jet::{Jet, VELOCITY};
 use super::jet_low_words::Anchored;

@@ -11,6 +11,7 @@ mod friction;
 mod half_swing;
 mod integrator;
 mod jet;
+mod jet_fill;
 mod jet_low_words;
 mod jet_orders;
 mod jet_sum;
