@@ -146,6 +146,13 @@ ROWS = [
         "5",
         "raw/labprob2/idf_wah.mat",
         {},
+        [near(4.6873), rms("presliding", WITHIN * 0.087)],
+    ),
+    # The samples of the other fit, which begins after the handling.
+    Asked(
+        "5",
+        "raw/labprob2/idf_wah.mat",
+        {"window": (8.06, 178.46)},
         [near(4.6873), rms("dry", WITHIN * 0.213), rms("presliding", WITHIN * 0.087)],
     ),
     Asked("6", "raw/toronto_tracker/AAAtAmp3.txt", {}, [near(2.8794), rms("quadratic", WITHIN * 0.129)]),

@@ -208,7 +208,7 @@ fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
 fn pulls_have_deviation_1_also_where_noise_has_memory() {
     let friction = Friction::new(0.02, 0.0, 0.0, 0.0).unwrap();
     for memory in [0.0, 0.7] {
-        let [honest, naive] = pulls(1.2, friction, 300, Some(Model::Linear), memory, 30);
+        let [honest, naive] = pulls(1.2, friction, 300, Some(Model::Linear), memory, 24);
         let (mean, deviation) = mean_and_deviation(&honest);
         assert!(mean.abs() < 0.55 && (0.65..1.4).contains(&deviation), "{memory}: {mean} {deviation}");
         // The spoiled sibling: uncertainties of independent residuals are too small where noise has memory.
