@@ -9,6 +9,8 @@ pub const PI: Dd = TWO_PI.half();
 pub const TWO_PI: Dd = Dd::new(TWO_PI_LONG.hi, TWO_PI_LONG.mid);
 /// pi / 2.
 pub const HALF_PI: Dd = PI.half();
+/// 2/pi.
+pub const TWO_OVER_PI: Dd = Dd::new(0.6366197723675814, -3.935735335036497e-17);
 /// 2 pi to a triple-double.
 pub const TWO_PI_LONG: Td = Td::new(6.283185307179586, 2.4492935982947064e-16, -5.989539619436679e-33);
 /// ln 2 to a triple-double.

@@ -13,10 +13,8 @@ use crate::elliptic::amplitude::{ReducedAmplitude, sines};
 use crate::elliptic::given::Given;
 use crate::elliptic::parameter::Parameter;
 use crate::elliptic::rows::{column_of_parameter, one_of_parameter};
-use crate::float::{Dd, Scaled};
-
-/// 2/pi.
-pub(super) const TWO_OVER_PI: Dd = Dd::new(0.6366197723675814, -3.935735335036497e-17);
+use crate::float::Scaled;
+use crate::float::constants::TWO_OVER_PI;
 
 /// Lambda0(phi, k) = (F(phi, k')/K' + 2/pi K Z(phi, k')): grows by 2 with every pi.
 ///

@@ -6,11 +6,11 @@
 //! NaN where it does not hold: n s^2 beyond 7/8 for n > 1 (complete: n = 1), arguments of R_J next to 0 or beyond 1e60.
 
 use super::duplication_lanes::{LARGEST, LEAST};
-use super::heuman_lambda::TWO_OVER_PI;
 use super::incomplete_lanes::{Amplitude, delta_square, gathered, inside, only_where};
 use super::rc_lanes::rc;
 use super::rj_lanes::rf_and_rj;
 use crate::float::Dd;
+use crate::float::constants::TWO_OVER_PI;
 use crate::float::elementary::quotient;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};

@@ -8,7 +8,7 @@
 
 use super::functions::NevilleIndex;
 use super::glaisher::Glaisher;
-use super::inverse_lanes::{InverseEven, InverseOdd};
+use super::inverse_lanes::{InverseEven, InverseOdd, others};
 use crate::elliptic::agm::quarter_period;
 use crate::elliptic::given::Given;
 use crate::elliptic::integrals::carlson::rf;
@@ -38,16 +38,6 @@ fn delta(p: NevilleIndex, q: NevilleIndex, parameter: Parameter) -> Scaled {
         (N, C) => Scaled::ONE,
         (C, N) => -Scaled::ONE,
         _ => Scaled::ZERO,
-    }
-}
-
-/// The two of c, d, n that are not this one.
-pub(super) fn others(index: NevilleIndex) -> [NevilleIndex; 2] {
-    use NevilleIndex::{C, D, N};
-    match index {
-        C => [D, N],
-        D => [C, N],
-        _ => [C, D],
     }
 }
 

@@ -5,13 +5,22 @@
 
 use super::functions::NevilleIndex;
 use super::glaisher::Glaisher;
-use super::inverse::others;
 use crate::elliptic::integrals::duplication_lanes::{LARGEST, LEAST, rf};
 use crate::elliptic::integrals::incomplete_lanes::only_where;
 use crate::float::Dd;
 use crate::float::elementary::quotient;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
+
+/// The two of c, d, n that are not this one.
+pub(super) fn others(index: NevilleIndex) -> [NevilleIndex; 2] {
+    use NevilleIndex::{C, D, N};
+    match index {
+        C => [D, N],
+        D => [C, N],
+        _ => [C, D],
+    }
+}
 
 /// Delta(p, q) as a sum of m, mc and 1, of which one counts.
 #[derive(Clone, Copy)]
