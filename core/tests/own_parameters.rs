@@ -34,7 +34,7 @@ fn mixed(count: usize) -> [Vec<f64>; 2] {
             2 => draw.power(-200.0, 0.0),
             3 => 1.0 - draw.power(-16.0, 0.0),
             4 => draw.power(-20.0, 20.0),
-            5 => -draw.power(-20.0, 20.0),
+            5 => -draw.power(-20.0, 199.0),
             6 => draw.power(-308.0, 308.0),
             7 => [0.0, -0.0, 1.0, -1.0, 0.5, 2.0, f64::NAN, f64::INFINITY, f64::MAX][i / 9 % 9],
             _ => 0.5 + draw.power(-17.0, -1.0),

@@ -32,6 +32,7 @@ mod vectors_duffing;
 mod vectors_elliptic;
 mod vectors_elliptic_complex;
 mod vectors_elliptic_family;
+mod vectors_own_parameters;
 mod vectors_pendulum;
 mod vectors_second;
 mod vectors_sensitivity;

@@ -163,7 +163,9 @@ def test_chunks_and_labels_of_the_parameter_change_no_bit(name):
         lazy = dask.array.from_array(m, chunks=chunk)
         assert all_same(tuple(np.asarray(part) for part in parts(function(u, m=lazy))), whole)
         labelled = xarray.DataArray(lazy, dims="place")
-        assert all_same(tuple(part.values for part in parts(function(xarray.DataArray(u, dims="place"), m=labelled))), whole)
+        assert all_same(
+            tuple(part.values for part in parts(function(xarray.DataArray(u, dims="place"), m=labelled))), whole
+        )
     # A number beside arguments in chunks has one set-up, as without chunks.
     lazy = function(dask.array.from_array(u, chunks=1), m=0.7)
     assert all_same(tuple(np.asarray(part) for part in parts(lazy)), parts(function(u, m=0.7)))

@@ -50,7 +50,7 @@ impl<const HYPERBOLIC: bool> Formula<2, 1> for Epsilon<HYPERBOLIC> {
         let mean = jacobi.neville.theta2_factor;
         let slope = turns.plain_sum(slope.scale(sign)) * Dd::new(mean.hi, mean.lo);
         let factor = Dd::new(factor.hi, factor.lo);
-        let whole = ((growth * u) * factor).plain_sum(slope) * factor;
+        let whole = ((growth * factor) * u).plain_sum(slope) * factor;
         // epsilon = u - m u^3/3 + ...
         let tiny = (u * factor.hi).abs().less(L::splat(TINY));
         [L::select(tiny, u, whole.value())]
