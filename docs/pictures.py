@@ -1,11 +1,12 @@
 """Draws docs/duffing.png, the phase portraits of the springs with orbits of every regime, and docs/periods.png; docs/damped.png, a
-motion with friction; docs/junction.png, Shapiro's steps.
+motion with friction; docs/junction.png, Shapiro's steps; docs/bucket.png, a million particles.
 
 Run: python docs/pictures.py
 """
 
 from pathlib import Path
 
+import bucket
 import junction
 import numpy as np
 from scipy.special import jv
@@ -125,12 +126,19 @@ def draw_junction(figure):
     junction.draw_widths(right, quiet, colors, jv)
 
 
+def draw_bucket(figure):
+    """A bunch in a bucket."""
+    colors = {"edge": SEPARATRIX, "dashes": DASHED, "bunch": EXACT, "tune": GREEN}
+    bucket.draw_bucket(figure, quiet, colors)
+
+
 def main():
     """Write the pictures beside this file."""
     save_figure({"png": Path(__file__).with_name("duffing.png")}, (12, 7.6), draw_springs)
     plot_periods(Path(__file__).with_name("periods.png"))
     save_figure({"png": Path(__file__).with_name("damped.png")}, (12, 6.4), draw_damped)
     save_figure({"png": Path(__file__).with_name("junction.png")}, (12, 5), draw_junction)
+    save_figure({"png": Path(__file__).with_name("bucket.png")}, (13, 5), draw_bucket)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ mod instruction_sets;
 mod invariants;
 mod oscillator;
 mod own_parameters;
+mod own_slopes;
 mod own_states;
 mod passages;
 mod pendulum_ends;
@@ -27,7 +28,6 @@ mod vectors_approx_sine;
 mod vectors_columns;
 mod vectors_cubic_quintic;
 mod vectors_damped;
-
 mod vectors_duffing;
 mod vectors_elliptic;
 mod vectors_elliptic_complex;

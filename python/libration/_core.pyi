@@ -277,6 +277,7 @@ __all__ = [
     "orbit_theta_max",
     "orbit_velocity",
     "pendulum_of_duffing",
+    "period",
     "phase",
     "sc_complex_k",
     "sc_complex_m",
@@ -605,6 +606,7 @@ orbit_sensitivities: np.ufunc
 orbit_theta: np.ufunc
 orbit_theta_max: np.ufunc
 orbit_velocity: np.ufunc
+period: np.ufunc
 phase: np.ufunc
 sc_complex_k: np.ufunc
 sc_complex_m: np.ufunc

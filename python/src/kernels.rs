@@ -44,6 +44,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "orbit_advance", by_factors, each(advance_row))?;
     add(module, "action", nothing, whole::<[f64; 1], _>(action))?;
     add(module, "frequency", nothing, whole::<[f64; 1], _>(mean_frequency))?;
+    add(module, "period", nothing, whole::<[f64; 1], _>(period))?;
     add(module, "phase", nothing, whole::<[f64; 1], _>(phase))?;
     add(module, "from_action_phase", nothing, whole::<[f64; 2], _>(from_action_phase))?;
     add(module, "harmonic_distortion", nothing, whole::<[f64; 1], _>(harmonic_distortion))
@@ -83,6 +84,10 @@ fn action((): &(), states: [&[f64]; 3], _: usize, [action]: [&mut [f64]; 1]) {
 
 fn mean_frequency((): &(), states: [&[f64]; 3], _: usize, [frequency]: [&mut [f64]; 1]) {
     pendulum::frequency_into(states, frequency);
+}
+
+fn period((): &(), states: [&[f64]; 3], _: usize, [period]: [&mut [f64]; 1]) {
+    pendulum::period_into(states, period);
 }
 
 fn phase((): &(), states: [&[f64]; 3], _: usize, [phase]: [&mut [f64]; 1]) {

@@ -123,14 +123,34 @@ def test_arrays_are_their_scalars():
     omega0 = np.linspace(0.5, 2.0, len(STATES))
     t = np.linspace(-3.0, 40.0, 5)[:, None]
     pendulums = [Pendulum(a, b, omega0=c) for a, b, c in zip(theta, velocity, omega0, strict=True)]
-    assert same(libration.action(theta, velocity, omega0), np.array([p.action for p in pendulums]))
-    assert same(libration.frequency(theta, velocity, omega0), np.array([p.frequency for p in pendulums]))
-    assert same(libration.phase(theta, velocity, omega0), np.array([p.phase(0.0) for p in pendulums]))
+    # Rows with states of their own: the digits of a call with the state alone, those of an orbit within both promises.
+    for function, name in [(libration.action, "action"), (libration.frequency, "frequency")]:
+        rows = function(theta, velocity, omega0)
+        assert same(rows, np.array([function(*state) for state in zip(theta, velocity, omega0, strict=True)]))
+        one = np.array([getattr(p, name) for p in pendulums])
+        assert np.all(np.abs(rows - one) <= 8 * np.spacing(np.abs(one)))
+    rows = libration.phase(theta, velocity, omega0)
+    assert same(rows, np.array([libration.phase(*state) for state in zip(theta, velocity, omega0, strict=True)]))
+    one = np.array([p.phase(0.0) for p in pendulums])
+    assert np.array_equal(np.isnan(rows), np.isnan(one))
+    known = ~np.isnan(one)
+    assert np.all(np.abs(rows - one)[known] <= 8 * np.spacing(np.maximum(np.abs(one[known]), np.pi)))
     slopes = libration.sensitivities(t, theta, velocity, omega0)
     assert slopes.shape == (5, len(STATES), 2, 3)
     for i, pendulum in enumerate(pendulums):
-        assert same(slopes[:, i], pendulum.sensitivities(t[:, 0]))
-        assert same(slopes[2, i], pendulum.sensitivities(float(t[2, 0])))
+        alone = libration.sensitivities(t[:, 0], [theta[i]], [velocity[i]], omega0[i])
+        assert same(slopes[:, i], alone)
+        state = theta[i], velocity[i], omega0[i]
+        assert same(libration.sensitivities(t[:, 0], *state), pendulum.sensitivities(t[:, 0]))
+        assert same(libration.sensitivities(float(t[2, 0]), *state), pendulum.sensitivities(float(t[2, 0])))
+        kappa = np.sqrt(pendulum.energy_ratio)
+        angle = np.pi if np.isnan(pendulum.theta_max) else pendulum.theta_max
+        scales = np.array([angle or 1.0, 2 * omega0[i] * kappa or omega0[i], omega0[i]])
+        changes, apart = (
+            pendulum.sensitivities(t[:, 0]) * scales,
+            np.abs(slopes[:, i] - pendulum.sensitivities(t[:, 0])),
+        )
+        assert np.all(apart * scales <= 2e-12 * np.abs(changes).max(axis=-1, keepdims=True))
     # A bad element is NaN alone.
     assert np.isnan(libration.action([1.0, np.nan, 1.0])).tolist() == [False, True, False]
     assert np.isnan(libration.phase(1.0, 0.0, [1.0, -1.0])).tolist() == [False, True]
@@ -147,7 +167,7 @@ def test_arrays_are_their_scalars():
 def test_out_and_where():
     out = np.full(3, 9.0)
     libration.action([1.0, 2.0, 3.0], out=out, where=[True, False, True])
-    assert out[1] == 9.0 and out[0] == Pendulum(1.0).action
+    assert out[1] == 9.0 and out[0] == libration.action(1.0)
     assert np.isnan(libration.frequency([1.0, 2.0], where=[True, False])).tolist() == [False, True]
     phase = np.empty(2)
     assert Pendulum(1.0).phase(np.array([0.0, 1.0]), out=phase) is phase

@@ -39,7 +39,11 @@ pub(super) struct StateOnLanes<L: Lane, const ROTATION: bool, const HYPERBOLIC: 
     /// Half periods per second.
     rate: Dd<L>,
     /// 1/k in rotation.
-    pub k_inverse: Unnormalised<L>,
+    k_inverse: Unnormalised<L>,
+    /// omega0, in rotation kappa omega0.
+    pub stretch: Unnormalised<L>,
+    /// kappa in rotation.
+    pub k: Unnormalised<L>,
 }
 
 /// A state a time later: n + f half periods have passed.
@@ -65,12 +69,12 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
         let StateLanes { parity, sine, high, s_square, c_square, x, speed, m, mc, .. } =
             StateLanes::new(theta, velocity, omega);
         let across = high.root() * sine.scale(parity);
-        let (lattices, stretch, k_inverse) = if ROTATION {
+        let (lattices, stretch, k, k_inverse) = if ROTATION {
             let inverse = one.over(m);
             let k = m.root();
-            (NevilleThetaLanes::new::<HYPERBOLIC>(inverse, -(mc * inverse)), omega * k, k * inverse)
+            (NevilleThetaLanes::new::<HYPERBOLIC>(inverse, -(mc * inverse)), omega * k, k, k * inverse)
         } else {
-            (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one)
+            (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one, one)
         };
         let rate = (stretch * lattices.frequency).tight();
         StateOnLanes {
@@ -86,6 +90,8 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
             lattices,
             rate,
             k_inverse,
+            stretch,
+            k,
         }
     }
 

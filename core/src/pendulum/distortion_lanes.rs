@@ -37,8 +37,8 @@ impl Formula<1, 1> for Distortion {
         let square = unit.plus_smaller(root.root()).square();
         let lambda = small.scale(L::splat(0.5)).over(unit.plus_smaller(root) * square);
         let inverse = Unnormalised::splat(PI_SQUARE).over(minus_log_short_nome(lambda));
-        let q = L::select(above, exp((-inverse).tight()).value(), short_nome(lambda).value());
-        let q = L::select(q.less(L::splat(LARGEST_NOME)), q, nan);
+        let nome = Dd::select(above, exp((-inverse).tight()), short_nome(lambda));
+        let q = L::select(nome.hi.less(L::splat(LARGEST_NOME)), nome.hi, nan);
         let (step, mut order, mut power, mut inner) = (q * q, L::splat(3.0), one, q * q * q);
         let mut sum = zero;
         loop {
@@ -55,7 +55,9 @@ impl Formula<1, 1> for Distortion {
             inner = inner * step;
             order = order + L::splat(2.0);
         }
-        let distortion = (one + q) * q * sum.sqrt();
+        let factor = Unnormalised::from_double(sum).root() * unit.plus_smaller(nome.into());
+        let distortion = factor * nome.into();
+        let distortion = distortion.hi + distortion.lo;
         let valid = L::select(zero.less(theta_max), one, nan);
         let valid = L::select(theta_max.less(L::splat(PI.hi)), valid, nan);
         [L::select(L::splat(LEAST).less(m.hi), distortion * valid, nan)]

@@ -4,9 +4,10 @@
 //! R = R_F(x^2/m, c^2, 1):
 //!   libration  pi s R/(2 sqrt(m) K(m)) going up, that from pi (on the side of s) going down,
 //!   rotation   2 pi times the whole turns, and pi s R/K(1/m).
-//! What the lanes leave out is asked of an [`Orbit`](super::orbit::Orbit). Source: as action.rs; DLMF 22.15(ii), 19.25.31.
+//! What the lanes leave out is asked of an [`Orbit`]. Source: as action.rs; DLMF 22.15(ii), 19.25.31.
 
 use super::action_lanes::{LEAST, Ratio, column};
+use super::orbit::Orbit;
 use crate::elliptic::integrals::duplication_lanes::rf;
 use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI};

@@ -6,7 +6,7 @@
 //!   a = x, b = s c, mc p = s c - x G, mc q = s c G + x (mc - s^2), at the start with G = 0,
 //! in every regime, because all are analytic in m. G = I(tau) - s0 s S, where S is sn(tau|m) and
 //!   I = m int_0^tau cn^2 in libration, kappa int_0^(kappa tau) dn^2 of the parameter 1/m in rotation,
-//! by Jacobi's zeta as in sensitivity_lanes.rs. What cancels is 1/mc times larger than the result.
+//! by the slope of ln theta4. What cancels is 1/mc times larger than the result.
 //! Source: DLMF 22.16.30 to 22.16.32, 22.16(ii).
 
 use super::addition_theorem::{LaterState, StateOnLanes};
@@ -14,16 +14,48 @@ use super::batch::{Classify, class};
 use super::frequency::Frequency;
 use super::orbit::Orbit;
 use super::sensitivity::Sensitivity;
-use crate::elliptic::integrals::complete_lanes::Complement;
+use crate::elliptic::theta::neville_lanes::Point;
+use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane};
 
 /// Least |1 - kappa^2|: below, too many of a double's digits cancel.
-const LEAST_COMPLEMENT: f64 = 3e-4;
+const LEAST_COMPLEMENT: f64 = 1e-4;
 /// Least kappa^2, and the largest.
 const LEAST: f64 = 1e-280;
 const LARGEST: f64 = 1e30;
 
+/// I of a row: by the means of m cn^2 and dn^2 and the slope of ln theta4, as epsilon_lanes.rs has it.
+#[inline(always)]
+fn integral<const ROTATION: bool, const HYPERBOLIC: bool, L: Lane>(
+    start: &StateOnLanes<L, ROTATION, HYPERBOLIC>,
+    t: L,
+    n: L,
+    f: L,
+    point: &Point<L>,
+) -> Unnormalised<L> {
+    let (one, half) = (L::splat(1.0), L::splat(0.5));
+    let unit = Unnormalised::from_double(one);
+    let lattices = &start.lattices;
+    let [fourth, _, third] = lattices.logarithmic_slopes::<HYPERBOLIC>(point.angle);
+    let quadratic = Unnormalised::from_double(lattices.quadratic);
+    let (far, mean) = if HYPERBOLIC {
+        let part = lattices.mc.scale(half);
+        let mean = if ROTATION { part + quadratic } else { quadratic - part };
+        (Dd::from_double(one) + -third, mean)
+    } else {
+        let m = if ROTATION { unit.minus_smaller(lattices.mc) } else { start.m };
+        let part = m.scale(half);
+        let lead = if ROTATION { unit.minus_smaller(part) } else { part };
+        (-third, lead.minus_smaller(quadratic))
+    };
+    let slope = Unnormalised::from(Dd::select(point.folded, far, fourth).scale(one.copysign(f)));
+    let slope = if HYPERBOLIC { Unnormalised::from_double(n + n) + slope } else { slope };
+    let passed = start.stretch * Unnormalised::from_double(t);
+    (passed * mean + slope * lattices.theta2_factor) * start.k
+}
+
+/// Rounded.
 #[inline(always)]
 fn value<L: Lane>(sum: Unnormalised<L>) -> L {
     sum.hi + sum.lo
@@ -50,28 +82,8 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 6>
         let c_s = across * cos_d + c_square * sin_d;
         let product = across * (cos_d * cos_d - sin_d * sin_d) + (c_square - s_square) * (sin_d * cos_d);
         let square = s_s * cos_d + c_s * sin_d;
-        // The integral of m cn^2 within half a half period, and over a whole one.
-        let lattices = &start.lattices;
-        let inner_mc = lattices.mc.hi;
-        let inner_m = one - inner_mc;
-        let whole = inner_m * Complement::new(inner_mc).b();
-        let (rate, zeta) = (lattices.frequency.hi, lattices.theta2_factor.hi);
-        let half_period = one / rate;
-        let slow = if HYPERBOLIC { whole - zeta } else { whole };
-        let sign = one.copysign(f);
-        let size = f.abs();
-        let near = (size + size).mul_add(slow, zeta * point.slope);
-        let far = (one - (size + size)).mul_add(-slow, whole - zeta * point.slope);
-        let within_half = L::select(point.folded, far, near) * sign;
-        let integral = if ROTATION {
-            let passed = (n + f) * half_period;
-            let of_dn = inner_mc.mul_add(passed, within_half + n * two * whole);
-            of_dn / start.k_inverse.hi
-        } else {
-            (n * two).mul_add(whole, within_half)
-        };
-        let g =
-            Unnormalised::from_double(integral) - Unnormalised::from_double(s_s.hi * sn.hi / point.unit.hi);
+        let integral = integral::<ROTATION, HYPERBOLIC, L>(&start, t, n, f, &point);
+        let g = integral - s_s * sn.over(point.unit);
         let (left, later) = (mc - s_square, mc - square);
         let per = one / (m.hi * mc.hi);
         let tau = omega * t;

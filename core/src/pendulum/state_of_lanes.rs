@@ -32,9 +32,9 @@ const LEAST_COMPLEMENT: f64 = 1e-12;
 const EIGHTH_PI: Dd = PI.half().half().half();
 
 /// The class of action, phase, direction, omega0.
-struct Classify;
+struct ClassOfAction;
 
-impl Formula<4, 1> for Classify {
+impl Formula<4, 1> for ClassOfAction {
     type Place = Self;
     #[inline(always)]
     fn at<L: Lane>(&self, [action, phase, direction, omega]: [L; 4]) -> [L; 1] {
@@ -194,7 +194,7 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Formula<4, 2> for StateOf<ROT
         let (small, other) = if HYPERBOLIC { (mc, m.sqrt()) } else { (m, kc) };
         let sum = one + other.sqrt();
         let lambda = small * half / ((one + other) * (sum * sum));
-        let q = short_nome(Unnormalised::from_double(lambda)).value();
+        let q = short_nome(Unnormalised::from_double(lambda)).hi;
         let fourth = (q * q) * (q * q);
         // theta3 at the origin: 2K/pi, or 2K'/pi, is its square.
         let origin = q.mul_add(two, fourth.mul_add(two, (fourth * fourth * q).mul_add(two, one)));
@@ -259,7 +259,7 @@ pub fn state_of_into(arguments: [&[f64]; 4], [theta, velocity]: [&mut [f64]; 2])
         let codes = &mut codes[..block.len()];
         let arguments = arguments.map(|argument| &argument[block.clone()]);
         let results = [&mut theta[block.clone()], &mut velocity[block]];
-        Columns::new(arguments, [&mut *codes]).of(&Classify);
+        Columns::new(arguments, [&mut *codes]).of(&ClassOfAction);
         classes.filled(codes, arguments, results, |class, columns| match class {
             class::LIBRATION_CIRCULAR => columns.of(&StateOf::<false, false>),
             class::LIBRATION_HYPERBOLIC => columns.of(&StateOf::<false, true>),

@@ -16,7 +16,7 @@ from .._labels import like
 from ._constants import Regime
 from ._results import ENERGY, ENERGY_RATIO, ENERGY_RATIO_C, PERIOD, REGIME, THETA_MAX
 from ._signatures import of_state, told
-from ._states import factors, start
+from ._states import factors, plain, start
 
 if TYPE_CHECKING:
     from ._signatures import RegimeOfState
@@ -66,6 +66,11 @@ def period(
     >>> libration.period(energy_ratio_c=[1e-17, -1e-17, 1e-20, -1e-20]).round(6)
     array([83.833071, 41.916535, 97.648581, 48.824291])
     """
+    if theta is not None and plain(
+        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    ):
+        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+        return apply(_core.period, *state, results=(PERIOD,), out=out, where=where)
     angles = {"theta": theta, "theta_from_top": theta_from_top}
     motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
     given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)

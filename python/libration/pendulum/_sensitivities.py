@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _core
 from .._dispatch import apply, tensor, unindexed
+from ._motion import _one_orbit
 from ._results import SENSITIVITIES
 from ._signatures import told
 from ._states import factors, plain, start
@@ -77,8 +78,11 @@ def sensitivities(
         direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
     ):
         state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
-        found = apply(_core.state_sensitivities, *map(unindexed, (t, *state)), results=6 * (SENSITIVITIES,))
-        return tensor(found, FIRST)
+        if not _one_orbit(*state):
+            found = apply(_core.state_sensitivities, *map(unindexed, (t, *state)), results=6 * (SENSITIVITIES,))
+            return tensor(found, FIRST)
+        given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
+        return tensor(apply(_core.orbit_sensitivities, unindexed(t), *given, results=6 * (SENSITIVITIES,)), FIRST)
     angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
     motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
     given = (

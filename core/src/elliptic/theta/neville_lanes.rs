@@ -70,8 +70,8 @@ pub(crate) struct Point<L: Lane> {
     pub unit_square: Unnormalised<L>,
     /// Whether it is nearer to K.
     pub folded: L::Mask,
-    /// Slope of ln theta4 by its circular or hyperbolic angle; of ln theta3, counted from K.
-    pub slope: L,
+    /// The circular or hyperbolic angle of it, counted from K where folded.
+    pub angle: Dd<L>,
 }
 
 impl<L: Lane> NevilleThetaLanes<L> {
@@ -136,28 +136,12 @@ impl<L: Lane> NevilleThetaLanes<L> {
         }
     }
 
-    /// The slope of ln theta4, or of ln theta3 where folded, in double.
-    #[inline(always)]
-    fn short_slope<const HYPERBOLIC: bool>(&self, angle: Dd<L>, folded: L::Mask) -> L {
-        let [_, _, third, fourth] = &self.corrections;
-        let (sine, cosine) = if HYPERBOLIC { sinh_cosh(angle) } else { sin_cos(angle) };
-        let (sine, cosine) = (sine.hi, cosine.hi);
-        let square = sine * sine;
-        let x = if HYPERBOLIC { -square } else { square };
-        // d(sin^2) = 2 sin cos, d(-sinh^2) = -2 sinh cosh, and of theta4 = cosh (1 + ...) the cosh beside it.
-        let twice = sine * cosine * L::splat(if HYPERBOLIC { -2.0 } else { 2.0 });
-        let of_lead = if HYPERBOLIC { sine / cosine } else { L::splat(0.0) };
-        let near = fourth.logarithmic_slope(x).mul_add(twice, of_lead);
-        L::select(folded, third.logarithmic_slope(x) * twice, near)
-    }
-
     /// At 2K f, for 0 <= f <= 1/2; all are not negative.
     #[inline(always)]
     pub fn at<const HYPERBOLIC: bool>(&self, f: Dd<L>) -> Point<L> {
         let (folded, v) = fold(f);
         let angle = (Unnormalised::from(v) * self.angle).tight();
         let [theta1, theta2, ..] = self.thetas::<HYPERBOLIC>(angle);
-        let slope = self.short_slope::<HYPERBOLIC>(angle, folded);
         let (theta1, theta2) = (Unnormalised::from(theta1), Unnormalised::from(theta2) * self.theta2_factor);
         let sn = Unnormalised::select(folded, theta2, theta1);
         let cn = Unnormalised::select(folded, self.kc * theta1, theta2);
@@ -165,6 +149,6 @@ impl<L: Lane> NevilleThetaLanes<L> {
         let dn_square = cn_square + self.mc * sn_square;
         let unit_square = cn_square + sn_square;
         let (dn, unit) = (dn_square.root(), unit_square.root());
-        Point { sn, cn, dn, unit, cn_square, dn_square, unit_square, folded, slope }
+        Point { sn, cn, dn, unit, cn_square, dn_square, unit_square, folded, angle }
     }
 }
