@@ -37,8 +37,9 @@ async function begin(): Promise<void> {
   const opened = readLink(location.hash)
   const app = new App(root, VIEWS, dialogs, opened)
   const views = loadViews()
-  window.addEventListener('hashchange', () => {
-    const { state, faults } = readLink(location.hash)
+  window.addEventListener('hashchange', ({ newURL }) => {
+    // The address itself may have been written again in the meantime.
+    const { state, faults } = readLink(new URL(newURL).hash)
     app.store.clock.pause()
     app.store.dismiss('link')
     app.store.set(state)

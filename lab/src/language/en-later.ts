@@ -117,7 +117,7 @@ export const enLater = {
     chordOver: 'chord/2_L_',
     rest: 'chord − 2_L k x_ = *{rest}*',
     chordCaption:
-      'The bob is at {angle}. Its chord to the lowest point is {chord} with its sign: 2 L k times x of the ellipse.',
+      'The bob is at {angle}. Its chord to the lowest point is {chord} with its sign, which is 2 L k times x of the ellipse.',
     graph: 'Graph',
     graphUnit: 'against _u_ = _ω_{0}_t_, quarter period _K_ = {quarter}; dashed grey: cosine',
     caption: 'sn, cn, dn and x = cd over one period, for m = {m}; beside them the cosine of the same period.',

@@ -118,7 +118,7 @@ export const esLater: LaterCatalogue = {
     chordOver: 'cuerda/2_L_',
     rest: 'cuerda − 2_L k x_ = *{rest}*',
     chordCaption:
-      'La masa está en {angle}. Su cuerda al punto más bajo es {chord} con signo: 2 L k por la x de la elipse.',
+      'La masa está en {angle}. Su cuerda al punto más bajo es {chord} con signo, que es 2 L k por la x de la elipse.',
     graph: 'Gráfico',
     graphUnit: 'contra _u_ = _ω_{0}_t_, cuarto de periodo _K_ = {quarter}; gris a trazos: coseno',
     caption: 'sn, cn, dn y x = cd en un periodo, para m = {m}; al lado el coseno del mismo periodo.',

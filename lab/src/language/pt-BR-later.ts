@@ -118,7 +118,7 @@ export const ptBRLater: LaterCatalogue = {
     chordOver: 'corda/2_L_',
     rest: 'corda − 2_L k x_ = *{rest}*',
     chordCaption:
-      'A massa está em {angle}. Sua corda ao ponto mais baixo é {chord} com sinal: 2 L k vezes o x da elipse.',
+      'A massa está em {angle}. Sua corda ao ponto mais baixo é {chord} com sinal, que é 2 L k vezes o x da elipse.',
     graph: 'Gráfico',
     graphUnit: 'contra _u_ = _ω_{0}_t_, quarto de período _K_ = {quarter}; cinza tracejado: cosseno',
     caption: 'sn, cn, dn e x = cd em um período, para m = {m}; ao lado o cosseno do mesmo período.',

@@ -46,6 +46,8 @@ test('lesson: 150 degrees, three formulas, the period, a link, a phone', async (
     viewport: { width: 360, height: 740 },
     hasTouch: true,
     isMobile: true,
+    // It stands at the start: played on, the plots would go over to the second period.
+    reducedMotion: 'reduce',
   })
   const phone = await context.newPage()
   await phone.goto(link)

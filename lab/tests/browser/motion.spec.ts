@@ -188,5 +188,5 @@ test('story 5: the drift of numerical solutions is on the same axis', async ({ l
   expect(drift('Euler–Cromer 0.01 s')).toBeGreaterThan(10 * drift('RK4 0.025 s'))
   expect(drift('RK4 0.025 s')).toBeGreaterThan(1e-9)
   for (const clothes of ['c-exact', 'c-euler', 'c-integrator'])
-    await expect(lab.locator(`[data-chart=energy] path.c.${clothes}`).first()).toHaveAttribute('d', /M.*L/)
+    await expect(lab.locator(`[data-chart=energy] path.c.${clothes}`).first()).toHaveAttribute('d', /M.*l/)
 })
