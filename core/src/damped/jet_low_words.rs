@@ -2,7 +2,7 @@
 //!
 //! Put into the equations, coefficients x_k in double leave rests r_k = f_k(x) - (k + 1) x_(k+1), about 2^-53 of them. What is lacking
 //! follows the equations made linear, (k + 1) e_(k+1) = (f'(x) e)_k + r_k from the low words of the start on, in double. A rest is a sum
-//! that nearly vanishes: its terms are added to a power of two far above them, so that what each addition leaves out is known exactly.
+//! that nearly vanishes: its terms are added to a number far above them, so that what each addition leaves out is known exactly.
 //! Source: Rump, Ogita & Oishi, SIAM J. Sci. Comput. 31 (2008) 189, for the sums.
 
 use super::jet::{COSINE, Jet, Piece, SINE, SLIP, VELOCITY};
@@ -17,7 +17,7 @@ const RESTS: usize = 8;
 /// Orders that are written out.
 const _: () = assert!(LONG == RESTS + 1);
 
-/// A sum of terms that are far smaller than the power of two it begins with, and what its additions leave out.
+/// A sum of terms that are far smaller than the number it begins with, and what its additions leave out.
 #[derive(Clone, Copy)]
 pub(super) struct Anchored<L: Lane> {
     pub sum: L,
@@ -41,10 +41,10 @@ impl<L: Lane> Anchored<L> {
     }
 }
 
-/// How far above the terms the power of two is, in bits: 106 - 10 are left.
+/// How far above the terms that number is, in bits: 106 - 10 are left.
 const MARGIN: i64 = 10;
 
-/// Powers of two far above the terms of every order.
+/// 1.5 times powers of two far above the terms of every order: numbers to either side are rounded alike.
 #[inline(always)]
 fn anchors(start: &[Dd; 4], piece: &Piece, torque: &TorqueJet) -> [f64; RESTS] {
     let mut size = piece.dry.abs();
@@ -56,8 +56,8 @@ fn anchors(start: &[Dd; 4], piece: &Piece, torque: &TorqueJet) -> [f64; RESTS] {
     let mut anchors = [0.0; RESTS];
     let mut k = 0;
     while k < RESTS {
-        let power = (size + growth * k as i64).clamp(1, 2046);
-        anchors[k] = f64::from_bits((power as u64) << 52);
+        let power = (size + growth * k as i64).clamp(1, 2045);
+        anchors[k] = f64::from_bits((power as u64) << 52) * 1.5;
         k += 1;
     }
     anchors

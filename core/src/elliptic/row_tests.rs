@@ -53,7 +53,7 @@ impl Values {
             match self {
                 Values::Between(low, high) => low + (high - low) * x,
                 Values::Towards(from, to) => to + (from - to) * 10f64.powf(-16.0 * x),
-                Values::WithZeros(_) if row % 7 == 0 => 0.0,
+                Values::WithZeros(_) if row.is_multiple_of(7) => 0.0,
                 Values::Powers(powers) | Values::WithZeros(powers) => 10f64.powf(powers * (2.0 * x - 1.0)),
             }
         };

@@ -42,10 +42,6 @@ impl Lane for f64 {
         (product, host_product_error(self, factor, product))
     }
     #[inline(always)]
-    fn product_rest(self, factor: f64, part: f64) -> f64 {
-        host_product_error(self, factor, part)
-    }
-    #[inline(always)]
     fn round(self) -> f64 {
         if f64::abs(self) < 2_251_799_813_685_248.0 { (self + ROUNDER) - ROUNDER } else { round_large(self) }
     }

@@ -121,7 +121,7 @@ impl Pieces {
         }
         let columns = nodes.each_ref().map(|column| column.as_flattened());
         Columns::new(columns, values.each_mut().map(|column| column.as_flattened_mut()))
-            .of(&AtNodes(functions));
+            .of(&AtPieceNodes(functions));
         let [first, first_rest, second, second_rest] = &values;
         for piece in 0..PIECES {
             let coefficients =
@@ -148,9 +148,9 @@ impl Pieces {
 }
 
 /// The two functions, as high and low words, at nodes of pieces: middle f, half the width in w, and the node in [-1, 1].
-struct AtNodes<'a, C>(&'a C);
+struct AtPieceNodes<'a, C>(&'a C);
 
-impl<C: EvenFunctions> Formula<4, 4> for AtNodes<'_, C> {
+impl<C: EvenFunctions> Formula<4, 4> for AtPieceNodes<'_, C> {
     type Place = C;
     #[inline(always)]
     fn at<L: Lane>(&self, [middle, half_width, hi, lo]: [L; 4]) -> [L; 4] {

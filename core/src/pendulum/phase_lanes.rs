@@ -58,5 +58,5 @@ impl Formula<3, 1> for PhaseOfState {
 /// assert_eq!(phase.map(|phase| format!("{phase:.6}")), ["1.570796", "-1.570796", "6.916943"]);
 /// ```
 pub fn phase_into(states: [&[f64]; 3], phase: &mut [f64]) {
-    column(&PhaseOfState, states, phase, |orbit| orbit.phase(0.0));
+    column(&PhaseOfState, states, phase, |orbit: &Orbit| orbit.phase(0.0));
 }
