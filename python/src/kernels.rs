@@ -174,3 +174,8 @@ fn second_slopes(orbit: &Orbit, [t]: [f64; 1]) -> [f64; 12] {
     halves[6..].copy_from_slice(&velocity);
     halves
 }
+
+/// The frequency of a row.
+fn frequency([omega0]: [f64; 1]) -> Option<Frequency> {
+    Frequency::from_omega0(omega0).ok()
+}

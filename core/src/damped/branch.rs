@@ -93,21 +93,16 @@ pub(super) fn since(segment: &Segment, time: f64) -> f64 {
 }
 
 impl DampedPendulum {
-    /// The integration in both senses of time, with a segment's end at every turn if `cut`, and why one does not reach its end, if so.
+    /// The integration in both senses of time, and why one does not reach its end, if so.
     pub(super) fn branches(
         &self,
         start: f64,
         stop: f64,
-        cut: bool,
         ended: &dyn Fn() -> bool,
     ) -> ([Branch; 2], Option<Domain>) {
         let branch = |sense: f64, end: f64| {
-            let mut equation =
-                Equation::new(self.velocity0, self.frequency, self.friction, &self.torque, sense);
-            // Cuts make three steps of two at most.
-            let most = if cut && !equation.cut { 2 * MOST_SEGMENTS } else { MOST_SEGMENTS };
-            let most = if sense < 0.0 && end == 0.0 { 0 } else { most };
-            equation.cut |= cut;
+            let equation = Equation::new(self.velocity0, self.frequency, self.friction, &self.torque, sense);
+            let most = if sense < 0.0 && end == 0.0 { 0 } else { MOST_SEGMENTS };
             let time = equation.time(end);
             let (segments, refused) = integrate(&equation, self.theta0, self.velocity0, time, most, ended);
             (Branch { equation, segments }, refused.filter(|_| most > 0))

@@ -77,9 +77,9 @@ impl DampedSensitivity {
         ended: &dyn Fn() -> bool,
     ) -> Result<DampedSensitivity, Domain> {
         let (start, stop) = trajectory.interval();
-        let branches = match trajectory.cut_branches(ended) {
-            Some(branches) => branches,
-            None => match trajectory.pendulum().branches(start, stop, true, ended) {
+        let branches = match trajectory.branches() {
+            Some(branches) => Arc::clone(branches),
+            None => match trajectory.pendulum().branches(start, stop, ended) {
                 (branches, None) => Arc::new(branches),
                 (_, Some(refused)) => return Err(refused),
             },

@@ -29,8 +29,6 @@ pub(super) struct Equation {
     pub dry: f64,
     /// In rad; 0 where dry friction changes sign at once, or is none.
     pub presliding: f64,
-    /// Whether steps end where the velocity vanishes.
-    pub cut: bool,
     pub constant: f64,
     pub amplitude: f64,
     pub frequency: f64,
@@ -89,7 +87,6 @@ impl Equation {
             quadratic: sense * friction.quadratic(),
             dry: sense * ldexp(friction.dry(), -2 * power),
             presliding: if friction.dry() == 0.0 { 0.0 } else { friction.presliding() },
-            cut: friction.quadratic() != 0.0 || friction.dry() != 0.0,
             constant: ldexp(torque.constant(), -2 * power),
             amplitude,
             frequency: driving,
@@ -175,18 +172,13 @@ impl Equation {
     }
 
     /// The constants of the piece on which the velocity has this side.
-    pub fn piece_of(&self, side: f64, settled: bool, speed: f64, until: f64) -> Piece {
-        let slip = if settled { 0.0 } else { side / self.presliding };
-        // Each coefficient follows from the last by one of these rates; what belongs to omega2, linear or dry is below 1.
-        let turning = speed.abs() * (1.0 + self.quadratic.abs() + slip.abs());
-        let rate = turning.max(self.frequency.abs()).max(1.0 / until).max(1.0);
+    pub fn piece_of(&self, side: f64, settled: bool) -> Piece {
         Piece {
             omega2: self.omega2,
             linear: self.linear,
             quadratic: side * self.quadratic,
             dry: side * self.dry,
-            slip,
-            rate,
+            slip: if settled { 0.0 } else { side / self.presliding },
         }
     }
 }

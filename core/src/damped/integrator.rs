@@ -1,5 +1,5 @@
-//! The motion as segments: steps of the Taylor series, cut where samples of the torque begin a new polynomial, where dry friction takes
-//! hold or lets go, and where the velocity vanishes: with quadratic or dry friction, or if asked for.
+//! The motion as segments: steps of the Taylor series, cut where the velocity vanishes, where samples of the torque begin a new
+//! polynomial, and where dry friction takes hold or lets go.
 //!
 //! State, time and the angle are double-doubles; sine and cosine are carried as variables of their own and put back on the
 //! circle after every step. With dry friction, at a turn with the pull r = torque - omega2 s the pendulum stays where
@@ -24,10 +24,6 @@ pub const ASKED_EVERY: usize = 512;
 
 /// Presliding has settled where what it leaves out of dry friction changes the velocity by less than a step may.
 const SETTLED: f64 = 1.0 / (1u128 << 68) as f64;
-
-/// Cosine of the angle beyond which steps end at turns, whatever the friction: near the top what a step leaves out of a larger
-/// velocity than that of its end would grow.
-const NEAR_TOP: f64 = -0.9;
 
 struct State {
     time: Dd,
@@ -71,9 +67,9 @@ pub(super) fn integrate(
         }
         let knot = equation.next_knot(state.time);
         let (segment, slopes) = if state.side == 0.0 {
-            (state.hold(equation, knot, stop), [0.0; ORDER + 1])
+            (state.hold(equation, knot, stop), &[0.0; ORDER + 1])
         } else {
-            (state.step(equation, knot, stop, &mut torque, &mut jet), jet.slopes())
+            (state.step(equation, knot, stop, &mut torque, &mut jet), &jet.slopes)
         };
         // A release at once leaves no segment behind.
         if segment.side == 0.0 && segment.length == 0.0 && state.side != 0.0 {
@@ -93,7 +89,7 @@ pub(super) fn integrate(
             }
             return (segments, Some(refused(equation, stop, allowed)));
         }
-        segments.push(segment.with(&slopes));
+        segments.push(segment.with(slopes));
     }
     (segments, None)
 }
@@ -154,10 +150,10 @@ impl State {
     }
 
     /// The coefficients ahead, after the sign of the velocity is settled where it is 0; and how long they serve.
-    fn fill(&mut self, equation: &Equation, knot: f64, torque: &TorqueJet, jet: &mut Jet) -> f64 {
+    fn fill(&mut self, equation: &Equation, torque: &TorqueJet, jet: &mut Jet) -> f64 {
         let settled = equation.presliding == 0.0 || self.values[SLIP].hi == 0.0;
         loop {
-            let piece = equation.piece_of(self.side, settled, self.values[VELOCITY].hi, self.until(knot));
+            let piece = equation.piece_of(self.side, settled);
             jet.fill(&self.values, &piece, torque, self.at_limit);
             if self.decided {
                 return step_length(jet, &piece).min(equation.longest());
@@ -191,7 +187,7 @@ impl State {
         if equation.varies() {
             *torque = equation.torque(self.time, self.sinusoid);
         }
-        let converged = self.fill(equation, knot, torque, jet);
+        let converged = self.fill(equation, torque, jet);
         let mut segment = self.segment();
         let velocity = &jet.velocity;
         let end = if converged.is_finite() { knot } else { knot.min(stop) };
@@ -200,15 +196,14 @@ impl State {
         let length = if last { left } else { converged };
         let slips = self.values[SLIP].hi != 0.0;
         let mut all = jet.at(length, slips);
-        let cut = equation.cut || self.values[COSINE].hi < NEAR_TOP;
-        let root = if !cut || jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
+        let root = if jet.keeps_side(length, &all) { None } else { first_root(velocity, length) };
         if let Some(root) = root {
             all = jet.at(root, slips);
         }
         let mut passed = root.unwrap_or(length);
         let mut exactly = Dd::from(passed);
-        let Ahead { values: mut ahead, change } = all;
-        let turns = cut && (root.is_some() || ahead[VELOCITY].hi * self.side < 0.0);
+        let Ahead { values: mut ahead, change, .. } = all;
+        let turns = root.is_some() || ahead[VELOCITY].hi * self.side < 0.0;
         if turns {
             // What the root in double misses; the angle changes only by its square.
             let rest = -ahead[VELOCITY].hi / value_and_slope(velocity, passed).1;
@@ -230,7 +225,7 @@ impl State {
             theta: self.theta + change,
             values: [sine, cosine, slip, v],
             sinusoid: self.sinusoid,
-            side: if cut { self.side } else { f64::copysign(1.0, v.hi) },
+            side: self.side,
             event: Event::Step,
             // At rest without a torque the sign is asked for again.
             decided: moving || turns,

@@ -1,14 +1,10 @@
 //! The state that the Taylor coefficients of one time give at another: the sums of their terms.
 //!
-//! Of the four variables side by side: 23 terms in double, every fourth power by itself; then 9 with low words, of which what each
-//! addition leaves out is kept (jet_low_words.rs).
+//! Of the four variables side by side: 23 terms in double, every fourth power by itself, then 9 in double-double by Horner's rule.
 
 use super::jet::{Jet, VELOCITY};
-use super::jet_low_words::Anchored;
-use super::roots::bend;
-use super::taylor::{LONG, ORDER, number, on_circle, places};
+use super::taylor::{LONG, ORDER, Series, number, on_circle, places};
 use crate::float::Dd;
-use crate::float::double_double::two_sum;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Kernel, Lane, four};
 
@@ -19,6 +15,8 @@ pub(super) struct Ahead {
     pub values: [Dd; 4],
     /// Of the angle.
     pub change: Dd,
+    /// How far the velocity may be from its chord in between.
+    pub bend: f64,
 }
 
 impl Jet {
@@ -31,7 +29,7 @@ impl Jet {
     pub fn keeps_side(&self, time: f64, ahead: &Ahead) -> bool {
         let [first, second, ..] = self.velocity;
         let (start, end) = (if first == 0.0 { second * time } else { first }, ahead.values[VELOCITY].hi);
-        start * end > 0.0 && f64::min(start.abs(), end.abs()) > bend(&self.velocity, time)
+        start * end > 0.0 && f64::min(start.abs(), end.abs()) > ahead.bend
     }
 }
 
@@ -71,24 +69,11 @@ impl Kernel for Sum<'_> {
             tail = tail.mul_add(t, L::load(&jet.rows[k]));
         }
         let time = Unnormalised::from_double(t);
-        // Powers from those of half their order.
-        let mut powers = [time; LONG + 1];
-        let mut i = 2;
-        while i <= LONG {
-            powers[i] = powers[i / 2] * powers[i - i / 2];
-            i += 1;
-        }
-        let anchor = L::splat(jet.anchor);
-        let mut all = Anchored::new(anchor);
-        while k > 1 {
+        let mut sum = Unnormalised::from_double(tail);
+        while k > 0 {
             k -= 1;
-            let (row, power) = (L::load(&jet.rows[k]), powers[k]);
-            all = all.plus_product(row, power.hi);
-            all.rest = L::load(&jet.low_rows[k]).mul_add(power.hi, row.mul_add(power.lo, all.rest));
+            sum = sum * time + Unnormalised::new(L::load(&jet.rows[k]), L::load(&jet.low_rows[k]));
         }
-        all = all.plus(tail * powers[LONG].hi);
-        let (hi, error) = two_sum(L::load(&jet.rows[0]), all.sum - anchor);
-        let sum = Dd::sum(hi, error + (all.rest + L::load(&jet.low_rows[0])));
         let mut u = Dd::new(jet.slip[0], jet.low_slip[0]);
         if slips {
             let mut tail = L::splat(jet.slip[ORDER]);
@@ -104,12 +89,43 @@ impl Kernel for Sum<'_> {
             }
             u = number(sum);
         }
+        let bend = bend(&jet.velocity, t);
         let (hi, lo) = (places(sum.hi), places(sum.lo));
         let mut s = Unnormalised::<L>::new(L::splat(hi[0]), L::splat(lo[0]));
         let mut c = Unnormalised::<L>::new(L::splat(hi[1]), L::splat(lo[1]));
         on_circle(&mut s, &mut c);
         let velocity = Unnormalised::<L>::new(L::splat(hi[2]), L::splat(lo[2]));
         let change = Unnormalised::<L>::new(L::splat(hi[3]), L::splat(lo[3])) * time;
-        Ahead { values: [number(s), number(c), u, number(velocity)], change: number(change) }
+        Ahead { values: [number(s), number(c), u, number(velocity)], change: number(change), bend }
     }
+}
+
+/// (k - i) (k - 1 - i)/8 for i = 0 and 1.
+const BEND: [Series; 2] = {
+    let mut all = [[0.0; ORDER + 1]; 2];
+    let mut k = 1;
+    while k <= ORDER {
+        all[0][k] = (k * (k - 1)) as f64 * 0.125;
+        all[1][k] = ((k - 1) * (k - 1) - (k - 1)) as f64 * 0.125;
+        k += 1;
+    }
+    all
+};
+
+/// A polynomial is nowhere on an interval of length t farther from its chord than t^2/8 times its largest second derivative: at most
+/// the sum of k (k - 1)/8 |c_k| t^k. Where c_0 is 0 this is said of the polynomial over its argument, and the sum is t times that.
+#[inline(always)]
+fn bend<L: Lane>(c: &Series, t: L) -> f64 {
+    let weights = &BEND[usize::from(c[0] == 0.0)];
+    let square = t * t;
+    let fourth = square * square;
+    let mut sum = L::splat(0.0);
+    let mut k = ORDER + 1;
+    while k > 0 {
+        k -= 4;
+        sum = sum.mul_add(fourth, L::load(&c[k..]).abs() * L::load(&weights[k..]));
+    }
+    let [a, b, c, d] = places(sum);
+    let [t, square] = [t.first(), square.first()];
+    (a + b * t) + (c + d * t) * square
 }

@@ -59,10 +59,6 @@ pub(super) fn first_root(coefficients: &[f64; COUNT], end: f64) -> Option<f64> {
     let first = coefficients.iter().position(|c| *c != 0.0)?;
     let mut local = [0.0; COUNT];
     local[..COUNT - first].copy_from_slice(&coefficients[first..]);
-    if keeps_slope(&local, end) {
-        let right = value_and_slope(&local, end).0;
-        return (local[0] * right < 0.0 || right == 0.0).then(|| bracketed(&local, end));
-    }
     let mut at = 0.0;
     let mut shifted = local;
     let mut width = end;
@@ -95,59 +91,6 @@ pub(super) fn first_root(coefficients: &[f64; COUNT], end: f64) -> Option<f64> {
     }
     let right = value_and_slope(&local, end).0;
     (local[0] * right < 0.0).then(|| bracketed(&local, end))
-}
-
-/// Whether the slope is seen at once to have no root in [0, width]: it is farther from 0 at both ends than from its chord between.
-fn keeps_slope(b: &[f64; COUNT], width: f64) -> bool {
-    let mut slope = [0.0; COUNT];
-    for k in 1..COUNT {
-        slope[k - 1] = k as f64 * b[k];
-    }
-    let (start, end) = (slope[0], value_and_slope(b, width).1);
-    start * end > 0.0 && f64::min(start.abs(), end.abs()) > bend(&slope, width)
-}
-
-/// (k - i) (k - 1 - i)/8 for i = 0 and 1.
-const BEND: [[f64; COUNT]; 2] = {
-    let mut all = [[0.0; COUNT]; 2];
-    let mut k = 1;
-    while k < COUNT {
-        all[0][k] = (k * (k - 1)) as f64 * 0.125;
-        all[1][k] = ((k - 1) * (k - 1) - (k - 1)) as f64 * 0.125;
-        k += 1;
-    }
-    all
-};
-
-/// A polynomial is nowhere on an interval of length t farther from its chord than t^2/8 times its largest second derivative: at most
-/// the sum of k (k - 1)/8 |c_k| t^k. Where c_0 is 0 this is said of the polynomial over its argument, and the sum is t times that.
-pub(super) fn bend(c: &[f64; COUNT], t: f64) -> f64 {
-    four(Bend { c, t })
-}
-
-struct Bend<'a> {
-    c: &'a [f64; COUNT],
-    t: f64,
-}
-
-impl Kernel for Bend<'_> {
-    type Output = f64;
-    type Place = Self;
-    #[inline(always)]
-    fn run<L: Lane>(self) -> f64 {
-        let Bend { c, t } = self;
-        let weights = &BEND[usize::from(c[0] == 0.0)];
-        let square = t * t;
-        let fourth = L::splat(square * square);
-        let mut sum = L::splat(0.0);
-        let mut k = COUNT;
-        while k > 0 {
-            k -= 4;
-            sum = sum.mul_add(fourth, L::load(&c[k..]).abs() * L::load(&weights[k..]));
-        }
-        let [a, b, c, d] = places(sum);
-        (a + b * t) + (c + d * t) * square
-    }
 }
 
 /// Whether there is one root in (0, width], or none; `None` where that is not clear.

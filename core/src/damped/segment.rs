@@ -1,5 +1,5 @@
-//! A piece of the motion on which the angle is one polynomial of time, and the velocity has one sign if steps end at turns; and the
-//! length that the polynomial may have.
+//! A piece of the motion on which the angle is one polynomial of time and the velocity has one sign, and the length that the
+//! polynomial may have.
 
 use super::jet::{Jet, Piece};
 use super::roots::{bracketed, value_and_slope};
@@ -31,7 +31,7 @@ pub(super) struct Segment {
     /// Coefficients of the powers 1, 2, ... of time in the angle.
     pub slopes: Series,
     pub event: Event,
-    /// Sign of the velocity at the start; 0 where dry friction holds.
+    /// Sign of the velocity; 0 where dry friction holds.
     pub side: f64,
     pub sine: f64,
     pub cosine: f64,

@@ -7,7 +7,7 @@ use crate::lanes::Lane;
 /// Highest power of time. For a tolerance of 2^-70 the rule of Jorba & Zou, ceil(-ln(tolerance)/2) + 1 = 26, takes a step to cost the
 /// square of its order. Here it costs a fixed part besides, and the products come four at a time: 32 coefficients fill lanes.
 pub(super) const ORDER: usize = 31;
-/// How many coefficients of the lowest orders have low words.
+/// How many coefficients of the lowest orders are double-doubles.
 pub(super) const LONG: usize = 9;
 
 /// The coefficients of one function of time.

@@ -7,7 +7,7 @@ use super::segment::{Event, Segment};
 use crate::domain::Domain;
 use crate::float::{Dd, PI, TWO_PI};
 use crate::pendulum::{Orbit, Turns};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 #[derive(Clone, Debug)]
 enum Motion {
@@ -32,8 +32,6 @@ pub struct Trajectory {
     pendulum: DampedPendulum,
     motion: Motion,
     interval: [f64; 2],
-    /// The integration with a segment's end at every turn, once it was asked for.
-    cut: Arc<OnceLock<Arc<[Branch; 2]>>>,
 }
 
 impl DampedPendulum {
@@ -93,19 +91,18 @@ impl DampedPendulum {
         let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency);
         if let (true, Ok(orbit)) = (self.friction.is_none() && self.torque.is_none(), orbit) {
             let motion = Motion::Exact(Box::new(orbit));
-            return (Trajectory::new(self, motion, interval), None);
+            return (Trajectory { pendulum: self.clone(), motion, interval }, None);
         }
-        let (branches, refused) = self.branches(start, stop, false, ended);
+        let (branches, refused) = self.branches(start, stop, ended);
         let interval = [start.max(branches[0].end()), stop.min(branches[1].end())];
-        (Trajectory::new(self, Motion::Integrated(Arc::new(branches)), interval), refused)
+        (
+            Trajectory { pendulum: self.clone(), motion: Motion::Integrated(Arc::new(branches)), interval },
+            refused,
+        )
     }
 }
 
 impl Trajectory {
-    fn new(pendulum: &DampedPendulum, motion: Motion, interval: [f64; 2]) -> Trajectory {
-        Trajectory { pendulum: pendulum.clone(), motion, interval, cut: Arc::default() }
-    }
-
     /// The pendulum that moves.
     #[must_use]
     pub fn pendulum(&self) -> &DampedPendulum {
@@ -124,22 +121,12 @@ impl Trajectory {
             Motion::Integrated(branches) => branches.iter().map(|branch| branch.segments.len()).sum(),
         }
     }
-    /// The integration in both senses of time with a segment's end at every turn, if there was one. Only quadratic and dry friction need
-    /// these ends; without them the motion is integrated once more when turns, passages or derivatives are asked for.
-    pub(super) fn cut_branches(&self, ended: &dyn Fn() -> bool) -> Option<Arc<[Branch; 2]>> {
-        let Motion::Integrated(branches) = &self.motion else { return None };
-        if branches[1].equation.cut {
-            return Some(Arc::clone(branches));
+    /// The integration in both senses of time, if there was one.
+    pub(super) fn branches(&self) -> Option<&Arc<[Branch; 2]>> {
+        match &self.motion {
+            Motion::Exact(_) => None,
+            Motion::Integrated(branches) => Some(branches),
         }
-        if let Some(cut) = self.cut.get() {
-            return Some(Arc::clone(cut));
-        }
-        let [start, stop] = self.interval;
-        let cut = Arc::new(self.pendulum.branches(start, stop, true, ended).0);
-        if !ended() {
-            return Some(Arc::clone(self.cut.get_or_init(|| cut)));
-        }
-        Some(cut)
     }
 
     /// Whether t is in the interval.
@@ -263,8 +250,8 @@ impl Trajectory {
         self.check_interval(start, stop)?;
         match &self.motion {
             Motion::Exact(orbit) => orbit.times(theta, start, stop),
-            Motion::Integrated(_) => {
-                Ok(self.collected(start, stop, |_, segment, next| segment.passage(next, theta)))
+            Motion::Integrated(branches) => {
+                Ok(collected(branches, start, stop, |_, segment, next| segment.passage(next, theta)))
             }
         }
     }
@@ -278,7 +265,7 @@ impl Trajectory {
         self.check_interval(start, stop)?;
         match &self.motion {
             Motion::Exact(orbit) => orbit.turning_times(start, stop),
-            Motion::Integrated(_) => Ok(self.collected(start, stop, |first, segment, _| {
+            Motion::Integrated(branches) => Ok(collected(branches, start, stop, |first, segment, _| {
                 let turns = match segment.event {
                     Event::Turn => true,
                     Event::Start | Event::Release => first && segment.slopes[0] == 0.0 && segment.moves(),
@@ -349,29 +336,28 @@ impl Trajectory {
         }
         Ok(())
     }
+}
 
-    /// The times in an interval that each segment gives, since its start, rising.
-    fn collected(
-        &self,
-        start: f64,
-        stop: f64,
-        of: impl Fn(bool, &Segment, Option<&Segment>) -> Option<f64>,
-    ) -> Vec<f64> {
-        let mut times = Vec::new();
-        let branches = self.cut_branches(&|| false);
-        for Branch { equation, segments } in branches.iter().flat_map(|branches| branches.iter()) {
-            for (i, segment) in segments.iter().enumerate() {
-                if let Some(since) = of(i == 0, segment, segments.get(i + 1)) {
-                    let t = equation.seconds((segment.start + Dd::from(since)).value());
-                    if (start..=stop).contains(&t) {
-                        times.push(t);
-                    }
+/// The times in an interval that each segment gives, since its start, rising.
+fn collected(
+    branches: &[Branch; 2],
+    start: f64,
+    stop: f64,
+    of: impl Fn(bool, &Segment, Option<&Segment>) -> Option<f64>,
+) -> Vec<f64> {
+    let mut times = Vec::new();
+    for Branch { equation, segments } in branches {
+        for (i, segment) in segments.iter().enumerate() {
+            if let Some(since) = of(i == 0, segment, segments.get(i + 1)) {
+                let t = equation.seconds((segment.start + Dd::from(since)).value());
+                if (start..=stop).contains(&t) {
+                    times.push(t);
                 }
             }
         }
-        times.sort_by(f64::total_cmp);
-        // The start belongs to both senses of time.
-        times.dedup();
-        times
     }
+    times.sort_by(f64::total_cmp);
+    // The start belongs to both senses of time.
+    times.dedup();
+    times
 }

@@ -130,7 +130,7 @@ impl ColumnJet {
     /// On a segment that moves, from its start.
     pub fn fill(&mut self, equation: &Equation, segment: &Segment, start: &Columns) {
         let settled = equation.presliding == 0.0 || segment.slip == 0.0;
-        let piece = equation.piece_of(segment.side, settled, segment.slopes[0], f64::INFINITY);
+        let piece = equation.piece_of(segment.side, settled);
         let sinusoid = sinusoids(equation, segment.start);
         let signs = equation.sense * segment.side;
         four(ColumnRecurrence {

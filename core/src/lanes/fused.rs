@@ -18,7 +18,6 @@ vector! {
     neg = -a;
     mul_add = f64::mul_add(a, b, c);
     product_error = f64::mul_add(a, b, -c);
-    product_rest = f64::mul_add(a, b, -c);
     remainder = f64::mul_add(-a, b, c);
     round = f64::round_ties_even(a);
     sqrt = f64::sqrt(a);

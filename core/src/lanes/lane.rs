@@ -59,12 +59,6 @@ pub trait Lane:
         let (product, error) = factor.two_product_in_range(other);
         (self - product) - error
     }
-    /// The exact product less a part of it that it was rounded to, to fewer bits: rounded once.
-    #[inline(always)]
-    fn product_rest(self, factor: Self, part: Self) -> Self {
-        let (product, error) = self.two_product_in_range(factor);
-        (product - part) + error
-    }
     /// Nearest integer, ties to even.
     fn round(self) -> Self;
     /// Square root.

@@ -58,7 +58,6 @@ vector! {
     neg = vnegq_f64(a);
     mul_add = vfmaq_f64(c, a, b);
     product_error = vfmaq_f64(vnegq_f64(c), a, b);
-    product_rest = vfmaq_f64(vnegq_f64(c), a, b);
     remainder = vfmsq_f64(c, a, b);
     round = vrndnq_f64(a);
     sqrt = vsqrtq_f64(a);

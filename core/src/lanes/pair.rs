@@ -83,7 +83,7 @@ impl<L: Lane> Lane for Pair<L> {
         (Pair(first.0, second.0), Pair(first.1, second.1))
     }
     methods!(
-        mul_add(factor, term) -> Self, remainder(factor, other) -> Self, product_rest(factor, part) -> Self, round() -> Self,
+        mul_add(factor, term) -> Self, remainder(factor, other) -> Self, round() -> Self,
         sqrt() -> Self, abs() -> Self, copysign(sign) -> Self, exp2_integer() -> Self, exponent() -> Self,
         alternated(shifted) -> Self, larger(other) -> Self, smaller(other) -> Self, less(other) -> Self::Mask,
         equal(other) -> Self::Mask

@@ -4,7 +4,6 @@
 //! are the table's to choose), which stand for the arguments of the operation in their order. Where they do not:
 //! - `load` and `store` have the slice's pointer as `a`; what is stored is `b`;
 //! - `product_error` has both factors and their rounded product, as has `product_error_in_range`, which a table may leave out;
-//! - `product_rest` has both factors and a part of their product near to it; a table without fused multiplication leaves it out;
 //! - `shift_52` moves the bits of every double up by 52 places;
 //! - `exponent_field` has the bits above the mantissa of every double in the mantissa of a double from 2^52 on;
 //! - `any` has the flags as `a`;
@@ -32,7 +31,6 @@ macro_rules! vector {
         mul_add = $mul_add:expr;
         product_error = $product_error:expr;
         $(product_error_in_range = $product_error_in_range:expr;)?
-        $(product_rest = $product_rest:expr;)?
         $(remainder = $remainder:expr;)?
         round = $round:expr;
         sqrt = $sqrt:expr;
@@ -113,14 +111,6 @@ macro_rules! vector {
                 // SAFETY: see the top of the table's file.
                 (product, Self(unsafe { $product_error }))
             }
-            $(
-                #[inline(always)]
-                fn product_rest(self, factor: Self, part: Self) -> Self {
-                    let ($a, $b, $c) = (self.0, factor.0, part.0);
-                    // SAFETY: see the top of the table's file.
-                    Self(unsafe { $product_rest })
-                }
-            )?
             $(
                 #[inline(always)]
                 fn two_product_in_range(self, factor: Self) -> (Self, Self) {

@@ -101,7 +101,6 @@ vector! {
     neg = _mm512_castsi512_pd(_mm512_xor_si512(_mm512_castpd_si512(a), _mm512_set1_epi64(i64::MIN)));
     mul_add = _mm512_fmadd_pd(a, b, c);
     product_error = _mm512_fmsub_pd(a, b, c);
-    product_rest = _mm512_fmsub_pd(a, b, c);
     remainder = _mm512_fnmadd_pd(a, b, c);
     round = _mm512_roundscale_pd::<{ _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC }>(a);
     sqrt = _mm512_sqrt_pd(a);
@@ -132,7 +131,6 @@ vector! {
     neg = _mm256_xor_pd(a, _mm256_set1_pd(-0.0));
     mul_add = _mm256_fmadd_pd(a, b, c);
     product_error = _mm256_fmsub_pd(a, b, c);
-    product_rest = _mm256_fmsub_pd(a, b, c);
     remainder = _mm256_fnmadd_pd(a, b, c);
     round = _mm256_round_pd::<{ _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC }>(a);
     sqrt = _mm256_sqrt_pd(a);

@@ -362,13 +362,6 @@ impl<L: Lane> ShortCorrection<L> {
         let [first, second, third] = self.0;
         x * third.mul_add(x, second).mul_add(x, first)
     }
-    /// Derivative of the logarithm of 1 + the correction, by x.
-    #[inline(always)]
-    pub fn logarithmic_slope(&self, x: L) -> L {
-        let [first, second, third] = self.0;
-        let tail = (third * L::splat(3.0)).mul_add(x, second + second);
-        tail.mul_add(x, first) / (L::splat(1.0) + self.at(x))
-    }
 }
 
 /// [`corrections`] of a nome per lane, in double.
