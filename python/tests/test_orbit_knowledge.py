@@ -248,7 +248,9 @@ def test_series():
     phase = pendulum.phase(t)[:, None] * j
     assert np.allclose((np.sin(phase) * series.theta).sum(axis=1), pendulum.theta(t), atol=1e-12)
     assert np.allclose((np.cos(phase) * series.velocity).sum(axis=1), pendulum.velocity(t), atol=1e-11)
-    assert libration.harmonic_distortion(2.5) == Pendulum(2.5).distortion == pytest.approx(pendulum.distortion)
+    assert Pendulum(2.5).distortion == pytest.approx(pendulum.distortion)
+    # Arrays have a kernel of their own, within the same promise.
+    assert libration.harmonic_distortion(2.5) == pytest.approx(Pendulum(2.5).distortion, rel=1e-15)
     assert libration.harmonic_distortion([0.0, 1.0]).shape == (2,)
     assert np.isnan(Pendulum(0.0, 2.0).fourier(3).theta).all()
     for n, message in [

@@ -151,7 +151,10 @@ def test_every_frequency_is_taken_by_functions_of_arrays(force):
     many = [Pendulum(a, b, **force) for a, b in zip(theta, velocity, strict=True)]
     for name in [*KEPT, "action", "frequency"]:
         found = getattr(libration, name)(theta, velocity, **force)
-        assert same(found, np.array([getattr(each, name) for each in many])), name
+        expected = np.array([getattr(each, name) for each in many])
+        # States by angle, velocity and omega0 have kernels of their own, within the same promise of 4 ulp.
+        own = "omega0" in force and name in ("period", "action", "frequency")
+        assert np.allclose(found, expected, rtol=1.8e-15, atol=0.0) if own else same(found, expected), name
     for name in ("theta", "velocity"):
         found = getattr(libration, name)(0.7, theta, velocity, **force)
         expected = np.array([getattr(each, name)(0.7) for each in many])

@@ -192,8 +192,8 @@ impl Pass for SineSum<'_> {
 /// is for a longer sum to say ([`AngleBlock::is_close`]).
 pub(super) struct SineSide;
 
-/// A square that is 0 but for the rounding of double-doubles.
-const CLOSE: f64 = 1e-24;
+/// A square that is so small that the angle is no longer good to its last digit where the sine is wrong by 2^-62.
+const CLOSE: f64 = 1e-8;
 
 impl Pass for SineSide {
     #[inline(always)]

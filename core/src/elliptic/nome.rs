@@ -87,7 +87,7 @@ pub fn nome(parameter: Parameter) -> f64 {
 /// use libration::elliptic::{Given, nome_into};
 /// let mut q = [0.0; 2];
 /// nome_into(Given::Mc, &[0.5, 1e-20], &mut q);
-/// assert_eq!(format!("{:.10} {:.10}", q[0], q[1]), "0.0432139183 0.8169133020");
+/// assert_eq!(format!("{:.10} {:.10}", q[0], q[1]), "0.0432139183 0.8169761535");
 /// ```
 pub fn nome_into(given: Given, parameters: &[f64], q: &mut [f64]) {
     column_of_parameter(&NomeOfParameter, [], (given, parameters), q, careful_nome);

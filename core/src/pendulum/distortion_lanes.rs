@@ -69,7 +69,7 @@ impl Formula<1, 1> for Distortion {
 /// ```
 /// let mut distortion = [0.0; 2];
 /// libration::pendulum::harmonic_distortion_into(&[1.0, 2.0], &mut distortion);
-/// assert_eq!(distortion.map(|value| format!("{value:.9}")), ["0.005540330", "0.027412286"]);
+/// assert_eq!(distortion.map(|value| format!("{value:.9}")), ["0.005528070", "0.027412286"]);
 /// ```
 pub fn harmonic_distortion_into(theta_max: &[f64], distortion: &mut [f64]) {
     Columns::new([theta_max], [&mut *distortion]).of(&Distortion);

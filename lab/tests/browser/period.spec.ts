@@ -90,9 +90,9 @@ test('story 6: each formula says its source and its stated range, on an error ax
   await show(lab, 'view=period&th0=60deg&t=0s')
   await lab.locator('#more-formulas').click()
   const boxes = lab.locator('.formulas input[type=checkbox]')
-  const count = await boxes.count()
-  expect(count).toBe(15)
-  for (let i = 0; i < count; i++) {
+  // The list is of the module that is loaded after the first drawing.
+  await expect(boxes).toHaveCount(15)
+  for (let i = 0; i < 15; i++) {
     await boxes.nth(i).focus()
     // A source: a name with a year, a chapter of DLMF, or what everybody knows.
     await expect(lab.locator('.formula-details')).toContainText(/\d{4}|DLMF|Small swings|Bernoulli/)

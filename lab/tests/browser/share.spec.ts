@@ -225,11 +225,13 @@ test('story 13: a second visit needs no network', async ({ browser }) => {
   const page = await context.newPage()
   await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
   await ready(page)
-  // Kept: the page, its script, its style, and the module that it runs.
+  // Kept: the page, its scripts, its style, and the modules that it runs.
   await page.waitForFunction(async () => {
     const kept = (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat()
-    const has = (end: string) => kept.some(({ url }) => url.endsWith(end))
-    return has('.js') && has('.css') && has('.wasm') && has('.woff2') && has('/')
+    const has = (end: RegExp) => kept.some(({ url }) => end.test(url))
+    const first = [/\/index-[^/]*\.js$/, /\.css$/, /simd-[^/]*\.wasm$/, /\.woff2$/, /\/$/]
+    const later = [/\/later-[^/]*\.js$/, /second-[^/]*\.wasm$/]
+    return [...first, ...later].every(has)
   })
   await context.setOffline(true)
   await page.goto('about:blank')

@@ -128,7 +128,7 @@ pub fn incomplete_f(phi: f64, parameter: Parameter) -> f64 {
 /// use libration::elliptic::{Given, incomplete_f_into};
 /// let mut f = [0.0; 2];
 /// incomplete_f_into([1.0, 1.5].as_slice(), Given::M, &[0.5, 0.9], &mut f);
-/// assert_eq!(format!("{:.10} {:.10}", f[0], f[1]), "1.0832167728 2.3593480022");
+/// assert_eq!(format!("{:.10} {:.10}", f[0], f[1]), "1.0832167728 2.3558627384");
 /// ```
 pub fn incomplete_f_into(phi: &[f64], given: Given, parameters: &[f64], f: &mut [f64]) {
     column_of_parameter(&IncompleteF, [phi], (given, parameters), f, careful_f);
