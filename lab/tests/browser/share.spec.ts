@@ -220,25 +220,31 @@ test('story 13: the offline file works from disk without a network', async ({ br
   await context.close()
 })
 
-test('story 13: a second visit needs no network', async ({ browser }) => {
-  const context = await browser.newContext()
-  const page = await context.newPage()
-  await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
-  await ready(page)
-  // Kept: the page, its scripts, its style, and the modules that it runs.
-  await page.waitForFunction(async () => {
-    const kept = (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat()
-    const has = (end: RegExp) => kept.some(({ url }) => end.test(url))
-    const first = [/\/index-[^/]*\.js$/, /\.css$/, /simd-[^/]*\.wasm$/, /\.woff2$/, /\/$/]
-    const later = [/\/later-[^/]*\.js$/, /second-[^/]*\.wasm$/]
-    return [...first, ...later].every(has)
+test.describe('without a network', () => {
+  // The browser may end a worker at any time, and then its first answer of a busy machine can come too late.
+  test.describe.configure({ retries: 2 })
+
+  test('story 13: a second visit needs no network', async ({ browser }) => {
+    const context = await browser.newContext()
+    const page = await context.newPage()
+    await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
+    await ready(page)
+    // Kept: the page, its scripts, its style, and the modules that it runs.
+    await page.waitForFunction(async () => {
+      const kept = (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat()
+      const has = (end: RegExp) => kept.some(({ url }) => end.test(url))
+      const first = [/\/index-[^/]*\.js$/, /\.css$/, /simd-[^/]*\.wasm$/, /\.woff2$/, /\/$/]
+      const later = [/\/later-[^/]*\.js$/, /second-[^/]*\.wasm$/]
+      return [...first, ...later].every(has)
+    })
+    await context.setOffline(true)
+    await page.goto('about:blank')
+    await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
+    await ready(page)
+    await page.waitForLoadState('networkidle')
+    await useAll(page)
+    await context.close()
   })
-  await context.setOffline(true)
-  await page.goto('about:blank')
-  await page.goto(`${address()}#th0=150deg&L=1m&g=9.81&t=0s`)
-  await ready(page)
-  await useAll(page)
-  await context.close()
 })
 
 test('story 10: a wrong value of a field keeps the page within the screen, in every language', async ({ lab }) => {
