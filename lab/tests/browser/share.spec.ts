@@ -231,7 +231,9 @@ test.describe('without a network', () => {
     await ready(page)
     // Kept: the page, its scripts, its style, and the modules that it runs.
     await page.waitForFunction(async () => {
-      const kept = (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat()
+      const kept = (
+        await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))
+      ).flat()
       const has = (end: RegExp) => kept.some(({ url }) => end.test(url))
       const first = [/\/index-[^/]*\.js$/, /\.css$/, /simd-[^/]*\.wasm$/, /\.woff2$/, /\/$/]
       const later = [/\/later-[^/]*\.js$/, /second-[^/]*\.wasm$/]
