@@ -221,7 +221,7 @@ test('story 13: the offline file works from disk without a network', async ({ br
 })
 
 test.describe('without a network', () => {
-  // The browser may end a worker at any time, and then its first answer of a busy machine can come too late.
+  // Not understood yet: on a busy machine a later view sometimes does not come here.
   test.describe.configure({ retries: 2 })
 
   test('story 13: a second visit needs no network', async ({ browser }) => {
