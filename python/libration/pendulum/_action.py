@@ -20,7 +20,7 @@ from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
 from ._results import ACTION, FREQUENCY, MOTION, PHASE
 from ._signatures import OtherFrequency, of_state, told
-from ._states import factors, plain, start
+from ._states import NOW, factors, orbit, plain, plain_state
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -70,14 +70,11 @@ def action(
     >>> libration.action([0.0, 0.0], [1.0, 3.0]).round(6)
     array([0.517316, 2.631985])
     """
-    if theta is not None and plain(
-        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+    others = theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta, velocity, omega0, direction, *others):
         return apply(_core.action, *state, results=(ACTION,), out=out, where=where)
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_action, *given, results=(ACTION,), out=out, where=where)
 
 
@@ -125,14 +122,11 @@ def frequency(
     >>> libration.frequency(0.0, [1.0, 2.0, -3.0]).round(6)
     array([ 0.931808,  0.      , -2.604008])
     """
-    if theta is not None and plain(
-        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+    others = theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta, velocity, omega0, direction, *others):
         return apply(_core.frequency, *state, results=(FREQUENCY,), out=out, where=where)
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_frequency, *given, results=(FREQUENCY,), out=out, where=where)
 
 
@@ -181,14 +175,11 @@ def phase(
     >>> libration.phase([1.0, -1.0, 7.0], [0.0, 0.0, 3.0]).round(6)
     array([ 1.570796, -1.570796,  6.916943])
     """
-    if theta is not None and plain(
-        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+    others = theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta, velocity, omega0, direction, *others):
         return apply(_core.phase, *state, results=(PHASE,), out=out, where=where)
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_phase, 0.0, *given, results=(PHASE,), out=out, where=where)
 
 

@@ -16,7 +16,7 @@ from .._labels import like
 from ._constants import Regime
 from ._results import ENERGY, ENERGY_RATIO, ENERGY_RATIO_C, PERIOD, REGIME, THETA_MAX
 from ._signatures import of_state, told
-from ._states import factors, plain, start
+from ._states import NOW, orbit, plain_state
 
 if TYPE_CHECKING:
     from ._signatures import RegimeOfState
@@ -66,14 +66,11 @@ def period(
     >>> libration.period(energy_ratio_c=[1e-17, -1e-17, 1e-20, -1e-20]).round(6)
     array([83.833071, 41.916535, 97.648581, 48.824291])
     """
-    if theta is not None and plain(
-        direction, theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+    others = theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta, velocity, omega0, direction, *others):
         return apply(_core.period, *state, results=(PERIOD,), out=out, where=where)
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_period, *given, results=(PERIOD,), out=out, where=where)
 
 
@@ -121,9 +118,8 @@ def theta_max(
     >>> libration.theta_max(0.0, [1.0, 2.0, 3.0]).round(6)
     array([1.047198, 3.141593,      nan])
     """
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_theta_max, *given, results=(THETA_MAX,), out=out, where=where)
 
 
@@ -171,9 +167,8 @@ def energy_ratio(
     >>> libration.energy_ratio(0.0, [0.0, 1.0, 3.0])
     array([0.  , 0.25, 2.25])
     """
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_energy_ratio, *given, results=(ENERGY_RATIO,), out=out, where=where)
 
 
@@ -221,9 +216,8 @@ def energy_ratio_c(
     >>> f"{libration.energy_ratio_c(theta_from_top=1e-17):.6e}"
     '2.500000e-35'
     """
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_energy_ratio_c, *given, results=(ENERGY_RATIO_C,), out=out, where=where)
 
 
@@ -271,9 +265,8 @@ def energy(
     >>> libration.energy([0.0, 1.0], [2.0, 0.0], length=9.80665).round(6)
     array([2.      , 0.459698])
     """
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_energy, *given, results=(ENERGY,), out=out, where=where)
 
 
@@ -338,7 +331,6 @@ def regime(
     >>> print(*libration.regime(energy_ratio_c=[1.0, 1e-20, 0.0, -1e-20]))
     rest libration separatrix rotation
     """
-    angles = {"theta": theta, "theta_from_top": theta_from_top}
-    motions = {"velocity": velocity, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
+    given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_WORDS, *given, results=(REGIME,))

@@ -20,7 +20,7 @@ from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import apply
 from ._results import MOTION, THETA, VELOCITY
 from ._signatures import OtherFrequency, of_time, told
-from ._states import factors, plain, start
+from ._states import INITIAL, factors, orbit, plain, plain_state
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -85,22 +85,14 @@ def theta(
     array([[ 1.      ,  3.      ],
            [-0.306201,  2.613057]])
     """
-    if theta0 is not None and plain(
-        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+    others = theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta0, velocity0, omega0, direction, *others):
         if not _one_orbit(*state):
             return apply(_core.state_theta, t, *state, results=(THETA,), out=out, where=where)
         given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
     else:
-        angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-        motions = {
-            "velocity0": velocity0,
-            "energy_ratio": energy_ratio,
-            "energy_ratio_c": energy_ratio_c,
-            "energy": energy,
-        }
-        given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+        angles, motions = (theta0, theta0_from_top), (velocity0, energy_ratio, energy_ratio_c, energy)
+        given = orbit(INITIAL, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_theta, t, *given, results=(THETA,), out=out, where=where)
 
 
@@ -153,22 +145,14 @@ def velocity(
     >>> libration.velocity([0.0, 1.0], 0.0, 1.0).round(6)
     array([1.      , 0.568569])
     """
-    if theta0 is not None and plain(
-        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+    others = theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta0, velocity0, omega0, direction, *others):
         if not _one_orbit(*state):
             return apply(_core.state_velocity, t, *state, results=(VELOCITY,), out=out, where=where)
         given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
     else:
-        angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-        motions = {
-            "velocity0": velocity0,
-            "energy_ratio": energy_ratio,
-            "energy_ratio_c": energy_ratio_c,
-            "energy": energy,
-        }
-        given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+        angles, motions = (theta0, theta0_from_top), (velocity0, energy_ratio, energy_ratio_c, energy)
+        given = orbit(INITIAL, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_velocity, t, *given, results=(VELOCITY,), out=out, where=where)
 
 
@@ -221,22 +205,14 @@ def motion(
     >>> print(f"{theta:.6f} {velocity:.6f}")
     -0.306201 -0.909047
     """
-    if theta0 is not None and plain(
-        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+    others = theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta0, velocity0, omega0, direction, *others):
         if not _one_orbit(*state):
             return apply(_core.state_motion, t, *state, results=MOTION, out=out, where=where)
         given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
     else:
-        angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-        motions = {
-            "velocity0": velocity0,
-            "energy_ratio": energy_ratio,
-            "energy_ratio_c": energy_ratio_c,
-            "energy": energy,
-        }
-        given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+        angles, motions = (theta0, theta0_from_top), (velocity0, energy_ratio, energy_ratio_c, energy)
+        given = orbit(INITIAL, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_motion, t, *given, results=MOTION, out=out, where=where)
 
 

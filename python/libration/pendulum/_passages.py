@@ -11,7 +11,7 @@ from .. import _core
 from .._dispatch import apply
 from ._results import CROSSING, TURNS
 from ._signatures import of_angle, told
-from ._states import factors, start
+from ._states import INITIAL, orbit
 
 if TYPE_CHECKING:
     from ._signatures import TurnsOfTime
@@ -64,9 +64,8 @@ def turns(
     >>> print(n, angle.round(6))
     [0 4] [0.114252 1.025388]
     """
-    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta0, theta0_from_top), (velocity0, energy_ratio, energy_ratio_c, energy)
+    given = orbit(INITIAL, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.turns, t, *given, results=TURNS)
 
 
@@ -125,7 +124,6 @@ def next_crossing(
     >>> f"{libration.next_crossing(1.5 * np.pi, theta0_from_top=1e-17, omega2=73.5):.9f}"
     '4.705588134'
     """
-    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = *start(angles, motions, direction), *factors(omega0, omega2, length, gravity)
+    angles, motions = (theta0, theta0_from_top), (velocity0, energy_ratio, energy_ratio_c, energy)
+    given = orbit(INITIAL, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_next_crossing, theta, after, *given, results=(CROSSING,), out=out, where=where)

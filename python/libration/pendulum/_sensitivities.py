@@ -9,7 +9,7 @@ from .._dispatch import apply, tensor, unindexed
 from ._motion import _one_orbit
 from ._results import SENSITIVITIES
 from ._signatures import told
-from ._states import factors, plain, start
+from ._states import INITIAL, orbit, plain_state
 
 if TYPE_CHECKING:
     from ._signatures import MatricesOfTime
@@ -74,19 +74,13 @@ def sensitivities(
     >>> np.linalg.det(slopes[..., :2]).round(6)
     array([1., 1., 1.])
     """
-    if theta0 is not None and plain(
-        direction, theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
-    ):
-        state = theta0, 0.0 if velocity0 is None else velocity0, 1.0 if omega0 is None else omega0
+    others = theta0_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta0, velocity0, omega0, direction, *others):
         if not _one_orbit(*state):
             found = apply(_core.state_sensitivities, *map(unindexed, (t, *state)), results=6 * (SENSITIVITIES,))
             return tensor(found, FIRST)
         given: Any = (*state[:2], 1.0, 0.0, *apply(_core.factors, state[2]))
         return tensor(apply(_core.orbit_sensitivities, unindexed(t), *given, results=6 * (SENSITIVITIES,)), FIRST)
-    angles = {"theta0": theta0, "theta0_from_top": theta0_from_top}
-    motions = {"velocity0": velocity0, "energy_ratio": energy_ratio, "energy_ratio_c": energy_ratio_c, "energy": energy}
-    given = (
-        *map(unindexed, start(angles, motions, direction)),
-        *map(unindexed, factors(omega0, omega2, length, gravity)),
-    )
+    angles, motions = (theta0, theta0_from_top), (velocity0, energy_ratio, energy_ratio_c, energy)
+    given = map(unindexed, orbit(INITIAL, angles, motions, direction, omega0, omega2, length, gravity))
     return tensor(apply(_core.orbit_sensitivities, unindexed(t), *given, results=6 * (SENSITIVITIES,)), FIRST)

@@ -20,6 +20,9 @@ KNOWN = (
 )
 NOTHING = {type(None)}
 COUNTED = ("theta", "from_top", "bottom")
+# Angle and velocity of a state, and of the start of a motion.
+NOW = ("theta", "velocity")
+INITIAL = ("theta0", "velocity0")
 
 
 def kind(counted: str, known: str) -> float:
@@ -64,3 +67,24 @@ def factors(omega0: Any, omega2: Any, length: Any, gravity: Any) -> Any:
     if omega2 is not None:
         return apply(_core.factors_omega2, omega2)
     return apply(_core.factors, 1.0 if omega0 is None else omega0)
+
+
+def plain_state(theta: Any, velocity: Any, omega0: Any, direction: Any, *others: Any) -> tuple[Any, Any, Any] | None:
+    """Angle, velocity and omega0, if a state is given by these alone."""
+    if theta is None or not plain(direction, *others):
+        return None
+    return theta, 0.0 if velocity is None else velocity, 1.0 if omega0 is None else omega0
+
+
+def orbit(
+    names: tuple[str, str], angles: tuple[Any, Any], motions: tuple[Any, ...], direction: Any, *force: Any
+) -> Any:
+    """The seven operands of an orbit: four of its start, three of the force.
+
+    `names` are those of angle and velocity. `angles` are the one from the bottom and the one from the top, `motions` the velocity and
+    the three energies, `force` what is given of omega0, omega2, length and gravity.
+    """
+    theta, velocity = names
+    places = dict(zip((theta, f"{theta}_from_top"), angles, strict=True))
+    known = dict(zip((velocity, *KNOWN[1:4]), motions, strict=True))
+    return *start(places, known, direction), *factors(*force)
