@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -257,6 +257,9 @@ fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less
 	@mkdir -p fit/fuzz/corpus
 	@cd fit/fuzz && PATH=$(abspath $(FUZZ_TOOLS))/bin:$$PATH CARGO_TARGET_DIR=$(abspath target/fuzz) cargo +nightly fuzz run read corpus seeds -- \
 	  -max_len=65536 -timeout=5 -malloc_limit_mb=64 -max_total_time=$(or $(seconds),600)
+
+test-rows: ## the tests of columns against the careful code with times=N (30) as many random rows, a million and more (minutes)
+	ROWS_TIMES=$(or $(times),30) cargo test --release --locked -p libration --lib --test suite -- own_ row_tests --nocapture
 
 test-arm: ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
 	@rustup target list --installed | grep -q $(ARM) || rustup target add $(ARM)

@@ -2,7 +2,7 @@
 //! functions that are set up for one parameter.
 
 use crate::on_every_set;
-use crate::ruler::{distance, same, ulp};
+use crate::ruler::{distance, row_count, same, ulp};
 use libration::elliptic::{
     Given, glaisher_into, jacobi_epsilon_into, jacobi_into, theta_into, theta_of_nome_into,
 };
@@ -24,10 +24,10 @@ impl Draw {
 }
 
 /// Parameters of every class, and what the lanes leave out; arguments next to the zeros and poles, and far away.
-fn mixed(count: usize) -> [Vec<f64>; 2] {
+fn mixed(count: u32) -> [Vec<f64>; 2] {
     let mut draw = Draw(16);
     let mut columns = [Vec::new(), Vec::new()];
-    for i in 0..count {
+    for i in 0..count as usize {
         let value = match i % 9 {
             0 => draw.part(),
             1 => 10.0 * draw.part() - 5.0,
@@ -131,7 +131,7 @@ fn apart(given: Given, [u, values]: [&[f64]; 2], found: &[Vec<f64>; 17]) -> f64 
 
 #[test]
 fn the_digits_of_one_parameter() {
-    let columns = mixed(10_000);
+    let columns = mixed(row_count(10_000));
     let [u, values] = columns.each_ref().map(Vec::as_slice);
     on_every_set(|set| {
         for given in GIVEN {
@@ -145,10 +145,10 @@ fn the_digits_of_one_parameter() {
 }
 
 /// Nomes of both series and signs and at the seam between them; z next to the zeros, and far away.
-fn nomes(count: usize) -> [Vec<f64>; 2] {
+fn nomes(count: u32) -> [Vec<f64>; 2] {
     let mut draw = Draw(20);
     let mut columns = [Vec::new(), Vec::new()];
-    for i in 0..count {
+    for i in 0..count as usize {
         let q = match i % 6 {
             0 => draw.part(),
             1 => 2.0 * draw.part() - 1.0,
@@ -183,9 +183,9 @@ fn of_thetas(which: ThetaFunction, given: Option<Given>, arguments: [&[f64]; 2])
 
 #[test]
 fn theta_functions_of_rows() {
-    let columns = nomes(4000);
+    let columns = nomes(row_count(4000));
     let [z, nomes] = columns.each_ref().map(Vec::as_slice);
-    let [_, parameters] = mixed(4000);
+    let [_, parameters] = mixed(row_count(4000));
     on_every_set(|set| {
         for given in [None, Some(Given::M), Some(Given::Mc), Some(Given::Modulus)] {
             let values = if given.is_none() { nomes } else { &parameters };

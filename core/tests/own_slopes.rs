@@ -3,7 +3,7 @@
 
 use crate::on_every_set;
 use crate::own_states::{corners, orbit, states};
-use crate::ruler::{distance, same, ulp};
+use crate::ruler::{distance, row_count, same, ulp};
 use libration::pendulum::fourier::harmonic_distortion;
 use libration::pendulum::{harmonic_distortion_into, sensitivities_into};
 use libration::{Orbit, Sensitivity};
@@ -69,7 +69,7 @@ fn worst_slope(rows: &[[f64; 4]], known: &[[[f64; 3]; 2]], scales: &[[f64; 3]], 
 
 #[test]
 fn slopes_are_those_of_orbits() {
-    let rows = timed(&states(2400));
+    let rows = timed(&states(row_count(2400)));
     let orbits: Vec<Orbit> = rows.iter().map(|row| orbit([row[1], row[2], row[3]]).unwrap()).collect();
     let known: Vec<_> =
         rows.iter().zip(&orbits).map(|(row, orbit)| Sensitivity::new(orbit).at(row[0]).rows()).collect();

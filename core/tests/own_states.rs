@@ -1,7 +1,7 @@
 //! Columns of states of their own: every row is its own value bit for bit, against the truth, and against an orbit each.
 
 use crate::on_every_set;
-use crate::ruler::{Row, distance, rows, same, ulp};
+use crate::ruler::{Row, distance, row_count, rows, same, ulp};
 use libration::pendulum::action::state_of;
 use libration::pendulum::{action_into, frequency_into, period_into, phase_into, state_of_into};
 use libration::{Frequency, Orbit, Regime};
@@ -129,7 +129,7 @@ fn worst(function: &Function, rows: &[[f64; 3]], orbits: &[Option<Orbit>], spoil
 
 #[test]
 fn columns_are_orbits_within_the_promise() {
-    let mut rows = states(12_000);
+    let mut rows = states(row_count(12_000));
     rows.extend(corners());
     let orbits: Vec<_> = rows.iter().map(|row| orbit(*row)).collect();
     on_every_set(|set| {
@@ -222,7 +222,7 @@ fn worst_state(rows: &[[f64; 4]], spoiled: f64) -> f64 {
 
 #[test]
 fn states_of_actions_within_the_promise() {
-    let rows = actions(&states(1500));
+    let rows = actions(&states(row_count(1500)));
     on_every_set(|set| {
         let worst = worst_state(&rows, 1.0);
         println!("{set:?} {worst:.2}");

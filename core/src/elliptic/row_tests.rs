@@ -18,7 +18,11 @@ use super::parameter::Parameter;
 use super::rows;
 use crate::lanes::{Formula, InstructionSet};
 
-const ROWS: usize = 1000;
+/// Rows of every column: a thousand, times the environment's ROWS_TIMES (`make test-rows`).
+fn row_count() -> usize {
+    1000 * std::env::var("ROWS_TIMES").map_or(1, |times| times.parse().expect("a whole number"))
+}
+
 const BOUND: f64 = 3.0;
 
 /// What stands in a column.
@@ -57,7 +61,7 @@ impl Values {
                 Values::Powers(powers) | Values::WithZeros(powers) => 10f64.powf(powers * (2.0 * x - 1.0)),
             }
         };
-        (0..ROWS).map(value).collect()
+        (0..row_count()).map(value).collect()
     }
 }
 
@@ -108,7 +112,7 @@ fn of_columns<const X: usize>(
 ) {
     let columns: [Vec<f64>; X] = core::array::from_fn(|i| columns[i].column(i));
     let row = |row: usize| columns.each_ref().map(|column| column[row]);
-    let known: Vec<f64> = (0..ROWS).map(|i| careful(row(i))).collect();
+    let known: Vec<f64> = (0..row_count()).map(|i| careful(row(i))).collect();
     let slices = columns.each_ref().map(Vec::as_slice);
     let error = worst(&known, &|values| into(slices, values), &|i| scalar(row(i)), &|values| {
         rows::column(formula, slices, values, |_| f64::NAN)
@@ -137,7 +141,7 @@ fn of_parameter<const X: usize, const A: usize>(
     let all = [Given::M, Given::Mc, Given::Modulus];
     for given in &all[..if negative { 1 } else { 3 }] {
         let of = |i: usize| given.parameter(parameters[i]);
-        let known: Vec<f64> = (0..ROWS).map(|i| careful(row(i), of(i))).collect();
+        let known: Vec<f64> = (0..row_count()).map(|i| careful(row(i), of(i))).collect();
         let error = worst(
             &known,
             &|values| into(slices, *given, &parameters, values),

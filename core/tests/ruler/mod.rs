@@ -3,6 +3,11 @@
 
 use std::collections::HashMap;
 
+/// Rows of a test of random ones: so many, times the environment's ROWS_TIMES (`make test-rows`).
+pub fn row_count(rows: u32) -> u32 {
+    rows * std::env::var("ROWS_TIMES").map_or(1, |times| times.parse().expect("a whole number"))
+}
+
 /// Size of the last place of a double (the spacing above it), the smallest subnormal at and near zero.
 pub fn ulp(value: f64) -> f64 {
     let value = value.abs();
