@@ -23,11 +23,25 @@ impl Draw {
     }
 }
 
+/// Rows that were wrong once: next to zeros beside m = 1/2, and so many periods away that their number rounds to a neighbour.
+const ONCE_WRONG: [[f64; 2]; 5] = [
+    [1.854_074_677_301_610_1, 0.500_000_000_000_281_2],
+    [-33.373_346_262_558_41, 0.500_000_135_813_495],
+    [51.914_090_964_438_806, 0.500_000_000_000_013_8],
+    [-1.752_602_067_206_696_6, -2.047_690_877_988_865e33],
+    [9.567_637_723_303_447, -2.332_037_977_166_693e31],
+];
+
 /// Parameters of every class, and what the lanes leave out; arguments next to the zeros and poles, and far away.
 fn mixed(count: u32) -> [Vec<f64>; 2] {
     let mut draw = Draw(16);
     let mut columns = [Vec::new(), Vec::new()];
     for i in 0..count as usize {
+        if let Some([u, value]) = ONCE_WRONG.get(i) {
+            columns[0].push(*u);
+            columns[1].push(*value);
+            continue;
+        }
         let value = match i % 9 {
             0 => draw.part(),
             1 => 10.0 * draw.part() - 5.0,
@@ -42,12 +56,13 @@ fn mixed(count: u32) -> [Vec<f64>; 2] {
         let quarter = complete_k(Parameter::from_m(value));
         let quarter = if quarter.is_finite() { quarter } else { 1.0 };
         let near = 1.0 + (draw.part() - 0.5) * draw.power(-17.0, 0.0);
-        let u = match i / 81 % 6 {
+        let u = match i / 81 % 7 {
             0 => 20.0 * draw.part() - 10.0,
             1 => quarter * near,
             2 => quarter * near * (60.0 * draw.part() - 30.0).round(),
             3 => draw.power(-300.0, 20.0),
             4 => [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300][i % 6],
+            5 => quarter * draw.power(0.0, 16.5),
             _ => quarter * (2.0 * draw.part() - 1.0),
         };
         columns[0].push(u);
@@ -138,7 +153,7 @@ fn the_digits_of_one_parameter() {
             let mut found = seventeen(given, [u, values]);
             let worst = apart(given, [u, values], &found);
             assert!(worst <= 3.0, "{set:?} {given:?} {worst}");
-            found[16][0] *= 1.0 + 4.0 * f64::EPSILON;
+            found[16][9] *= 1.0 + 4.0 * f64::EPSILON;
             assert!(apart(given, [u, values], &found) > 3.0);
         }
     });

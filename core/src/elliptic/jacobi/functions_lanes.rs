@@ -16,6 +16,9 @@ use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI};
 use crate::lanes::{Formula, Lane};
 
+/// 2^44: how many times its rest an argument may be.
+const MOST_CANCELLED: f64 = 17_592_186_044_416.0;
+
 /// The functions of one parameter per lane, all of one class.
 pub(super) struct JacobiLanes<L: Lane> {
     pub parameter: ParameterLanes<L>,
@@ -39,7 +42,8 @@ impl<L: Lane> JacobiLanes<L> {
         JacobiLanes { parameter, neville }
     }
 
-    /// u reduced by the nearest whole number of half periods.
+    /// u reduced by the nearest whole number of half periods; a NaN for the angle where so little is left of u that 2^-98 of u, to
+    /// which the periods are good, would show.
     #[inline(always)]
     pub fn reduced(&self, u: L) -> ReducedArgument<L> {
         let JacobiLanes { parameter, neville } = self;
@@ -52,7 +56,14 @@ impl<L: Lane> JacobiLanes<L> {
         let folded = (period.hi * L::splat(0.25)).less(rest.hi);
         let (far, far_error) = two_sum(period.hi * half, -rest.hi);
         let far = Dd::sum(far, far_error + (period.lo * half - rest.lo));
-        ReducedArgument { count, sign, folded, angle: Dd::select(folded, far, rest) }
+        let angle = Dd::select(folded, far, rest);
+        let lost = (angle.hi * L::splat(MOST_CANCELLED)).less((u * rate.hi).abs());
+        ReducedArgument {
+            count,
+            sign,
+            folded,
+            angle: Dd::new(L::select(lost, L::splat(f64::NAN), angle.hi), angle.lo),
+        }
     }
 
     /// The nearest whole number of half periods, and Neville's theta functions at u.
