@@ -47,6 +47,7 @@ $(VENV)/.packages: requirements-dev.txt reference/requirements.txt $(VENV)/.need
 $(VENV)/.components: | $(PY)
 	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
 	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
+	@rustup target list --installed | grep -q $(ARM) || rustup target add $(ARM)
 	@touch $@
 
 # Needs no Python, so it goes on while pip loads packages.
@@ -191,7 +192,8 @@ test/format: $(TOOLS)
 	$(call step,cargo fmt --all --check && ruff format --check .)
 
 test/lint-rust: $(TOOLS)
-	$(call step,cargo clippy --locked --workspace --all-targets -- -D warnings)
+	$(call step,cargo clippy --locked --workspace --all-targets -- -D warnings && \
+	  cargo clippy --locked -p libration --target $(ARM) -- -D warnings)
 
 test/lint-python: $(TOOLS)
 	$(call step,ruff check .)
@@ -261,6 +263,5 @@ fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less
 test-rows: ## the tests of columns against the careful code with times=N (30) as many random rows, a million and more (minutes)
 	ROWS_TIMES=$(or $(times),30) cargo test --release --locked -p libration --lib --test suite -- own_ row_tests --nocapture
 
-test-arm: ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
-	@rustup target list --installed | grep -q $(ARM) || rustup target add $(ARM)
+test-arm: $(VENV)/.components ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
 	CARGO_TARGET_DIR=target/arm cargo test --release --locked --target $(ARM) --test suite -- --nocapture
