@@ -263,5 +263,8 @@ fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less
 test-rows: ## the tests of columns against the careful code with times=N (30) as many random rows, a million and more (minutes)
 	ROWS_TIMES=$(or $(times),30) cargo test --release --locked -p libration --lib --test suite -- own_ row_tests --nocapture
 
-test-arm: $(VENV)/.components ## the Rust tests through NEON, by qemu-user and gcc-aarch64-linux-gnu (minutes)
+test-arm: $(VENV)/.components ## the Rust tests through NEON, by Debian's qemu-user and gcc-aarch64-linux-gnu (20 minutes)
+	@command -v qemu-aarch64 >/dev/null && command -v $(CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER) >/dev/null || { \
+	  echo "installing Debian's qemu-user and gcc-aarch64-linux-gnu"; sudo=; test $$(id -u) = 0 || sudo=sudo; \
+	  $$sudo apt-get -qq update && $$sudo apt-get -qq -y install qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross >/dev/null; }
 	CARGO_TARGET_DIR=target/arm cargo test --release --locked --target $(ARM) --test suite -- --nocapture
