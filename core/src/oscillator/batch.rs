@@ -4,7 +4,7 @@
 
 use super::addition_theorem::{PerRow, SharedStart};
 use super::duffing::Duffing;
-use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, wide};
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, repeats, wide};
 
 /// The formula that a row asks for.
 mod class {
@@ -40,12 +40,12 @@ impl Formula<4, 1> for Classify {
         let code = |class: usize| L::splat(class as f64);
         let fallback = code(class::FALLBACK);
         let (square, p_size) = (u0 * u0, p.abs());
-        let (cubic, push) = (q * square, q * (velocity0 * velocity0));
+        let (cubic, q_velocity_square) = (q * square, q * (velocity0 * velocity0));
         let stiffness = p + cubic;
-        let discriminant = stiffness.mul_add(stiffness, push + push);
-        let minus_e = (push + cubic * cubic.mul_add(half, p)) * half;
+        let discriminant = stiffness.mul_add(stiffness, q_velocity_square + q_velocity_square);
+        let minus_e = (q_velocity_square + cubic * cubic.mul_add(half, p)) * half;
         let p_square = p * p;
-        let terms = cubic.abs().mul_add(cubic.abs() + p_size, push.abs());
+        let terms = cubic.abs().mul_add(cubic.abs() + p_size, q_velocity_square.abs());
         let root = discriminant.abs().sqrt();
         let large = (root + p_size) * half;
         let small = minus_e.abs() / large;
@@ -79,11 +79,6 @@ impl Formula<4, 1> for Classify {
     }
 }
 
-/// Whether all values are the first, bit for bit.
-fn repeats(column: &[f64]) -> bool {
-    column.iter().all(|value| value.to_bits() == column[0].to_bits())
-}
-
 /// All rows by the formula of a class that is not the fallback, from the start of the first.
 fn from_shared_start(class: usize, start: [f64; 4], t: &[f64], results: [&mut [f64]; 2]) {
     match class {
@@ -94,9 +89,6 @@ fn from_shared_start(class: usize, start: [f64; 4], t: &[f64], results: [&mut [f
     }
 }
 
-/// More rows than the widest lane has places: from here on one set-up for all is faster.
-const ENOUGH: usize = 16;
-
 /// Up to a block of rows, by their classes; NaN for the fallback, infinite beyond an escape.
 fn block(sorted: &mut Classes<5, 2, { class::COUNT }>, arguments: [&[f64]; 5], results: [&mut [f64]; 2]) {
     let [t, start @ ..] = arguments;
@@ -104,7 +96,7 @@ fn block(sorted: &mut Classes<5, 2, { class::COUNT }>, arguments: [&[f64]; 5], r
     let mut codes = [0.0; BLOCK];
     let codes = &mut codes[..rows];
     Columns::new(start, [&mut *codes]).of(&Classify);
-    if codes[0] as usize != class::FALLBACK && rows > ENOUGH && start.into_iter().all(repeats) {
+    if codes[0] as usize != class::FALLBACK && repeats(start) {
         return from_shared_start(codes[0] as usize, start.map(|column| column[0]), t, results);
     }
     sorted.filled(codes, arguments, results, |class, columns| match class {
