@@ -235,8 +235,9 @@ impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> StartOnLanes<L, PAIR, HY
             let found = L::select(found.equal(zero), slow, found);
             ended = L::select(escaping, found, ended);
         }
-        let start = t.equal(zero);
-        [L::select(start, self.u0, u + ended), L::select(start, self.velocity0, velocity + ended)]
+        let (start, moving) = (t.equal(zero), ended.equal(zero));
+        let (u, velocity) = (L::select(moving, u, ended), L::select(moving, velocity, ended));
+        [L::select(start, self.u0, u), L::select(start, self.velocity0, velocity)]
     }
 
     /// Of an escaping motion: 0 before its end, infinite from there, NaN where it is too near; `distance` has the sign of D and
