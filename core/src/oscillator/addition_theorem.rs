@@ -7,7 +7,7 @@
 //!   u = (u0^2 - h S^2)/G,  u' = (u0' S' M + u0 S (p M + h (q u0^2 S^2 - 2)))/G^2.
 //! The inverse roots of the quartic and 0, in order, are the e_i of S = s/c, s/d or s/n by Neville; where they are complex, S
 //! is the tangent of half an amplitude. Escapes end where D is 0 and u is not 0/0.
-//! Floor: some 40 products and quotients of double-doubles beside the theta functions of the row, 400 of its 900 operations.
+//! Floor: 1050 operations for m <= 1/2 and 1350 above, with escapes; for eight rows at two a cycle of 2.9 GHz 23 and 29 ns a row.
 //! Source: Euler's addition theorem for any quartic; DLMF 22.8(i), 22.13(i), 22.18(iv).
 
 use crate::elliptic::phase::{alternating, turned};
