@@ -9,6 +9,7 @@ mod damped_motion;
 mod doors;
 mod duffing;
 mod duffing_forms;
+mod duffing_rows;
 mod elliptic_ends;
 mod identities;
 mod instruction_sets;

@@ -124,17 +124,31 @@ fn every_stratum_keeps_its_last_digits() {
     });
 }
 
-#[test]
-fn states_of_their_own() {
-    let rows = rows(VECTORS, ROWS);
+/// Largest error of rows of their own; those of u are spoiled by a factor.
+fn of_rows(rows: &[Row], spoil: f64) -> f64 {
     let columns = ["t", "u0", "velocity0", "p", "q"]
         .map(|name| rows.iter().map(|row| row.hex(name)).collect::<Vec<f64>>());
     let (mut u, mut velocity) = (vec![7.0; rows.len()], vec![7.0; rows.len()]);
     duffing_motion_into(columns.each_ref().map(Vec::as_slice), [&mut u, &mut velocity]);
+    let mut worst: f64 = 0.0;
     for (i, row) in rows.iter().enumerate() {
-        let errors = motion_errors(row, (u[i], velocity[i]));
-        assert!(errors.iter().all(|error| *error <= 4.0), "{} {errors:?}", row.text("id"));
+        let errors = motion_errors(row, (u[i] * spoil, velocity[i]));
+        if spoil == 1.0 && errors.iter().any(|error| *error > 4.0) {
+            println!("{} {} {errors:?}", row.text("id"), row.text("stratum"));
+        }
+        worst = errors.into_iter().fold(worst, f64::max);
     }
+    worst
+}
+
+#[test]
+fn states_of_their_own() {
+    let rows = rows(VECTORS, ROWS);
+    on_every_set(|set| {
+        let (worst, spoiled) = (of_rows(&rows, 1.0), of_rows(&rows, 1.0 + 5.0 * f64::EPSILON));
+        println!("{set:?} worst {worst:.3}");
+        assert!(worst <= 4.0 && spoiled > 4.0, "{set:?} {worst} {spoiled}");
+    });
 }
 
 /// Siblings that spoil the function: each must go red.

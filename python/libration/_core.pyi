@@ -161,6 +161,7 @@ __all__ = [
     "ds_rows_q",
     "duffing_motion",
     "duffing_of_pendulum",
+    "duffing_rows",
     "duffing_u",
     "duffing_velocity",
     "equivalent_length",
@@ -500,6 +501,7 @@ ds_complex_mc: np.ufunc
 ds_complex_q: np.ufunc
 ds_q: np.ufunc
 duffing_motion: np.ufunc
+duffing_rows: np.ufunc
 duffing_u: np.ufunc
 duffing_velocity: np.ufunc
 factors: np.ufunc

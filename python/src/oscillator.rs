@@ -1,6 +1,8 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
-use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, DuffingForm as Form};
+use libration::oscillator::{
+    Companion, CubicQuintic as Quintic, Duffing as Cubic, DuffingForm as Form, duffing_motion_into,
+};
 use libration::{Frequency, Glaisher};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -8,7 +10,7 @@ use pyo3::prelude::*;
 
 use crate::orbit::{ROWS, float64, refused};
 use crate::signals;
-use crate::ufunc::{BLOCK, add, whole};
+use crate::ufunc::{BLOCK, add, nothing, whole};
 
 /// The class of one oscillator: its arguments, and the core's type that answers.
 macro_rules! oscillator {
@@ -250,6 +252,11 @@ macro_rules! kernels {
     }};
 }
 
+/// Rows of t, u0, velocity0, p and q, each a motion of its own.
+fn duffing_rows((): &(), rows: [&[f64]; 5], _: usize, columns: [&mut [f64]; 2]) {
+    duffing_motion_into(rows, columns);
+}
+
 /// Adds the classes and the ufuncs.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Duffing>()?;
@@ -257,6 +264,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<DuffingForm>()?;
     module.add_function(wrap_pyfunction!(duffing_of_pendulum, module)?)?;
     module.add_function(wrap_pyfunction!(pendulum_of_duffing, module)?)?;
+    add(module, "duffing_rows", nothing, whole::<[f64; 2], _>(duffing_rows))?;
     kernels!(module, "duffing", Cubic, |[u0, velocity0, p, q]: [f64; 4]| Cubic::new(u0, velocity0, p, q)
         .ok())?;
     kernels!(module, "cubic_quintic", Quintic, |[u0, velocity0, alpha, beta, gamma]: [f64; 5]| {

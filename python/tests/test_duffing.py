@@ -61,14 +61,41 @@ def test_a_spoiled_motion_is_found():
     assert worst(spoil=1 + 2e-15)[0] > 1.0
 
 
+COLUMNS = np.array([[float.fromhex(row[name]) for row in ROWS] for name in ("t", "u0", "velocity0", "p", "q")])
+
+
+def worst_of_rows(u, velocity):
+    """Largest errors of rows, in 4 ulp of the scale plus 2**-100 of the condition."""
+    largest = 0.0
+    for i, row in enumerate(ROWS):
+        for got, name in ((u[i], "u"), (velocity[i], "velocity")):
+            scale, condition = float(row[f"scale_{name}"]), float(row[f"cond_{name}"])
+            unit = 4 * math.ulp(scale) + 2.0**-100 * condition if scale < math.inf else math.inf
+            largest = max(largest, error(float(got), truth(row, name), unit))
+    return largest
+
+
 def test_arrays():
-    columns = np.array([[float.fromhex(row[name]) for row in ROWS] for name in ("t", "u0", "velocity0", "p", "q")])
-    u, velocity = libration.duffing_motion(*columns)
+    u, velocity = libration.duffing_motion(*COLUMNS)
+    assert worst_of_rows(u, velocity) <= 1.0
+    assert worst_of_rows(u * (1 + 2e-15), velocity) > 1.0
+    # Every row is its own value, whatever stands beside it.
     for i in range(0, len(ROWS), 7):
-        t, u0, velocity0, p, q = columns[:, i]
-        one = Duffing(u0, velocity0, p=p, q=q)
-        assert same(np.array(one.motion(float(t))), np.array([u[i], velocity[i]]))
-        assert same(one.u(np.array([t, t])), np.array([u[i], u[i]]))
+        alone = libration.duffing_motion(*COLUMNS[:, i : i + 1])
+        assert same(np.concatenate(alone), np.array([u[i], velocity[i]]))
+    back = libration.duffing_motion(*COLUMNS[:, ::-1])
+    assert same(back[0][::-1], u) and same(back[1][::-1], velocity)
+    chunks = libration.duffing_motion(*(dask.array.from_array(column, chunks=100) for column in COLUMNS))
+    assert same(chunks[0].compute(), u)
+
+
+def test_one_oscillator_keeps_the_digits_of_its_methods():
+    t = np.linspace(-2.0, 5.0, 40)
+    for i in range(0, len(ROWS), 31):
+        one = Duffing(*COLUMNS[1:3, i], p=COLUMNS[3, i], q=COLUMNS[4, i])
+        at, start = float(COLUMNS[0, i]), COLUMNS[1:, i]
+        assert same(np.array(libration.duffing_motion(at, *start)), np.array(one.motion(at)))
+        assert same(np.array(libration.duffing_motion(at * t, *map(np.asarray, start))), np.array(one.motion(at * t)))
     out = np.zeros(3), np.zeros(3)
     libration.duffing_motion([0.0, 1.0, 2.0], 1.0, 0.0, 1.0, 1.0, out=out)
     assert same(out[0], Duffing(1.0, p=1.0, q=1.0).u(np.array([0.0, 1.0, 2.0])))

@@ -5,6 +5,15 @@ use super::formula::{Columns, Evaluation, Formula};
 /// Rows sorted at a time.
 pub const BLOCK: usize = 512;
 
+/// More rows than the widest lane has places: from here on one set-up for all is faster.
+const ENOUGH: usize = 16;
+
+/// Whether columns have enough rows, and in all of them the first value, bit for bit: rows that one set-up serves.
+pub fn repeats<const N: usize>(columns: [&[f64]; N]) -> bool {
+    let same = |column: &[f64]| column.iter().all(|value| value.to_bits() == column[0].to_bits());
+    columns[0].len() > ENOUGH && columns.into_iter().all(same)
+}
+
 /// The rows of each class in a block, and their columns side by side; made once for many blocks.
 pub struct Classes<const A: usize, const R: usize, const COUNT: usize> {
     members: [[u16; BLOCK]; COUNT],

@@ -31,7 +31,7 @@ mod host;
 #[path = "plain.rs"]
 mod host;
 
-pub(crate) use classes::{BLOCK, Classes, by_class};
+pub(crate) use classes::{BLOCK, Classes, by_class, repeats};
 pub use dispatch::{four, single, wide};
 pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;

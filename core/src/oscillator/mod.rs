@@ -4,6 +4,7 @@
 //! regime and the functions. [`Duffing`] is the case gamma = 0, with the twelve forms ([`DuffingForm`]) of its solution and its
 //! relation to the pendulum ([`Companion`]).
 
+mod addition_theorem;
 pub mod batch;
 mod clock;
 pub mod companion;

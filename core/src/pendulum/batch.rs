@@ -9,7 +9,7 @@ use crate::elliptic::phase::alternating;
 use crate::elliptic::theta::neville_lanes::LEAST_COMPLEMENT;
 use crate::float::angle_reduction::{FAR, half_turns};
 use crate::float::elementary::sin_cos;
-use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, Once, wide};
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, Once, repeats, wide};
 
 /// The formula that a row asks for.
 pub(super) mod class {
@@ -73,11 +73,6 @@ impl Formula<3, 1> for Classify {
     }
 }
 
-/// Whether all values are the first, bit for bit.
-fn repeats(column: &[f64]) -> bool {
-    column.iter().all(|value| value.to_bits() == column[0].to_bits())
-}
-
 /// The answer of the formula of a class; `None` for the fallback. `omega_rest` is what every omega0 as a double lacks.
 fn evaluated<E: Evaluation<4, 2>>(class: usize, omega_rest: f64, evaluation: E) -> Option<E::Output> {
     Some(match class {
@@ -110,9 +105,6 @@ pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Op
     evaluated(class as usize, omega_rest, Once([theta, velocity, dt, omega]))
 }
 
-/// More rows than the widest lane has places: from here on one set-up for all is faster.
-const ENOUGH: usize = 16;
-
 /// Up to a block of rows, by their classes; NaN for the fallback.
 fn block(sorted: &mut Classes<4, 2, { class::COUNT }>, arguments: [&[f64]; 4], results: [&mut [f64]; 2]) {
     let rows = arguments[0].len();
@@ -120,10 +112,7 @@ fn block(sorted: &mut Classes<4, 2, { class::COUNT }>, arguments: [&[f64]; 4], r
     let [theta, velocity, _, omega] = arguments;
     Columns::new([theta, velocity, omega], [&mut codes[..rows]]).of(&Classify);
     let codes = &codes[..rows];
-    if codes[0] as usize != class::FALLBACK
-        && rows > ENOUGH
-        && [codes, theta, velocity, omega].into_iter().all(repeats)
-    {
+    if codes[0] as usize != class::FALLBACK && repeats([codes, theta, velocity, omega]) {
         return from_shared_state(codes[0] as usize, arguments, results);
     }
     sorted.filled(codes, arguments, results, |class, columns| match class {

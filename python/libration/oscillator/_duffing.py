@@ -1,7 +1,8 @@
 """The Duffing oscillator u'' + p u + q u**3 = 0, exact for any start, and its link to the pendulum.
 
 It is set up once from its state at t = 0 and answers at any time up to an escape to infinity, which may be near.
-Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
+Of `duffing_motion` the call decides: a start and coefficients without dimensions are one oscillator, those with dimensions rows
+with motions of their own. Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
 """
 
 # A number fits where an array does: of several signatures the first that fits is meant.
@@ -15,7 +16,7 @@ import numpy as np
 
 from .. import _core
 from .._arrays import Floats, Labelled, Mask, Real, Scalar
-from .._dispatch import apply
+from .._dispatch import apply, has_dimensions
 from .._immutable import Elsewhere
 from .._messages import explained
 from .._scalars import real, shown
@@ -202,7 +203,9 @@ def duffing_motion(
 
     Notes
     -----
-    Error promised: that of `Duffing.u` and `Duffing.velocity`. Source: DLMF 22.13(iii).
+    Error promised: that of `Duffing.u` and `Duffing.velocity`. Where neither the start nor a coefficient has dimensions, an oscillator
+    is set up once and the digits are those of its methods. Else every element is computed from its own start, at vector speed; its
+    digits do not depend on shape, order, strides or chunks. Source: DLMF 22.13(iii), 22.8.
 
     Examples
     --------
@@ -211,4 +214,10 @@ def duffing_motion(
     >>> print(u.round(6))
     [3.17963000e-01 1.00000000e+00 1.31264107e+03]
     """
-    return apply(_core.duffing_motion, t, u0, velocity0, p, q, results=MOTION, out=out, where=where)
+    kernel = _core.duffing_motion if _one_oscillator(u0, velocity0, p, q) else _core.duffing_rows
+    return apply(kernel, t, u0, velocity0, p, q, results=MOTION, out=out, where=where)
+
+
+def _one_oscillator(*start: Any) -> bool:
+    """Whether neither the start nor a coefficient has dimensions."""
+    return not any(type(each) is not float and has_dimensions(each) for each in start)
