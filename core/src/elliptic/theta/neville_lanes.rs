@@ -136,6 +136,30 @@ impl<L: Lane> NevilleThetaLanes<L> {
         }
     }
 
+    /// The slope of ln theta4 by that angle without its mean from 0 to K; where the angle counts from K, less that slope, which is
+    /// that of ln theta3 there. Neither is negative, and both vanish with the angle.
+    #[inline(always)]
+    pub fn slope_beyond_mean<const HYPERBOLIC: bool>(&self, angle: Dd<L>, from_k: L::Mask) -> Dd<L> {
+        let one = L::splat(1.0);
+        let two = L::splat(2.0);
+        if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let (x, twice) = (-bounded_square(sine.hi), (sine * cosine).scale(-two));
+            // theta2 stands in the place of theta4, whose slope grows by 1 from 0 to K.
+            let near = quotient(sine, cosine).plain_sum(logarithmic_slope(1, self.nome, x, twice));
+            let third = logarithmic_slope(2, self.nome, x, twice);
+            let mean = (self.angle.inverse().scale(two) * angle.into()).tight();
+            // The differences are not below a fifth of their terms.
+            Dd::select(from_k, mean.plain_sum(-third), near.plain_sum(-mean))
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let (x, twice) = (sine.hi * sine.hi, (sine * cosine).scale(two));
+            // theta3 is theta4 of -q.
+            let sign = L::select(from_k, -one, one);
+            logarithmic_slope(3, self.nome.scale(sign), x, twice).scale(sign)
+        }
+    }
+
     /// At 2K f, for 0 <= f <= 1/2; all are not negative.
     #[inline(always)]
     pub fn at<const HYPERBOLIC: bool>(&self, f: Dd<L>) -> Point<L> {
