@@ -85,7 +85,7 @@ pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
 }
 
 /// t rate modulo a period of its own in every lane: the nearest whole number of periods and the signed rest, good to 2^-103
-/// of the product; a NaN for the rest beyond 2^50 periods.
+/// of the product; a NaN for the rest from 2^40 periods, where the number of periods may round to a neighbour.
 #[inline(always)]
 pub(crate) fn modulo<L: Lane>(t: L, rate: Unnormalised<L>, period: Unnormalised<L>) -> (L, Dd<L>) {
     let (passed, error) = t.two_product_in_range(rate.hi);
@@ -100,8 +100,8 @@ pub(crate) fn modulo<L: Lane>(t: L, rate: Unnormalised<L>, period: Unnormalised<
     (n, within(n, MANY, rest))
 }
 
-/// 2^50.
-const MANY: f64 = 1_125_899_906_842_624.0;
+/// 2^40: below, the rest is at most 2^-12 of a period beyond half of one.
+const MANY: f64 = 1_099_511_627_776.0;
 
 impl<L: Lane> Phase<L> {
     /// t rate, rounded; its nearest whole number, what that lacks once the start is added, and the signed rest.

@@ -16,6 +16,9 @@ use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI};
 use crate::lanes::{Formula, Lane};
 
+/// 2^44: how many times its rest an argument may be.
+const MOST_CANCELLED: f64 = 17_592_186_044_416.0;
+
 /// The functions of one parameter per lane, all of one class.
 pub(super) struct JacobiLanes<L: Lane> {
     pub parameter: ParameterLanes<L>,
@@ -39,18 +42,27 @@ impl<L: Lane> JacobiLanes<L> {
         JacobiLanes { parameter, neville }
     }
 
-    /// u reduced by the nearest whole number of half periods.
+    /// u reduced by the nearest whole number of half periods; a NaN for the angle where so little is left of u that 2^-98 of u, to
+    /// which the periods are good, would show.
     #[inline(always)]
     pub fn reduced(&self, u: L) -> ReducedArgument<L> {
         let period = self.neville.angle;
-        let (count, rest) = modulo(u, self.rate(), period);
+        let rate = self.rate();
+        let (count, rest) = modulo(u, rate, period);
         let (one, half) = (L::splat(1.0), L::splat(0.5));
         let sign = one.copysign(rest.hi);
         let rest = rest.scale(sign);
         let folded = (period.hi * L::splat(0.25)).less(rest.hi);
         let (far, far_error) = two_sum(period.hi * half, -rest.hi);
         let far = Dd::sum(far, far_error + (period.lo * half - rest.lo));
-        ReducedArgument { count, sign, folded, angle: Dd::select(folded, far, rest) }
+        let angle = Dd::select(folded, far, rest);
+        let lost = (angle.hi * L::splat(MOST_CANCELLED)).less((u * rate.hi).abs());
+        ReducedArgument {
+            count,
+            sign,
+            folded,
+            angle: Dd::new(L::select(lost, L::splat(f64::NAN), angle.hi), angle.lo),
+        }
     }
 
     /// Half periods' angle per unit of u.
