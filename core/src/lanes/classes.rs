@@ -177,3 +177,48 @@ pub fn by_class<const A: usize, const R: usize, const COUNT: usize>(
 fn holds_nan(column: &[f64]) -> bool {
     column.iter().fold(false, |any, value| any | value.is_nan())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::InstructionSet;
+
+    struct Tenfold;
+
+    impl Formula<1, 1> for Tenfold {
+        type Place = Self;
+        #[inline(always)]
+        fn at<L: Lane>(&self, [x]: [L; 1]) -> [L; 1] {
+            [x * L::splat(10.0)]
+        }
+    }
+
+    /// Each class adds itself to its rows; of any length, on every set.
+    #[test]
+    fn rows_come_back_to_their_places() {
+        for set in InstructionSet::available() {
+            set.scope(|| {
+                for rows in (1..70).chain([BLOCK - 1, BLOCK]) {
+                    let row = |i: usize| i as f64;
+                    let codes: Vec<f64> = (0..rows).map(|i| f64::from((i * i / 7 % 5 % 3) as u32)).collect();
+                    let arguments: Vec<f64> = (0..rows).map(row).collect();
+                    let mut results = vec![-1.0; rows];
+                    Classes::<1, 1, 4>::new().filled(
+                        &codes,
+                        [&arguments],
+                        [&mut results],
+                        |class, columns| {
+                            let Columns { arguments: [from], results: [to] } = columns;
+                            Columns::new([from], [&mut *to]).of(&Tenfold);
+                            to.iter_mut().for_each(|value| *value += class as f64);
+                        },
+                    );
+                    for (i, result) in results.into_iter().enumerate() {
+                        assert_eq!(result, 10.0 * row(i) + codes[i], "{set:?} {rows} {i}");
+                    }
+                }
+            })
+            .unwrap();
+        }
+    }
+}

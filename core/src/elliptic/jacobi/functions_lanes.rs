@@ -19,6 +19,13 @@ use crate::lanes::{Formula, Lane};
 /// 2^44: how many times its rest an argument may be.
 const MOST_CANCELLED: f64 = 17_592_186_044_416.0;
 
+/// A theta function times a constant, not normalised.
+#[inline(always)]
+fn times<L: Lane>(theta: Dd<L>, by: Unnormalised<L>) -> Dd<L> {
+    let product = Unnormalised::from(theta) * by;
+    Dd::new(product.hi, product.lo)
+}
+
 /// The functions of one parameter per lane, all of one class.
 pub(super) struct JacobiLanes<L: Lane> {
     pub parameter: ParameterLanes<L>,
@@ -88,27 +95,25 @@ impl<L: Lane> JacobiLanes<L> {
         let NevilleThetaLanes { kc, root, .. } = self.neville;
         let ReducedArgument { count, sign, folded, .. } = *at;
         let [t1, t2, t3, t4] = crossed.thetas;
-        let times = |theta: Dd<L>, by: Unnormalised<L>| Unnormalised::from(theta) * by;
-        let plain = |value: Unnormalised<L>| Dd::new(value.hi, value.lo);
         let one = L::splat(1.0);
         let parity = alternating(count);
         let [s, c, d, n] = if HYPERBOLIC {
-            let across = [plain(times(t1, kc)), plain(times(t2, kc))];
+            let across = [times(t1, kc), times(t2, kc)];
             let (d, n) = (Dd::select(folded, across[1], t3), Dd::select(folded, t3, t2));
             let (s, c) = (Dd::select(folded, t4, t1), Dd::select(folded, across[0], t4));
-            [s, c, plain(times(d, root)), plain(times(n, root))]
+            [s, c, times(d, root), times(n, root)]
         } else {
             let (s, c) = (Dd::select(folded, t2, t1), Dd::select(folded, t1, t2));
             let (d, n) = (Dd::select(folded, t4, t3), Dd::select(folded, t3, t4));
-            [s, plain(times(c, root)), plain(times(d, root)), n]
+            [s, times(c, root), times(d, root), n]
         };
         let signs = [parity * sign, parity, one];
         if !outside {
             return NevilleValues { s, c, d, n, signs };
         }
         // sn, cn, dn of m < 0 are k' sd, cd, nd of the one in [0, 1], and for m > 1 sn/factor, dn, cn.
-        let of_negative = Dd::select(negative, plain(times(s, kc)), s);
-        let s = Dd::select(above, plain(times(s, factor.inverse())), of_negative);
+        let of_negative = Dd::select(negative, times(s, kc), s);
+        let s = Dd::select(above, times(s, factor.inverse()), of_negative);
         let (d, n) = (Dd::select(negative, n, d), Dd::select(negative, d, n));
         let signs = [signs[0], L::select(above, one, parity), L::select(above, parity, one)];
         NevilleValues { s, c: Dd::select(above, d, c), d: Dd::select(above, c, d), n, signs }

@@ -133,8 +133,8 @@ impl<L: Lane> NevilleThetaLanes<L> {
         [first.nudge(t1.at(x)), second.nudge(t2.at(x)), third.nudge(t3.at(x)), fourth.nudge(t4.at(x))]
     }
 
-    /// theta1 and theta2 times theta3(0), theta3 and theta4 times theta2(0), the first two and theta2(0) over 2 q^1/4, at a circular
-    /// angle of at most a quarter of that of a half period; or at a hyperbolic one those of q', by i y, and theta1 over i.
+    /// theta1 theta3(0), theta2 theta3(0), theta3 theta2(0) and theta4 theta2(0), all over 2 q^1/4, at a circular angle of at most a
+    /// quarter of that of a half period; at a hyperbolic angle y those of q' at i y, the first over i.
     #[inline(always)]
     pub fn crossed_thetas<const HYPERBOLIC: bool>(&self, angle: Dd<L>) -> CrossedThetas<L> {
         let one = L::splat(1.0);
