@@ -4,9 +4,11 @@
 use crate::on_every_set;
 use crate::ruler::{distance, row_count, same, ulp};
 use libration::elliptic::{
-    Given, glaisher_into, jacobi_epsilon_into, jacobi_into, theta_into, theta_of_nome_into,
+    Given, glaisher_into, jacobi_epsilon_into, jacobi_into, jacobi_zeta_into, theta_into, theta_of_nome_into,
 };
-use libration::{Glaisher, Jacobi, JacobiValues, Parameter, SecondKind, Theta, ThetaFunction, complete_k};
+use libration::{
+    Glaisher, Jacobi, JacobiValues, Parameter, SecondKind, Theta, ThetaFunction, complete_e, complete_k,
+};
 
 const GIVEN: [Given; 3] = [Given::M, Given::Mc, Given::Modulus];
 
@@ -71,12 +73,15 @@ fn mixed(count: u32) -> [Vec<f64>; 2] {
     columns
 }
 
-/// sn, cn, dn, am, epsilon and the twelve.
-fn seventeen(given: Given, arguments: [&[f64]; 2]) -> [Vec<f64>; 17] {
-    let mut columns = [(); 17].map(|()| vec![7.0; arguments[0].len()]);
-    let [a, b, c, d, epsilon, twelve @ ..] = &mut columns;
+/// sn, cn, dn, am, epsilon, zeta and the twelve.
+const COUNT: usize = 18;
+
+fn all_of_them(given: Given, arguments: [&[f64]; 2]) -> [Vec<f64>; COUNT] {
+    let mut columns = [(); COUNT].map(|()| vec![7.0; arguments[0].len()]);
+    let [a, b, c, d, epsilon, zeta, twelve @ ..] = &mut columns;
     jacobi_into(given, arguments, [a, b, c, d]);
     jacobi_epsilon_into(given, arguments, epsilon);
+    jacobi_zeta_into(given, arguments, zeta);
     for (column, which) in twelve.iter_mut().zip(Glaisher::ALL) {
         glaisher_into(given, which, arguments, column);
     }
@@ -89,9 +94,9 @@ fn a_value_does_not_depend_on_its_place() {
     let [u, values] = columns.each_ref().map(Vec::as_slice);
     on_every_set(|set| {
         for given in GIVEN {
-            let whole = seventeen(given, [u, values]);
+            let whole = all_of_them(given, [u, values]);
             for (from, length) in (0..49).map(|i| (17 * i, i)).chain([(1, 600), (513, 700)]) {
-                let part = seventeen(given, [&u[from..from + length], &values[from..from + length]]);
+                let part = all_of_them(given, [&u[from..from + length], &values[from..from + length]]);
                 for (whole, part) in whole.iter().zip(&part) {
                     for (i, value) in part.iter().enumerate() {
                         assert!(same(*value, whole[from + i]), "{set:?} {given:?} {} {}", u[i], values[i]);
@@ -102,9 +107,15 @@ fn a_value_does_not_depend_on_its_place() {
     });
 }
 
-/// The slopes of sn, cn, dn, am, epsilon and the twelve by u, from the first three.
-fn slopes(parameter: Parameter, [sn, cn, dn]: [f64; 3]) -> [f64; 17] {
+/// The slopes of them by u, from the first three.
+fn slopes(parameter: Parameter, [sn, cn, dn]: [f64; 3]) -> [f64; COUNT] {
     let (m, mc) = (parameter.m(), parameter.mc());
+    // For small m dn^2 - E/K cancels, and zeta is m/4 sin 2u.
+    let of_zeta = if m.abs() < 1e-6 {
+        m / 2.0 * (cn * cn - sn * sn)
+    } else {
+        dn * dn - complete_e(parameter) / complete_k(parameter)
+    };
     let quotients = [
         cn * dn,
         sn * dn,
@@ -119,22 +130,24 @@ fn slopes(parameter: Parameter, [sn, cn, dn]: [f64; 3]) -> [f64; 17] {
         mc * sn / (dn * dn),
         mc * sn / (cn * cn),
     ];
-    let mut slopes = [0.0; 17];
-    slopes[..5].copy_from_slice(&[cn * dn, sn * dn, m * sn * cn, dn, dn * dn]);
-    slopes[5..].copy_from_slice(&quotients);
+    let mut slopes = [0.0; COUNT];
+    slopes[..6].copy_from_slice(&[cn * dn, sn * dn, m * sn * cn, dn, dn * dn, of_zeta]);
+    slopes[6..].copy_from_slice(&quotients);
     slopes
 }
 
 /// Worst distance of the columns from the functions of one parameter, in ulps eased by 2^-100 of the condition.
-fn apart(given: Given, [u, values]: [&[f64]; 2], found: &[Vec<f64>; 17]) -> f64 {
+fn apart(given: Given, [u, values]: [&[f64]; 2], found: &[Vec<f64>; COUNT]) -> f64 {
     let mut worst = 0.0;
     for (row, (u, value)) in u.iter().zip(values).enumerate() {
         let jacobi = Jacobi::new(given.parameter(*value));
         let JacobiValues { sn, cn, dn, am, .. } = jacobi.values(*u);
+        let second = SecondKind::new(given.parameter(*value));
+        let (epsilon, zeta) = (second.epsilon(*u), second.zeta(*u));
         let slopes = slopes(given.parameter(*value), [sn, cn, dn]);
-        let epsilon = SecondKind::new(given.parameter(*value)).epsilon(*u);
         let known =
-            [&[sn, cn, dn, am, epsilon][..], &Glaisher::ALL.map(|which| jacobi.glaisher(which, *u))].concat();
+            [&[sn, cn, dn, am, epsilon, zeta][..], &Glaisher::ALL.map(|which| jacobi.glaisher(which, *u))]
+                .concat();
         for (column, (known, slope)) in found.iter().zip(known.into_iter().zip(slopes)) {
             let ease = (u * slope * 2f64.powi(-100)).abs();
             let ease = if ease.is_finite() { ease } else { 0.0 };
@@ -150,10 +163,10 @@ fn the_digits_of_one_parameter() {
     let [u, values] = columns.each_ref().map(Vec::as_slice);
     on_every_set(|set| {
         for given in GIVEN {
-            let mut found = seventeen(given, [u, values]);
+            let mut found = all_of_them(given, [u, values]);
             let worst = apart(given, [u, values], &found);
             assert!(worst <= 3.0, "{set:?} {given:?} {worst}");
-            found[16][9] *= 1.0 + 4.0 * f64::EPSILON;
+            found[COUNT - 1][9] *= 1.0 + 4.0 * f64::EPSILON;
             assert!(apart(given, [u, values], &found) > 3.0);
         }
     });

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 const GLAISHER: &str = include_str!("../../reference/vectors/glaisher.csv");
 const INVERSE: &str = include_str!("../../reference/vectors/inverse_jacobi.csv");
-pub const SECOND: &str = include_str!("../../reference/vectors/second_kind.csv");
+const SECOND: &str = include_str!("../../reference/vectors/second_kind.csv");
 const HEUMAN: &str = include_str!("../../reference/vectors/heuman.csv");
 const THIRD: &str = include_str!("../../reference/vectors/third_kind.csv");
 const THETA: &str = include_str!("../../reference/vectors/theta_functions.csv");
@@ -137,7 +137,7 @@ fn second(row: &Row) -> Vec<f64> {
     vec![second.epsilon(u), second.zeta(u)]
 }
 
-fn of_second(values: impl Fn(&Row) -> Vec<f64>) -> Table {
+pub fn of_second(values: impl Fn(&Row) -> Vec<f64>) -> Table {
     of_columns(SECOND, 693, &["epsilon", "zeta"], values)
 }
 

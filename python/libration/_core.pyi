@@ -219,6 +219,10 @@ __all__ = [
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
     "jacobi_zeta_q",
+    "jacobi_zeta_rows_k",
+    "jacobi_zeta_rows_m",
+    "jacobi_zeta_rows_mc",
+    "jacobi_zeta_rows_q",
     "nc_complex_k",
     "nc_complex_m",
     "nc_complex_mc",
@@ -551,6 +555,10 @@ jacobi_zeta_k: np.ufunc
 jacobi_zeta_m: np.ufunc
 jacobi_zeta_mc: np.ufunc
 jacobi_zeta_q: np.ufunc
+jacobi_zeta_rows_k: np.ufunc
+jacobi_zeta_rows_m: np.ufunc
+jacobi_zeta_rows_mc: np.ufunc
+jacobi_zeta_rows_q: np.ufunc
 nc_complex_k: np.ufunc
 nc_complex_m: np.ufunc
 nc_complex_mc: np.ufunc

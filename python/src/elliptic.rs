@@ -5,8 +5,8 @@
 use libration::elliptic::{
     Given, carlson_rc_into, carlson_rd_into, carlson_rf_into, carlson_rj_into, complete_e_into,
     complete_k_into, complete_pi_into, glaisher_into, heuman_lambda_into, incomplete_e_into,
-    incomplete_f_into, incomplete_pi_into, inverse_jacobi_into, jacobi_epsilon_into, jacobi_into, nome_into,
-    theta_into, theta_of_nome_into,
+    incomplete_f_into, incomplete_pi_into, inverse_jacobi_into, jacobi_epsilon_into, jacobi_into,
+    jacobi_zeta_into, nome_into, theta_into, theta_of_nome_into,
 };
 use libration::parameter_of_nome;
 use libration::{
@@ -104,7 +104,11 @@ fn rows(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Gi
     let epsilon = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
         jacobi_epsilon_into(given, arguments, out);
     };
-    add(module, &named("jacobi_epsilon"), nothing, whole::<[f64; 1], _>(epsilon))
+    add(module, &named("jacobi_epsilon"), nothing, whole::<[f64; 1], _>(epsilon))?;
+    let zeta = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
+        jacobi_zeta_into(given, arguments, out);
+    };
+    add(module, &named("jacobi_zeta"), nothing, whole::<[f64; 1], _>(zeta))
 }
 
 /// Jacobi's epsilon and zeta.

@@ -25,7 +25,7 @@ WITH_PARAMETER = {
     "jacobi_complex": 1,
 }
 # Those that answer a parameter with dimensions by a formula of its own: decision 5.
-ROWS = {*TWELVE, "jacobi_epsilon", *THETA}
+ROWS = {*TWELVE, "jacobi_epsilon", "jacobi_zeta", *THETA}
 
 with_parameter = pytest.mark.parametrize("name", WITH_PARAMETER)
 carlson = pytest.mark.parametrize("name", CARLSON)

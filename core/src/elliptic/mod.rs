@@ -26,7 +26,7 @@ pub use integrals::{
 };
 pub use jacobi::{
     Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, JacobiValues, SecondKind, glaisher_into,
-    inverse_jacobi, inverse_jacobi_into, jacobi_epsilon_into, jacobi_into,
+    inverse_jacobi, inverse_jacobi_into, jacobi_epsilon_into, jacobi_into, jacobi_zeta_into,
 };
 pub use nome::{nome, nome_into, parameter_of_nome};
 pub use parameter::Parameter;

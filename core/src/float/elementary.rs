@@ -190,6 +190,15 @@ compiled_once! {
     }
 }
 
+/// numerator / denominator rounded, of numbers up to 2^990.
+#[inline(always)]
+pub fn rounded_quotient<L: Lane>(numerator: Dd<L>, denominator: Dd<L>) -> L {
+    let inverse = L::splat(1.0) / denominator.hi;
+    let first = numerator.hi * inverse;
+    let rest = numerator.hi.remainder(first, denominator.hi) + (numerator.lo - first * denominator.lo);
+    rest.mul_add(inverse, first)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

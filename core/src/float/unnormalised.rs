@@ -68,8 +68,7 @@ impl<L: Lane> Unnormalised<L> {
     #[inline(always)]
     pub fn root(self) -> Self {
         let root = self.hi.sqrt();
-        let (square, error) = root.two_product(root);
-        let rest = ((self.hi - square) - error) + self.lo;
+        let rest = self.hi.remainder(root, root) + self.lo;
         Unnormalised::new(root, rest * (L::splat(0.5) / root))
     }
     /// Quotient.
@@ -77,8 +76,7 @@ impl<L: Lane> Unnormalised<L> {
     pub fn over(self, divisor: Self) -> Self {
         let inverse = L::splat(1.0) / divisor.hi;
         let first = self.hi * inverse;
-        let (back, back_error) = first.two_product(divisor.hi);
-        let rest = ((self.hi - back) - back_error) + (self.lo - first * divisor.lo);
+        let rest = self.hi.remainder(first, divisor.hi) + (self.lo - first * divisor.lo);
         Unnormalised::new(first, rest * inverse)
     }
     /// 1/self, not below 1e-300.
@@ -86,9 +84,8 @@ impl<L: Lane> Unnormalised<L> {
     pub fn inverse(self) -> Self {
         let one = L::splat(1.0);
         let first = one / self.hi;
-        let (back, error) = first.two_product(self.hi);
         // What the inverse lacks of itself.
-        let rest = ((one - back) - error) - first * self.lo;
+        let rest = one.remainder(first, self.hi) - first * self.lo;
         Unnormalised::new(first, first * rest)
     }
     /// 1/sqrt self, not far below 1e-200.

@@ -39,8 +39,8 @@ pub struct Once<const A: usize>(pub [f64; A]);
 
 /// The first R results at every row of the arguments, into columns. All have the same length.
 pub struct Columns<'a, 'b, const A: usize, const R: usize> {
-    arguments: [&'a [f64]; A],
-    results: [&'b mut [f64]; R],
+    pub(super) arguments: [&'a [f64]; A],
+    pub(super) results: [&'b mut [f64]; R],
 }
 
 /// The evaluation with the first two results exchanged.

@@ -98,6 +98,36 @@ pub trait Lane:
     }
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The doubles where the mask holds, side by side into a slice with room for WIDTH, and how many.
+    #[inline(always)]
+    fn pack(self, mask: Self::Mask, to: &mut [f64]) -> usize {
+        let (mut values, mut flags) = ([0.0; WIDEST], [0.0; WIDEST]);
+        self.store(&mut values);
+        Self::select(mask, Self::splat(1.0), Self::splat(0.0)).store(&mut flags);
+        let (mut count, mut i) = (0, 0);
+        while i < Self::WIDTH {
+            to[count] = values[i];
+            count += usize::from(flags[i] != 0.0);
+            i += 1;
+        }
+        count
+    }
+    /// `self` with the first doubles of a slice of at least WIDTH where the mask holds, and how many those are.
+    #[inline(always)]
+    fn unpack(self, mask: Self::Mask, from: &[f64]) -> (Self, usize) {
+        let (mut values, mut flags) = ([0.0; WIDEST], [0.0; WIDEST]);
+        self.store(&mut values);
+        Self::select(mask, Self::splat(1.0), Self::splat(0.0)).store(&mut flags);
+        let (mut count, mut i) = (0, 0);
+        while i < Self::WIDTH {
+            if flags[i] != 0.0 {
+                values[i] = from[count];
+                count += 1;
+            }
+            i += 1;
+        }
+        (Self::load(&values), count)
+    }
 }
 
 /// A computation over any lane type, handed to `single`, `wide` or `four` of dispatch.rs.

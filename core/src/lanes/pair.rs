@@ -100,4 +100,15 @@ impl<L: Lane> Lane for Pair<L> {
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Pair(L::select(mask.0, yes.0, no.0), L::select(mask.1, yes.1, no.1))
     }
+    #[inline(always)]
+    fn pack(self, mask: Self::Mask, to: &mut [f64]) -> usize {
+        let first = self.0.pack(mask.0, to);
+        first + self.1.pack(mask.1, &mut to[first..])
+    }
+    #[inline(always)]
+    fn unpack(self, mask: Self::Mask, from: &[f64]) -> (Self, usize) {
+        let (low, first) = self.0.unpack(mask.0, from);
+        let (high, second) = self.1.unpack(mask.1, &from[first..]);
+        (Pair(low, high), first + second)
+    }
 }

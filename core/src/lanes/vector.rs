@@ -8,9 +8,10 @@
 //! - `exponent_field` has the bits above the mantissa of every double in the mantissa of a double from 2^52 on;
 //! - `any` has the flags as `a`;
 //! - `lookup` has the pointer to a table of sixteen doubles as `b`, and takes entries by four bits of each double;
-//! - `select` has the flags, what is taken where they hold, and the rest.
+//! - `select` has the flags, what is taken where they hold, and the rest;
+//! - `pack` has the flags, the doubles, and the slice's pointer, and `unpack` likewise.
 //!
-//! A table may leave out the last three.
+//! A table may leave out the last five.
 //!
 //! SAFETY of every row: the file of the table answers for it; pointers are those of slices of the right length.
 //! An expression is pasted into its method, never called: a closure would be compiled without the instruction set.
@@ -44,6 +45,7 @@ macro_rules! vector {
         equal = $equal:expr;
         select = $select:expr;
         $(alternated = $alternated:expr; larger = $larger:expr; smaller = $smaller:expr;)?
+        $(pack = $pack:expr; unpack = $unpack:expr;)?
     ) => {
         $(#[$about])*
         #[derive(Clone, Copy)]
@@ -173,6 +175,21 @@ macro_rules! vector {
                 // SAFETY: see the top of the table's file.
                 Self(unsafe { $select })
             }
+            $(
+                #[inline(always)]
+                fn pack(self, $a: $flags, to: &mut [f64]) -> usize {
+                    let ($b, $c) = (self.0, to[..$width].as_mut_ptr());
+                    // SAFETY: see the top of the table's file; the slice has the length that is written.
+                    unsafe { $pack }
+                    $a.count_ones() as usize
+                }
+                #[inline(always)]
+                fn unpack(self, $a: $flags, from: &[f64]) -> (Self, usize) {
+                    let ($b, $c) = (self.0, from[..$width].as_ptr());
+                    // SAFETY: see the top of the table's file; the slice has the length that is read.
+                    (Self(unsafe { $unpack }), $a.count_ones() as usize)
+                }
+            )?
         }
     };
 

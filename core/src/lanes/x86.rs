@@ -16,8 +16,9 @@ pub const ONLY_PLAIN: bool = false;
 /// How many of `InstructionSet` this processor has.
 pub fn instruction_sets() -> usize {
     let fused = std::arch::is_x86_feature_detected!("fma") && std::arch::is_x86_feature_detected!("avx2");
-    let wide =
-        std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx512vl");
+    let wide = std::arch::is_x86_feature_detected!("avx512f")
+        && std::arch::is_x86_feature_detected!("avx512vl")
+        && std::arch::is_x86_feature_detected!("popcnt");
     1 + usize::from(fused) + usize::from(fused && wide)
 }
 
@@ -45,7 +46,7 @@ trait FeatureEntry {
         kernel.run::<F64x4>()
     }
     /// SAFETY: only where the processor has AVX-512.
-    #[target_feature(enable = "avx512f")]
+    #[target_feature(enable = "avx512f,popcnt")]
     unsafe fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<Pair<F64x8>>()
     }
@@ -116,6 +117,8 @@ vector! {
     less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b);
     equal = _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(a, b);
     select = _mm512_mask_blend_pd(a, c, b);
+    pack = _mm512_storeu_pd(c, _mm512_maskz_compress_pd(a, b));
+    unpack = _mm512_mask_expand_pd(b, a, _mm512_loadu_pd(c));
 }
 
 vector! {

@@ -8,6 +8,7 @@ use super::epsilon_zeta::SecondKind;
 use super::functions::{HyperbolicLimit, Jacobi, JacobiValues};
 use super::functions_lanes::{Quotient, Together};
 use super::glaisher::{Glaisher, HyperbolicQuotient};
+use super::zeta_lanes::Zeta;
 use crate::elliptic::given::Given;
 use crate::elliptic::parameter_lanes::{Classify, class};
 use crate::lanes::{Columns, Evaluation, Formula, Lane, by_class};
@@ -97,5 +98,32 @@ pub fn jacobi_epsilon_into(given: Given, arguments: [&[f64]; 2], values: &mut [f
     };
     by_class::<2, 1, { class::COUNT }>(&Classify(given), 1, arguments, [values], lanes, |[u, value]| {
         [SecondKind::new(given.parameter(value)).epsilon(u)]
+    });
+}
+
+/// zeta(u | m) of rows of (u, parameter), the parameter stated as `given`.
+///
+/// **Error**, domain and source of [`SecondKind::zeta`]; the last digits may differ from those of one parameter and many u.
+///
+/// # Panics
+/// Where the lengths differ.
+///
+/// ```
+/// use libration::elliptic::{Given, jacobi_zeta_into};
+/// let mut zeta = [0.0; 2];
+/// jacobi_zeta_into(Given::M, [&[1.0, 1.0], &[0.5, -2.0]], &mut zeta);
+/// assert_eq!(format!("{:.10} {:.10}", zeta[0], zeta[1]), "0.1438019865 0");
+/// ```
+pub fn jacobi_zeta_into(given: Given, arguments: [&[f64]; 2], values: &mut [f64]) {
+    let lanes = |class: usize, columns: Columns<2, 1>| match class {
+        class::CIRCULAR => columns.of(&Zeta::<false>(given)),
+        class::HYPERBOLIC => columns.of(&Zeta::<true>(given)),
+        class::LIMIT => columns.of(&OfArgument(HyperbolicQuotient(Glaisher::Sn.pq()))),
+        _ => columns.fill(f64::NAN),
+    };
+    by_class::<2, 1, { class::COUNT }>(&Classify(given), 1, arguments, [values], lanes, |[u, value]| {
+        let parameter = given.parameter(value);
+        // No set-up where there is no value.
+        [if parameter.mc() < 0.0 { f64::NAN } else { SecondKind::new(parameter).zeta(u) }]
     });
 }

@@ -240,8 +240,10 @@ pub(super) const TINY: f64 = 1e-290;
 #[inline(always)]
 pub(super) fn odd<L: Lane>(u: L, [sn, cn, dn, am]: [L; 4]) -> [L; 4] {
     let tiny = u.abs().less(L::splat(TINY));
-    let small = |value: L| L::select(tiny, u - value.abs() * L::splat(0.0), value);
-    [small(sn), cn, dn, small(am)]
+    let zero = L::splat(0.0);
+    // No closure: it would be compiled without the instruction set.
+    let (of_sn, of_am) = (u - sn.abs() * zero, u - am.abs() * zero);
+    [L::select(tiny, of_sn, sn), cn, dn, L::select(tiny, of_am, am)]
 }
 
 /// m < 1 or m > 1.

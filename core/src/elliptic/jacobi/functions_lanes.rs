@@ -9,15 +9,22 @@ use super::glaisher::quotient_at;
 use crate::elliptic::given::Given;
 use crate::elliptic::parameter_lanes::ParameterLanes;
 use crate::elliptic::phase::{alternating, modulo};
-use crate::elliptic::theta::neville_lanes::NevilleThetaLanes;
+use crate::elliptic::theta::neville_lanes::{CrossedThetas, NevilleThetaLanes};
 use crate::float::double_double::two_sum;
-use crate::float::elementary::{arctangent, quotient};
+use crate::float::elementary::{arctangent, horner, rounded_quotient};
 use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI};
 use crate::lanes::{Formula, Lane};
 
 /// 2^44: how many times its rest an argument may be.
 const MOST_CANCELLED: f64 = 17_592_186_044_416.0;
+
+/// A theta function times a constant, not normalised.
+#[inline(always)]
+fn times<L: Lane>(theta: Dd<L>, by: Unnormalised<L>) -> Dd<L> {
+    let product = Unnormalised::from(theta) * by;
+    Dd::new(product.hi, product.lo)
+}
 
 /// The functions of one parameter per lane, all of one class.
 pub(super) struct JacobiLanes<L: Lane> {
@@ -46,9 +53,8 @@ impl<L: Lane> JacobiLanes<L> {
     /// which the periods are good, would show.
     #[inline(always)]
     pub fn reduced(&self, u: L) -> ReducedArgument<L> {
-        let JacobiLanes { parameter, neville } = self;
-        let NevilleThetaLanes { theta2_factor, angle: period, .. } = *neville;
-        let rate = if parameter.outside { theta2_factor * parameter.factor } else { theta2_factor };
+        let period = self.neville.angle;
+        let rate = self.rate();
         let (count, rest) = modulo(u, rate, period);
         let (one, half) = (L::splat(1.0), L::splat(0.5));
         let sign = one.copysign(rest.hi);
@@ -66,41 +72,84 @@ impl<L: Lane> JacobiLanes<L> {
         }
     }
 
-    /// The nearest whole number of half periods, and Neville's theta functions at u.
+    /// Half periods' angle per unit of u.
     #[inline(always)]
-    fn neville_values<const HYPERBOLIC: bool>(&self, u: L) -> (L, NevilleValues<Dd<L>, L>) {
-        let JacobiLanes { parameter, neville } = self;
-        let ParameterLanes { negative, above, outside, factor, .. } = *parameter;
-        let NevilleThetaLanes { theta2_factor, kc, .. } = *neville;
-        let ReducedArgument { count, sign, folded, angle } = self.reduced(u);
+    fn rate(&self) -> Unnormalised<L> {
+        let rate = self.neville.theta2_factor;
+        if self.parameter.outside { rate * self.parameter.factor } else { rate }
+    }
+
+    /// Neville's theta functions at a reduced argument from the crossed theta functions there.
+    ///
+    /// With theta3^2 : theta2^2 : theta4^2 = 1 : k : k' at 0, in those and with sqrt k' as factor
+    ///   s : c : d : n = theta1 : theta2 sqrt k' : theta3 sqrt k' : theta4    from 0 for m <= 1/2,
+    ///   s : c : d : n = theta2 : theta1 sqrt k' : theta4 sqrt k' : theta3    from K,
+    /// and above by Jacobi's imaginary transformation, s : c : d : n of u and m as s/i : n : d : c of i u and mc.
+    #[inline(always)]
+    fn neville_values<const HYPERBOLIC: bool>(
+        &self,
+        at: &ReducedArgument<L>,
+        crossed: &CrossedThetas<L>,
+    ) -> NevilleValues<Dd<L>, L> {
+        let ParameterLanes { negative, above, outside, factor, .. } = self.parameter;
+        let NevilleThetaLanes { kc, root, .. } = self.neville;
+        let ReducedArgument { count, sign, folded, .. } = *at;
+        let [t1, t2, t3, t4] = crossed.thetas;
         let one = L::splat(1.0);
-        let [t1, t2, t3, t4] = neville.thetas::<HYPERBOLIC>(angle);
         let parity = alternating(count);
-        let first = Unnormalised::from(t1) * theta2_factor.inverse();
-        let plain = |value: Unnormalised<L>| Dd::new(value.hi, value.lo);
+        let [s, c, d, n] = if HYPERBOLIC {
+            let across = [times(t1, kc), times(t2, kc)];
+            let (d, n) = (Dd::select(folded, across[1], t3), Dd::select(folded, t3, t2));
+            let (s, c) = (Dd::select(folded, t4, t1), Dd::select(folded, across[0], t4));
+            [s, c, times(d, root), times(n, root)]
+        } else {
+            let (s, c) = (Dd::select(folded, t2, t1), Dd::select(folded, t1, t2));
+            let (d, n) = (Dd::select(folded, t4, t3), Dd::select(folded, t3, t4));
+            [s, times(c, root), times(d, root), n]
+        };
         let signs = [parity * sign, parity, one];
         if !outside {
-            let s = Dd::select(folded, t2, plain(first));
-            let c = Dd::select(folded, plain(first * kc), t2);
-            let d = Dd::select(folded, plain(Unnormalised::from(t4) * kc), t3);
-            return (count, NevilleValues { s, c, d, n: Dd::select(folded, t3, t4), signs });
+            return NevilleValues { s, c, d, n, signs };
         }
-        // For m < 0 theta3 and theta4 change places, A becomes k' A and k' its inverse.
-        let (third, fourth) = (Dd::select(negative, t4, t3), Dd::select(negative, t3, t4));
-        let near = Unnormalised::select(negative, first * kc, first);
-        let across = Unnormalised::select(negative, first, first * kc);
-        let complement = Unnormalised::select(negative, factor, kc);
-        let s = Dd::select(folded, t2, plain(near));
-        let c = Dd::select(folded, plain(across), t2);
-        let d = Dd::select(folded, plain(Unnormalised::from(fourth) * complement), third);
-        let n = Dd::select(folded, third, fourth);
-        // For m > 1 s takes the modulus, and cn and dn change places.
-        let s_above = plain(Unnormalised::from(s) * factor.inverse());
+        // sn, cn, dn of m < 0 are k' sd, cd, nd of the one in [0, 1], and for m > 1 sn/factor, dn, cn.
+        let of_negative = Dd::select(negative, times(s, kc), s);
+        let s = Dd::select(above, times(s, factor.inverse()), of_negative);
+        let (d, n) = (Dd::select(negative, n, d), Dd::select(negative, d, n));
         let signs = [signs[0], L::select(above, one, parity), L::select(above, parity, one)];
-        let s = Dd::select(above, s_above, s);
-        (count, NevilleValues { s, c: Dd::select(above, d, c), d: Dd::select(above, c, d), n, signs })
+        NevilleValues { s, c: Dd::select(above, d, c), d: Dd::select(above, c, d), n, signs }
+    }
+
+    /// am of u for m <= 1/2 without the angle that it is nearly, which grows with u: between -0.09 and 0.09.
+    ///
+    /// tan am = tan z theta1/sin over theta2/cos sqrt k', and tan(am - z) follows; from K of pi/2 - am likewise. For m < 0 k' is
+    /// on the other side.
+    #[inline(always)]
+    fn beyond_angle(&self, at: &ReducedArgument<L>, crossed: &CrossedThetas<L>) -> L {
+        let ParameterLanes { negative, outside, .. } = self.parameter;
+        let CrossedThetas { thetas: [t1, t2, ..], excesses: [e1, e2], sine, cosine } = *crossed;
+        let root = self.neville.root;
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let (swapped, sign) = if outside {
+            let swapped = L::select(at.folded, one, zero);
+            let swapped = L::select(negative, one - swapped, swapped);
+            (zero.less(swapped), L::select(negative, -at.sign, at.sign))
+        } else {
+            (at.folded, at.sign)
+        };
+        let (first, second) = (L::select(swapped, e2, e1), L::select(swapped, e1, e2));
+        let (of_sine, of_cosine) = (sine * t1.hi, cosine * t2.hi);
+        let (near, far) = (L::select(swapped, of_cosine, of_sine), L::select(swapped, of_sine, of_cosine));
+        // 1 + first - root (1 + second)
+        let apart = ((one - root.hi) - root.lo) + (first - root.hi * second);
+        let tangent = sine * cosine * apart / far.mul_add(root.hi, near);
+        let square = tangent * tangent;
+        (square * tangent).mul_add(horner(&SHORT_ARCTANGENT, square), tangent) * sign
     }
 }
+
+/// (atan r - r)/r^3 in r^2 <= 0.008: Taylor's series, whose next term is 2^-59 of r.
+const SHORT_ARCTANGENT: [f64; 7] =
+    [-1.0 / 3.0, 1.0 / 5.0, -1.0 / 7.0, 1.0 / 9.0, -1.0 / 11.0, 1.0 / 13.0, -1.0 / 15.0];
 
 /// sn, cn, dn, am of (u, parameter).
 pub(super) struct Together<const HYPERBOLIC: bool>(pub Given);
@@ -110,16 +159,30 @@ impl<const HYPERBOLIC: bool> Formula<2, 4> for Together<HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u, value]: [L; 2]) -> [L; 4] {
         let jacobi = JacobiLanes::new::<HYPERBOLIC>(self.0, value);
-        let (count, NevilleValues { s, c, d, n, signs }) = jacobi.neville_values::<HYPERBOLIC>(u);
-        // The sign of the rest: that of sn without the parity, which is the sign of cn.
-        let within = arctangent(s, c).scale(signs[0] * signs[1]);
-        let turned = Dd::splat(PI) * count;
-        let am = (turned + within).value();
-        // Bounded for m > 1, where dn has the parity.
-        let am = L::select(jacobi.parameter.above, within.value(), am);
-        let sn = quotient(s, n).value() * signs[0];
-        let cn = quotient(c, n).value() * signs[1];
-        let dn = quotient(d, n).value() * signs[2];
+        let at = jacobi.reduced(u);
+        let crossed = jacobi.neville.crossed_thetas::<HYPERBOLIC>(at.angle);
+        let NevilleValues { s, c, d, n, signs } = jacobi.neville_values::<HYPERBOLIC>(&at, &crossed);
+        let above = jacobi.parameter.above;
+        let am = if HYPERBOLIC || (jacobi.parameter.outside && L::any(above)) {
+            // The sign of the rest: that of sn without the parity, which is the sign of cn.
+            let within = arctangent(s, c).scale(signs[0] * signs[1]);
+            let turned = Dd::splat(PI) * at.count;
+            // Bounded for m > 1, where dn has the parity.
+            L::select(above, within.value(), (turned + within).value())
+        } else {
+            u
+        };
+        let am = if HYPERBOLIC {
+            am
+        } else {
+            let rate = jacobi.rate();
+            let (angle, error) = u.two_product_in_range(rate.hi);
+            let rest = u.mul_add(rate.lo, error) + jacobi.beyond_angle(&at, &crossed);
+            L::select(above, am, angle + rest)
+        };
+        let sn = rounded_quotient(s, n) * signs[0];
+        let cn = rounded_quotient(c, n) * signs[1];
+        let dn = rounded_quotient(d, n) * signs[2];
         odd(u, [sn, cn, dn, am])
     }
 }
@@ -132,7 +195,9 @@ impl<const HYPERBOLIC: bool> Formula<2, 1> for Quotient<HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u, value]: [L; 2]) -> [L; 1] {
         let jacobi = JacobiLanes::new::<HYPERBOLIC>(self.0, value);
-        let (_, values) = jacobi.neville_values::<HYPERBOLIC>(u);
+        let at = jacobi.reduced(u);
+        let crossed = jacobi.neville.crossed_thetas::<HYPERBOLIC>(at.angle);
+        let values = jacobi.neville_values::<HYPERBOLIC>(&at, &crossed);
         [quotient_at(self.1, u, &values)]
     }
 }

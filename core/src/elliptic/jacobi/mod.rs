@@ -9,8 +9,9 @@ pub(crate) mod functions_lanes;
 pub(crate) mod glaisher;
 pub(crate) mod inverse;
 pub(crate) mod inverse_lanes;
+pub(crate) mod zeta_lanes;
 
-pub use columns::{glaisher_into, jacobi_epsilon_into, jacobi_into};
+pub use columns::{glaisher_into, jacobi_epsilon_into, jacobi_into, jacobi_zeta_into};
 pub use complex::{Complex, JacobiComplex, JacobiComplexValues};
 pub use epsilon_zeta::SecondKind;
 pub use functions::{Jacobi, JacobiValues};

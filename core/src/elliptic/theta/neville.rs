@@ -304,21 +304,26 @@ fn corrections(q: Dd) -> [Correction; 4] {
 #[derive(Clone, Copy)]
 pub(crate) struct ShortCorrection<L: Lane>([L; 3]);
 
-/// What theta1/sin, theta2/cos, theta3 and theta4 of a nome per lane, at most e^-pi, are beyond 1 in x = sin^2 (not normalised).
+/// What theta1/sin, theta2/cos, theta3 and theta4 of a nome per lane, at most e^-pi, are beyond 1 in x = sin^2 (not normalised):
+/// by 2 cos 2z, as the first two differ in the sign of its odd powers only, and so do the last two.
 #[inline(always)]
 pub(crate) fn excesses<L: Lane>(q: L, x: L) -> [L; 4] {
-    let [even, odd] = powers(q);
-    [excess(0, even, x), excess(1, even, x), excess(2, odd, x), excess(3, odd, x)]
+    let (one, two) = (L::splat(1.0), L::splat(2.0));
+    let [[q2, q6, q12], [_, q4, q9]] = powers(q);
+    let double = x.mul_add(L::splat(-4.0), two);
+    let square = double * double;
+    let even = (q6 - q12).mul_add(square - one, -q2);
+    let odd = double * q12.mul_add(square - two, q2 - q6);
+    let of_fourth = q4 * (square - two);
+    let of_first = double * q9.mul_add(square - L::splat(3.0), q);
+    [even - odd, even + odd, of_fourth + of_first, of_fourth - of_first]
 }
 
+/// theta2/2 q^1/4 and theta3 at 0 beyond 1, of a nome per lane.
 #[inline(always)]
-fn excess<L: Lane>(function: usize, [first, second, third]: [L; 3], x: L) -> L {
-    let mut sum = L::splat(0.0);
-    for of in SERIES[function].iter().rev() {
-        let row = first.mul_add(L::splat(of[1]), small_terms(*of, second, third));
-        sum = sum.mul_add(x, row);
-    }
-    sum
+pub(crate) fn excesses_at_zero<L: Lane>(q: L) -> [L; 2] {
+    let [[q2, q6, q12], [_, q4, q9]] = powers(q);
+    [q2 + (q6 + q12), (q + (q4 + q9)) * L::splat(2.0)]
 }
 
 /// The powers of the nome in the last columns of the series: of theta1 and theta2, and of theta3 and theta4.

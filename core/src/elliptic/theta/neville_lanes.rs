@@ -11,7 +11,9 @@
 //!
 //! [`NevilleTheta`]: super::neville::NevilleTheta
 
-use super::neville::{ShortCorrection, bounded_square, fold, logarithmic_slope, short_corrections};
+use super::neville::{
+    ShortCorrection, bounded_square, excesses, excesses_at_zero, fold, logarithmic_slope, short_corrections,
+};
 use crate::elliptic::agm::agm_near;
 use crate::elliptic::nome::{minus_log_short_nome, short_nome};
 use crate::float::elementary::{quotient, sin_cos, sinh_cosh};
@@ -36,6 +38,8 @@ pub(crate) struct NevilleThetaLanes<L: Lane> {
     /// 1 - m.
     pub mc: Unnormalised<L>,
     pub kc: Unnormalised<L>,
+    /// The root of k', for m <= 1/2; above that of k.
+    pub root: Unnormalised<L>,
     /// (1 - E/K)/m - 1/2, times m, for m <= 1/2; above the same of mc.
     pub quadratic: L,
     /// The nome of m or mc.
@@ -74,13 +78,21 @@ pub(crate) struct Point<L: Lane> {
     pub angle: Dd<L>,
 }
 
+/// The theta functions of [`NevilleThetaLanes::crossed_thetas`], and the first two beyond sine and cosine.
+pub(crate) struct CrossedThetas<L: Lane> {
+    pub thetas: [Dd<L>; 4],
+    pub excesses: [L; 2],
+    pub sine: L,
+    pub cosine: L,
+}
+
 impl<L: Lane> NevilleThetaLanes<L> {
     /// From m and 1 - m >= 1e-200; HYPERBOLIC where m is above 1/2 (a rounding error beyond does no harm).
     #[inline(always)]
     pub fn new<const HYPERBOLIC: bool>(m: Unnormalised<L>, mc: Unnormalised<L>) -> Self {
         let kc = mc.root();
         let (b, one_minus_square) = if HYPERBOLIC { (m.root(), mc) } else { (kc, m) };
-        let (mean, lambda) = agm_near(b, one_minus_square);
+        let [mean, lambda, root] = agm_near(b, one_minus_square);
         let nome = short_nome(lambda);
         let [t1, t2, t3, t4] = short_corrections(nome.hi);
         // theta2 and theta4 change places.
@@ -92,7 +104,17 @@ impl<L: Lane> NevilleThetaLanes<L> {
             (mean * Unnormalised::splat(INVERSE_PI), Unnormalised::splat(PI))
         };
         let quadratic = beyond_half(b.hi, one_minus_square.hi, lambda.hi);
-        NevilleThetaLanes { frequency, angle, theta2_factor: mean, mc, kc, quadratic, nome, corrections }
+        NevilleThetaLanes {
+            frequency,
+            angle,
+            theta2_factor: mean,
+            mc,
+            kc,
+            root,
+            quadratic,
+            nome,
+            corrections,
+        }
     }
 
     /// theta1 without the factor A, theta2, theta3, theta4 at a circular or hyperbolic angle of at most a quarter of that of a
@@ -109,6 +131,22 @@ impl<L: Lane> NevilleThetaLanes<L> {
         };
         let [t1, t2, t3, t4] = &self.corrections;
         [first.nudge(t1.at(x)), second.nudge(t2.at(x)), third.nudge(t3.at(x)), fourth.nudge(t4.at(x))]
+    }
+
+    /// theta1 theta3(0), theta2 theta3(0), theta3 theta2(0) and theta4 theta2(0), all over 2 q^1/4, at a circular angle of at most a
+    /// quarter of that of a half period; at a hyperbolic angle y those of q' at i y, the first over i.
+    #[inline(always)]
+    pub fn crossed_thetas<const HYPERBOLIC: bool>(&self, angle: Dd<L>) -> CrossedThetas<L> {
+        let one = L::splat(1.0);
+        let ((sine, cosine), side) =
+            if HYPERBOLIC { (sinh_cosh(angle), L::splat(-1.0)) } else { (sin_cos(angle), one) };
+        let [e1, e2, e3, e4] = excesses(self.nome.hi, sine.hi * sine.hi * side);
+        let [second, third] = excesses_at_zero(self.nome.hi);
+        // (1 + e)(1 + f) = 1 + (e + f + e f).
+        let [e1, e2] = [e1.mul_add(third, e1 + third), e2.mul_add(third, e2 + third)];
+        let [e3, e4] = [e3.mul_add(second, e3 + second), e4.mul_add(second, e4 + second)];
+        let thetas = [sine.nudge(e1), cosine.nudge(e2), Dd::ordered_sum(one, e3), Dd::ordered_sum(one, e4)];
+        CrossedThetas { thetas, excesses: [e1, e2], sine: sine.hi, cosine: cosine.hi }
     }
 
     /// The slopes of ln theta4 and ln theta3 by that angle; and between them what the first lacks of 1, to which it tends where
@@ -133,6 +171,30 @@ impl<L: Lane> NevilleThetaLanes<L> {
             let (x, twice) = (sine.hi * sine.hi, (sine * cosine).scale(two));
             let slope = logarithmic_slope(3, self.nome, x, twice);
             [slope, one + -slope, logarithmic_slope(2, self.nome, x, twice)]
+        }
+    }
+
+    /// The slope of ln theta4 by that angle without its mean from 0 to K; where the angle counts from K, less that slope, which is
+    /// that of ln theta3 there. Neither is negative, and both vanish with the angle.
+    #[inline(always)]
+    pub fn slope_beyond_mean<const HYPERBOLIC: bool>(&self, angle: Dd<L>, from_k: L::Mask) -> Dd<L> {
+        let one = L::splat(1.0);
+        let two = L::splat(2.0);
+        if HYPERBOLIC {
+            let (sine, cosine) = sinh_cosh(angle);
+            let (x, twice) = (-bounded_square(sine.hi), (sine * cosine).scale(-two));
+            // theta2 stands in the place of theta4, whose slope grows by 1 from 0 to K.
+            let near = quotient(sine, cosine).plain_sum(logarithmic_slope(1, self.nome, x, twice));
+            let third = logarithmic_slope(2, self.nome, x, twice);
+            let mean = (self.angle.inverse().scale(two) * angle.into()).tight();
+            // The differences are not below a fifth of their terms.
+            Dd::select(from_k, mean.plain_sum(-third), near.plain_sum(-mean))
+        } else {
+            let (sine, cosine) = sin_cos(angle);
+            let (x, twice) = (sine.hi * sine.hi, (sine * cosine).scale(two));
+            // theta3 is theta4 of -q.
+            let sign = L::select(from_k, -one, one);
+            logarithmic_slope(3, self.nome.scale(sign), x, twice).scale(sign)
         }
     }
 
