@@ -40,11 +40,12 @@ interface Places {
 }
 const places = new WeakMap<Float64Array, Places>()
 
-/** Where points are along the axis, in tenths of a pixel; the curves of a plot have them in common. */
+/** Where points are along the axis; the curves of a plot have them in common. */
 function placesOf(x: Float64Array, sx: Scale): Float64Array {
   const before = places.get(x)
   if (before?.key === sx.key) return before.at
-  const at = x.map((value) => 10 * sx(value))
+  const at = new Float64Array(x.length)
+  sx.fill(at, x, 1)
   places.set(x, { key: sx.key, at })
   return at
 }
@@ -54,6 +55,7 @@ const LIFT = -1e9
 /** Both places of each corner. */
 let corners = new Int32Array(3 * 1536)
 let count = 0
+let heights = new Float64Array(1536)
 
 function corner(x: number, y: number): void {
   corners[count++] = Math.round(x)
@@ -66,20 +68,29 @@ function corner(x: number, y: number): void {
  * at a point whose own slope is in it. That needs points from left to right; all others are corners.
  */
 function findCorners(x: Float64Array, y: Float64Array, sx: Scale, sy: Scale, factor: number): void {
-  if (corners.length < 3 * y.length) corners = new Int32Array(6 * y.length)
+  if (heights.length < y.length) {
+    corners = new Int32Array(6 * y.length)
+    heights = new Float64Array(2 * y.length)
+  }
   count = 0
   const along = placesOf(x, sx)
-  let [fromX, fromY, lastX, lastY, least, most] = [0, 0, 0, 0, 0, 0]
+  sy.fill(heights, y, factor)
+  let fromX = Number.NaN
+  let fromY = Number.NaN
+  let lastX = Number.NaN
+  let lastY = Number.NaN
+  let least = Number.NaN
+  let most = Number.NaN
   let drawing = false
   /** Whether the last point is not a corner yet. */
   let open = false
   for (let i = 0; i < y.length; i++) {
-    const px = along[i] as number
-    const place = 10 * sy((y[i] as number) * factor)
-    const py = Math.min(Math.max(place, -FAR), FAR)
+    const px = 10 * (along[i] as number)
+    const place = 10 * (heights[i] as number)
+    const py = place < -FAR ? -FAR : place > FAR ? FAR : place
     const begins: boolean = !drawing
     // Both ends far on the same side: nothing of the line is in the frame.
-    drawing = Number.isFinite(place) && (begins || py !== lastY || (py !== FAR && py !== -FAR))
+    drawing = place < Number.POSITIVE_INFINITY && place > Number.NEGATIVE_INFINITY && (begins || py !== lastY || (py !== FAR && py !== -FAR))
     if (!drawing || begins) {
       if (open) corner(lastX, lastY)
       open = false
@@ -180,7 +191,10 @@ export interface Leaving {
 }
 
 function staysWithin(y: Float64Array, low: number, high: number, factor: number): boolean {
-  for (const each of y) if (each * factor < low || each * factor > high) return false
+  for (let i = 0; i < y.length; i++) {
+    const value = (y[i] as number) * factor
+    if (value < low || value > high) return false
+  }
   return true
 }
 
@@ -197,12 +211,14 @@ export function leavings({ x, y }: Points, low: number, high: number, factor = 1
     const value = (y[i] as number) * factor
     if (!Number.isFinite(value)) continue
     const within = value >= low && value <= high
-    const here = { x: x[i] as number, up: value > high }
-    if (inside === null && !within) begun = here
-    else if (inside && !within) out.push(here)
-    else if (begun && within) {
-      out.push({ x: here.x, up: begun.up })
-      begun = null
+    if (within !== inside) {
+      const here = { x: x[i] as number, up: value > high }
+      if (inside === null && !within) begun = here
+      else if (inside && !within) out.push(here)
+      else if (begun && within) {
+        out.push({ x: here.x, up: begun.up })
+        begun = null
+      }
     }
     inside = within
   }
@@ -228,7 +244,8 @@ export function gaps({ x, y }: Points): [number, number][] {
 export function extent(values: Float64Array): [number, number] {
   let low = Number.POSITIVE_INFINITY
   let high = Number.NEGATIVE_INFINITY
-  for (const value of values) {
+  for (let i = 0; i < values.length; i++) {
+    const value = values[i] as number
     if (!Number.isFinite(value)) continue
     if (value < low) low = value
     if (value > high) high = value
