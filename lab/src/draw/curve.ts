@@ -87,10 +87,13 @@ function findCorners(x: Float64Array, y: Float64Array, sx: Scale, sy: Scale, fac
   for (let i = 0; i < y.length; i++) {
     const px = 10 * (along[i] as number)
     const place = 10 * (heights[i] as number)
-    const py = place < -FAR ? -FAR : place > FAR ? FAR : place
+    const py = Math.min(Math.max(place, -FAR), FAR)
     const begins: boolean = !drawing
     // Both ends far on the same side: nothing of the line is in the frame.
-    drawing = place < Number.POSITIVE_INFINITY && place > Number.NEGATIVE_INFINITY && (begins || py !== lastY || (py !== FAR && py !== -FAR))
+    drawing =
+      place < Number.POSITIVE_INFINITY &&
+      place > Number.NEGATIVE_INFINITY &&
+      (begins || py !== lastY || (py !== FAR && py !== -FAR))
     if (!drawing || begins) {
       if (open) corner(lastX, lastY)
       open = false
