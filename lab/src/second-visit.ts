@@ -1,6 +1,23 @@
 // A second visit without a network: a service worker keeps what this visit has loaded (public/service-worker.js).
 
+import { retried } from './retry'
 import { SECOND } from './sources'
+
+/** How long an answer of the worker is waited for, in ms: the browser may end it while it keeps. */
+const PATIENCE = 10_000
+
+/** Kept by the worker, as it says; rejects where it says nothing. */
+function kept(
+  worker: ServiceWorker,
+  visit: { readonly page: string; readonly parts: readonly string[] },
+): Promise<void> {
+  return new Promise((done, lost) => {
+    const { port1, port2 } = new MessageChannel()
+    port1.onmessage = () => done()
+    setTimeout(lost, PATIENCE)
+    worker.postMessage(visit, [port2])
+  })
+}
 
 /**
  * Asks the worker to keep a visit that has loaded all its parts, and marks the page when it has: `data-kept`. Quietly nothing where a
@@ -12,16 +29,14 @@ export async function keepForLater(): Promise<void> {
   try {
     await navigator.serviceWorker.register('./service-worker.js')
     const { active } = await navigator.serviceWorker.ready
+    if (!active) return
     // The last part may not be among them yet.
     const last = typeof SECOND === 'string' ? [new URL(SECOND, location.href).href] : []
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
-    const { port1, port2 } = new MessageChannel()
-    port1.onmessage = () => {
-      document.documentElement.dataset.kept = ''
-    }
     const page = location.href.replace(/[?#].*$/, '')
     const parts = [...loaded, ...last].filter((name) => !name.endsWith('/service-worker.js'))
-    active?.postMessage({ page, parts }, [port2])
+    await retried(() => kept(active, { page, parts }))
+    document.documentElement.dataset.kept = ''
   } catch {
     // Storage is closed to this page; it works as well, only not without a network.
   }

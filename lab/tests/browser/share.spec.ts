@@ -266,6 +266,30 @@ test('story 13: a network that goes while a visit is being kept takes nothing of
   await context.close()
 })
 
+test('story 13: a worker that the browser ends while it answers loses no part', async ({ browser }) => {
+  const context = await browser.newContext()
+  const page = await context.newPage()
+  await keptVisit(page)
+  // A part that the worker has to fetch again, so that it is still answering when it is ended; and once more for the second try.
+  await page.evaluate(async () => {
+    const cache = await caches.open('libration-lab')
+    for (const request of await cache.keys()) if (request.url.includes('libration-second')) await cache.delete(request)
+  })
+  const session = await context.newCDPSession(page)
+  await session.send('Network.clearBrowserCache')
+  await session.send('ServiceWorker.enable')
+  let ended = 0
+  await context.route('**/libration-second*.wasm', async (route) => {
+    if (ended === 2) return route.continue()
+    ended++
+    await session.send('ServiceWorker.stopAllWorkers')
+  })
+  await keptVisit(page)
+  expect(ended).toBe(2)
+  await useAll(page)
+  await context.close()
+})
+
 test('a part whose answer is lost is asked for again', async ({ browser }) => {
   const context = await browser.newContext({ serviceWorkers: 'block' })
   const page = await context.newPage()
