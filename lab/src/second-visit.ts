@@ -7,15 +7,13 @@ import { SECOND } from './sources'
 const PATIENCE = 10_000
 
 /** Kept by the worker, as it says; rejects where it says nothing. */
-function kept(
-  worker: ServiceWorker,
-  visit: { readonly page: string; readonly parts: readonly string[] },
-): Promise<void> {
-  return new Promise((done, lost) => {
+async function kept(visit: { readonly page: string; readonly parts: readonly string[] }): Promise<void> {
+  const { active } = await navigator.serviceWorker.ready
+  await new Promise<void>((done, lost) => {
     const { port1, port2 } = new MessageChannel()
     port1.onmessage = () => done()
     setTimeout(lost, PATIENCE)
-    worker.postMessage(visit, [port2])
+    active?.postMessage(visit, [port2])
   })
 }
 
@@ -28,14 +26,12 @@ export async function keepForLater(): Promise<void> {
   if (!('serviceWorker' in navigator) || !location.protocol.startsWith('http')) return
   try {
     await navigator.serviceWorker.register('./service-worker.js')
-    const { active } = await navigator.serviceWorker.ready
-    if (!active) return
     // The last part may not be among them yet.
     const last = typeof SECOND === 'string' ? [new URL(SECOND, location.href).href] : []
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
     const page = location.href.replace(/[?#].*$/, '')
     const parts = [...loaded, ...last].filter((name) => !name.endsWith('/service-worker.js'))
-    await retried(() => kept(active, { page, parts }))
+    await retried(() => kept({ page, parts }))
     document.documentElement.dataset.kept = ''
   } catch {
     // Storage is closed to this page; it works as well, only not without a network.
