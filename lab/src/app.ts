@@ -90,13 +90,18 @@ export class App {
     // No control changes the size of a letter.
     if (this.store.session.held === null) this.#rem = remPixels()
     const page = this.page()
-    const { documentElement } = document
-    documentElement.lang = page.words.language
-    if (page.state.theme === 'auto') delete documentElement.dataset.theme
-    else documentElement.dataset.theme = page.state.theme
-    document.title = page.words.say.shell.title
+    this.#writeDocument(page.words, page.state.theme)
     render(shell(page, this.views, this.dialogs, this.#waiting, this.#spoken), this.root)
   }
+
+  /** What stands outside of what is rendered; written when it changes, since each writing makes the browser look at all styles. */
+  readonly #writeDocument = remember((words: Words, theme: State['theme']): void => {
+    const { documentElement } = document
+    documentElement.lang = words.language
+    if (theme === 'auto') delete documentElement.dataset.theme
+    else documentElement.dataset.theme = theme
+    document.title = words.say.shell.title
+  })
 
   /** What changed goes to the address of the page and to the screen reader, a little later and not while playing. */
   #remember(): void {

@@ -12,21 +12,21 @@ import './style/phase.css'
 import { App } from './app'
 import { readLink } from './link'
 import { completedModel, openModel } from './model'
+import { retried } from './retry'
 import { keepForLater } from './second-visit'
 import { SECOND, SOURCES } from './sources'
-import { dialogs, loadViews, secondFailed, VIEWS } from './views'
+import { dialogs, loadViews, secondFailed, VIEWS, viewsLoaded } from './views'
 
 /** The views and formulas that the page can begin without; if they do not come, the page says so in their place. */
 async function completed(app: App, views: Promise<void>): Promise<void> {
   try {
     await views
     app.schedule()
-    app.begin(await completedModel(SECOND))
+    app.begin(await retried(() => completedModel(SECOND)))
+    if (viewsLoaded()) await keepForLater()
   } catch {
     secondFailed()
     app.schedule()
-  } finally {
-    await keepForLater()
   }
 }
 
@@ -49,7 +49,7 @@ async function begin(): Promise<void> {
   const slow = setTimeout(() => app.wait({ slow: true, failed: null }), 300)
   try {
     if (typeof WebAssembly !== 'object') throw new Error('no-wasm')
-    const model = await openModel(SOURCES)
+    const model = await retried(() => openModel(SOURCES))
     if (opened.state.view !== 'lab') await views
     app.begin(model)
     void completed(app, views)

@@ -1,14 +1,38 @@
 // A second visit without a network: a service worker keeps what this visit has loaded (public/service-worker.js).
 
-/** Quietly nothing where a page may not have one: from disk, in a sandboxed frame, while it is being written. */
+import { retried } from './retry'
+import { SECOND } from './sources'
+
+/** How long an answer of the worker is waited for, in ms: the browser may end it while it keeps. */
+const PATIENCE = 10_000
+
+/** Kept by the worker, as it says; rejects where it says nothing. */
+async function kept(visit: { readonly page: string; readonly parts: readonly string[] }): Promise<void> {
+  const { active } = await navigator.serviceWorker.ready
+  await new Promise<void>((done, lost) => {
+    const { port1, port2 } = new MessageChannel()
+    port1.onmessage = () => done()
+    setTimeout(lost, PATIENCE)
+    active?.postMessage(visit, [port2])
+  })
+}
+
+/**
+ * Asks the worker to keep a visit that has loaded all its parts, and marks the page when it has: `data-kept`. Quietly nothing where a
+ * page may not have one: from disk, in a sandboxed frame, while it is being written.
+ */
 export async function keepForLater(): Promise<void> {
-  if (!import.meta.env.PROD || !('serviceWorker' in navigator) || !location.protocol.startsWith('http')) return
+  if (!import.meta.env.PROD || import.meta.env.MODE === 'offline') return
+  if (!('serviceWorker' in navigator) || !location.protocol.startsWith('http')) return
   try {
     await navigator.serviceWorker.register('./service-worker.js')
-    const { active } = await navigator.serviceWorker.ready
-    const page = location.href.replace(/[?#].*$/, '')
+    // The last part may not be among them yet.
+    const last = typeof SECOND === 'string' ? [new URL(SECOND, location.href).href] : []
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
-    active?.postMessage([page, ...loaded.filter((name) => !name.endsWith('/service-worker.js'))])
+    const page = location.href.replace(/[?#].*$/, '')
+    const parts = [...loaded, ...last].filter((name) => !name.endsWith('/service-worker.js'))
+    await retried(() => kept({ page, parts }))
+    document.documentElement.dataset.kept = ''
   } catch {
     // Storage is closed to this page; it works as well, only not without a network.
   }

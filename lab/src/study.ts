@@ -6,7 +6,17 @@ import { type Curve, curveKey, kindOf } from './curves'
 import { clothesOf } from './draw/clothes'
 import type { Points } from './draw/curve'
 import { remember } from './memory'
-import type { Compared, Energy, Motion, Refusal, Solution, Track } from './model'
+import {
+  type Arrays,
+  type Compared,
+  type Energy,
+  KeptArrays,
+  type Motion,
+  newArrays,
+  type Refusal,
+  type Solution,
+  type Track,
+} from './model'
 import type { State } from './state'
 
 /** Steps of a curve in a window. */
@@ -111,18 +121,28 @@ interface Frame {
   readonly times: Float64Array
   readonly exact: Track
   readonly quick: boolean
+  readonly arrays: Arrays
+}
+
+/** Of the quick study before; there is one at a time. */
+const kept = new KeptArrays()
+
+/** The first without a value; −1 if there is none. */
+function firstNaN(values: Float64Array): number {
+  for (let i = 0; i < values.length; i++) if (Number.isNaN(values[i] as number)) return i
+  return -1
 }
 
 function drawn(
-  { motion, window, times, exact, quick }: Frame,
+  { motion, window, times, exact, quick, arrays }: Frame,
   curve: Curve,
   clothes: string,
   solution: Solution,
 ): Drawn {
   const { numerical } = kindOf(curve.name)
-  const track = solution.compared(times, exact, quick)
+  const track = solution.compared(times, exact, quick, arrays)
   const { error } = track
-  const gone = track.theta.findIndex(Number.isNaN)
+  const gone = firstNaN(track.theta)
   return {
     key: curveKey(curve),
     curve,
@@ -131,7 +151,7 @@ function drawn(
     solution,
     track,
     error,
-    energy: numerical ? { x: times, y: motion.energy(track).total } : NOTHING,
+    energy: numerical ? { x: times, y: motion.energy(track, arrays).total } : NOTHING,
     largest: quick ? largestOf(error, times) : largestIn(solution, motion, window, error, times),
     gone: gone < 0 ? Number.NaN : (times[gone] as number),
   }
@@ -144,8 +164,9 @@ function drawn(
 export function study(motion: Motion, curves: readonly Curve[], from: number, to: number, quick = false): Study {
   const window = { from, to }
   const times = timesOf(from, to)
-  const exact = motion.sample(times)
-  const frame = { motion, window, times, exact, quick }
+  const arrays = quick ? kept.begin() : newArrays
+  const exact = motion.sample(times, arrays)
+  const frame = { motion, window, times, exact, quick, arrays }
   const clothes = clothesOf(curves)
   const rows = curves.map((curve, i): Row => {
     const row = { key: curveKey(curve), curve, clothes: clothes[i] as string }
@@ -161,9 +182,9 @@ export function study(motion: Motion, curves: readonly Curve[], from: number, to
     window,
     times,
     exact,
-    total: new Float64Array(times.length).fill(motion.energyRatio),
+    total: arrays.next(times.length).fill(motion.energyRatio),
     parts: () => {
-      parts ??= motion.energy(exact)
+      parts ??= motion.energy(exact, arrays)
       return parts
     },
     rows,

@@ -67,7 +67,56 @@ describe('a path', () => {
   const sy = linearScale([0, 1], [100, 0])
 
   it('goes through the points in tenths of a pixel', () => {
-    expect(pathOf({ x: numbers(0, 1, 2), y: numbers(0, 0.5, 1) }, sx, sy)).toBe('M0 1000l1000-500 1000-500')
+    expect(pathOf({ x: numbers(0, 1, 2), y: numbers(0, 0.5, 0.2) }, sx, sy)).toBe('M0 1000l1000-500 1000 300')
+  })
+
+  /** Corners of a path in tenths of a pixel. */
+  const cornersOf = (d: string) => {
+    const steps = [...d.matchAll(/-?\d+/g)].map(Number)
+    let [x, y] = [0, 0]
+    return Array.from({ length: steps.length / 2 }, (_, i) => {
+      x += steps[2 * i] as number
+      y += steps[2 * i + 1] as number
+      return { x, y }
+    })
+  }
+  /** Greatest distance, upwards or downwards, of points from the line through corners, in tenths of a pixel. */
+  const farthest = (corners: readonly { x: number; y: number }[], points: readonly { x: number; y: number }[]) => {
+    let [at, most] = [0, 0]
+    for (const { x, y } of points) {
+      while (at < corners.length - 2 && (corners[at + 1]?.x ?? 0) < x) at++
+      const [a, b] = [corners[at], corners[at + 1]]
+      if (!a || !b) return Number.NaN
+      most = Math.max(most, Math.abs(a.y + ((b.y - a.y) * (x - a.x)) / (b.x - a.x) - y))
+    }
+    return most
+  }
+
+  it.each([
+    ['a wave', (t: number) => 0.5 + 0.45 * Math.cos(5 * t)],
+    ['a quick wave', (t: number) => 0.5 + 0.45 * Math.cos(60 * t)],
+    ['a corner', (t: number) => Math.abs(t - 1.5) / 3],
+    ['a jump', (t: number) => (t < 1 ? 0.1 : 0.9)],
+    ['a straight line', (t: number) => t / 3],
+  ])('leaves out points of %s only where the line passes them within a tenth of a pixel', (_, of) => {
+    const x = Float64Array.from({ length: 1201 }, (_, i) => i / 400)
+    const y = x.map(of)
+    const corners = cornersOf(pathOf({ x, y }, sx, sy))
+    const points = Array.from(x, (t, i) => ({ x: 10 * sx(t), y: 10 * sy(y[i] as number) }))
+    expect(corners.length).toBeLessThan(x.length)
+    // Half a tenth for the line and half a tenth, along both axes, for the rounding of its ends.
+    const steep = Math.max(...points.map(({ y }, i) => Math.abs(y - (points[i - 1]?.y ?? y)))) / 2.5
+    expect(farthest(corners, points)).toBeLessThanOrEqual(1 + steep / 2)
+    // A line that lacks one more corner would be seen.
+    if (corners.length > 2) {
+      const without = corners.filter((_, i) => i !== corners.length >> 1)
+      expect(farthest(without, points)).toBeGreaterThan(1)
+    }
+  })
+
+  it('has all points where it goes back', () => {
+    const loop = { x: numbers(0, 1, 2, 1, 0), y: numbers(0, 0.5, 1, 0.5, 0) }
+    expect(pathOf(loop, sx, sy)).toBe('M0 1000l2000-1000-1000 500-1000 500')
   })
 
   it('is broken where there is no value', () => {

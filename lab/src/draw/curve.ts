@@ -1,7 +1,7 @@
 // A curve as an SVG path: broken where it has no value, cut at the frame, with marks where it leaves it.
 //
 // Coordinates are whole tenths of a pixel, for a group scaled by 0.1: whole numbers make short text fast, and steps from point to
-// point shorter text than places. They are written as bytes, and become text once.
+// point shorter text than places. Points that the line passes anyway are left out. Written as bytes, which become text once.
 
 import type { Scale } from './scale'
 
@@ -22,13 +22,110 @@ export function pathOf({ x, y }: Points, sx: Scale, sy: Scale, factor = 1): stri
   const key = `${sx.key}|${sy.key}|${factor}`
   const before = drawn.get(y)
   if (before?.key === key) return before.d
-  const d = written(x, y, sx, sy, factor)
+  findCorners(x, y, sx, sy, factor)
+  const d = written()
   drawn.set(y, { key, d })
   return d
 }
 
 /** Far beyond the frame, so that a steep line keeps its slope and no number grows long. */
 const FAR = 20_000
+
+/** How far a line may pass from a point that is left out, in tenths of a pixel: as little as the places themselves are rounded. */
+const SLACK = 0.5
+
+interface Places {
+  readonly key: string
+  readonly at: Float64Array
+}
+const places = new WeakMap<Float64Array, Places>()
+
+/** Where points are along the axis; the curves of a plot have them in common. */
+function placesOf(x: Float64Array, sx: Scale): Float64Array {
+  const before = places.get(x)
+  if (before?.key === sx.key) return before.at
+  const at = new Float64Array(x.length)
+  sx.fill(at, x, 1)
+  places.set(x, { key: sx.key, at })
+  return at
+}
+
+/** Stands before the first corner of a stretch; no place is as far. */
+const LIFT = -1e9
+/** Both places of each corner. */
+let corners = new Int32Array(3 * 1536)
+let count = 0
+let heights = new Float64Array(1536)
+
+function corner(x: number, y: number): void {
+  corners[count++] = Math.round(x)
+  corners[count++] = Math.round(y)
+}
+
+/**
+ * The corners of a curve. A point is left out where the line from the corner before it to a later point passes it within the
+ * slack: the slopes that do so for all points since are an interval, which narrows from point to point, and the line may end
+ * at a point whose own slope is in it. That needs points from left to right; all others are corners.
+ */
+function findCorners(x: Float64Array, y: Float64Array, sx: Scale, sy: Scale, factor: number): void {
+  if (heights.length < y.length) {
+    corners = new Int32Array(6 * y.length)
+    heights = new Float64Array(2 * y.length)
+  }
+  count = 0
+  const along = placesOf(x, sx)
+  sy.fill(heights, y, factor)
+  let fromX = Number.NaN
+  let fromY = Number.NaN
+  let lastX = Number.NaN
+  let lastY = Number.NaN
+  let least = Number.NaN
+  let most = Number.NaN
+  let drawing = false
+  /** Whether the last point is not a corner yet. */
+  let open = false
+  for (let i = 0; i < y.length; i++) {
+    const px = 10 * (along[i] as number)
+    const place = 10 * (heights[i] as number)
+    const py = Math.min(Math.max(place, -FAR), FAR)
+    const begins: boolean = !drawing
+    // Both ends far on the same side: nothing of the line is in the frame.
+    drawing =
+      place < Number.POSITIVE_INFINITY &&
+      place > Number.NEGATIVE_INFINITY &&
+      (begins || py !== lastY || (py !== FAR && py !== -FAR))
+    if (!drawing || begins) {
+      if (open) corner(lastX, lastY)
+      open = false
+      if (!drawing) continue
+      corners[count++] = LIFT
+    }
+    if (open && px > lastX) {
+      const run = px - fromX
+      const rise = py - fromY
+      if (rise >= least * run && rise <= most * run) {
+        if (rise - SLACK > least * run) least = (rise - SLACK) / run
+        if (rise + SLACK < most * run) most = (rise + SLACK) / run
+        lastX = px
+        lastY = py
+        continue
+      }
+    }
+    if (open) corner(lastX, lastY)
+    open = !begins && px > lastX
+    if (open) {
+      fromX = lastX
+      fromY = lastY
+      least = (py - SLACK - fromY) / (px - fromX)
+      most = (py + SLACK - fromY) / (px - fromX)
+    } else {
+      corner(px, py)
+    }
+    lastX = px
+    lastY = py
+  }
+  if (open) corner(lastX, lastY)
+}
 
 /** Bytes of a point, both numbers with a sign and six digits, and of the letter of a command. */
 const POINT = 16
@@ -62,37 +159,31 @@ function put(value: number, at: number): number {
   return place + 1
 }
 
-function written(x: Float64Array, y: Float64Array, sx: Scale, sy: Scale, factor: number): string {
-  if (text.length < POINT * (y.length + 1)) text = new Uint8Array(2 * POINT * (y.length + 1))
+/** The corners as text. */
+function written(): string {
+  if (text.length < POINT * count) text = new Uint8Array(2 * POINT * count)
   let end = 0
   /** Commands since the pen was put down. */
   let steps = -1
   let lastX = 0
   let lastY = 0
-  for (let i = 0; i < y.length; i++) {
-    const value = (y[i] as number) * factor
-    const px = Math.round(10 * sx(x[i] as number))
-    const py = Math.round(10 * sy(value))
-    if (!(Number.isFinite(value) && Number.isFinite(py))) {
+  for (let i = 0; i < count; i += 2) {
+    if (corners[i] === LIFT) {
       steps = -1
-      continue
+      i++
     }
-    const kept = Math.min(Math.max(py, -FAR), FAR)
-    // Both ends far on the same side: nothing of the line is in the frame.
-    if (steps >= 0 && (kept === FAR || kept === -FAR) && kept === lastY) {
-      steps = -1
-      continue
-    }
-    const dx = steps < 0 ? px : px - lastX
-    const dy = steps < 0 ? kept : kept - lastY
+    const x = corners[i] as number
+    const y = corners[i + 1] as number
+    const dx = steps < 0 ? x : x - lastX
+    const dy = steps < 0 ? y : y - lastY
     if (steps < 1) text[end++] = steps < 0 ? MOVE : LINE
     else if (dx >= 0) text[end++] = SPACE
     end = put(dx, end)
     if (dy >= 0) text[end++] = SPACE
     end = put(dy, end)
     steps++
-    lastX = px
-    lastY = kept
+    lastX = x
+    lastY = y
   }
   return letters.decode(text.subarray(0, end))
 }
@@ -102,24 +193,35 @@ export interface Leaving {
   readonly up: boolean
 }
 
+function staysWithin(y: Float64Array, low: number, high: number, factor: number): boolean {
+  for (let i = 0; i < y.length; i++) {
+    const value = (y[i] as number) * factor
+    if (value < low || value > high) return false
+  }
+  return true
+}
+
 /**
  * Where a curve leaves the frame through its top or bottom, on the way out; at most so many. One that begins outside is marked
  * where it comes in, and at its beginning if it never does.
  */
 export function leavings({ x, y }: Points, low: number, high: number, factor = 1, most = 12): Leaving[] {
   const out: Leaving[] = []
+  if (staysWithin(y, low, high, factor)) return out
   let inside: boolean | null = null
   let begun: Leaving | null = null
   for (let i = 0; i < y.length && out.length < most; i++) {
     const value = (y[i] as number) * factor
     if (!Number.isFinite(value)) continue
     const within = value >= low && value <= high
-    const here = { x: x[i] as number, up: value > high }
-    if (inside === null && !within) begun = here
-    else if (inside && !within) out.push(here)
-    else if (begun && within) {
-      out.push({ x: here.x, up: begun.up })
-      begun = null
+    if (within !== inside) {
+      const here = { x: x[i] as number, up: value > high }
+      if (inside === null && !within) begun = here
+      else if (inside && !within) out.push(here)
+      else if (begun && within) {
+        out.push({ x: here.x, up: begun.up })
+        begun = null
+      }
     }
     inside = within
   }
@@ -145,7 +247,8 @@ export function gaps({ x, y }: Points): [number, number][] {
 export function extent(values: Float64Array): [number, number] {
   let low = Number.POSITIVE_INFINITY
   let high = Number.NEGATIVE_INFINITY
-  for (const value of values) {
+  for (let i = 0; i < values.length; i++) {
+    const value = values[i] as number
     if (!Number.isFinite(value)) continue
     if (value < low) low = value
     if (value > high) high = value

@@ -3,6 +3,8 @@
 export interface Scale {
   (value: number): number
   readonly invert: (pixel: number) => number
+  /** The same for all values, times a factor. Without a call for each value, which would make an object of every number. */
+  readonly fill: (out: Float64Array, values: Float64Array, factor: number) => void
   readonly low: number
   readonly high: number
   /** Tells scales that draw alike from others. */
@@ -17,6 +19,7 @@ export interface Tick {
 function scaleBy(
   name: string,
   through: (value: number) => number,
+  fillThrough: Scale['fill'],
   back: (value: number) => number,
   [low, high]: readonly [number, number],
   [from, to]: readonly [number, number],
@@ -26,6 +29,10 @@ function scaleBy(
   const scale = (value: number) => from + factor * (through(value) - start)
   return Object.assign(scale, {
     invert: (pixel: number) => back(start + (pixel - from) / factor),
+    fill: (out: Float64Array, values: Float64Array, times: number) => {
+      fillThrough(out, values, times)
+      for (let i = 0; i < values.length; i++) out[i] = from + factor * ((out[i] as number) - start)
+    },
     low,
     high,
     key: `${name} ${low} ${high} ${from} ${to}`,
@@ -39,18 +46,31 @@ export function linearScale(domain: Ends, pixels: Ends): Scale {
   const [from, to] = pixels
   const factor = (to - from) / (high - low)
   const scale = (value: number) => from + factor * (value - low)
-  const key = `linear ${low} ${high} ${from} ${to}`
-  return Object.assign(scale, { invert: (pixel: number) => low + (pixel - from) / factor, low, high, key })
+  return Object.assign(scale, {
+    invert: (pixel: number) => low + (pixel - from) / factor,
+    fill: (out: Float64Array, values: Float64Array, times: number) => {
+      for (let i = 0; i < values.length; i++) out[i] = from + factor * ((values[i] as number) * times - low)
+    },
+    low,
+    high,
+    key: `linear ${low} ${high} ${from} ${to}`,
+  })
 }
 
 export function logScale(domain: Ends, pixels: Ends): Scale {
-  return scaleBy('log', Math.log10, (value) => 10 ** value, domain, pixels)
+  const fill: Scale['fill'] = (out, values, factor) => {
+    for (let i = 0; i < values.length; i++) out[i] = Math.log10((values[i] as number) * factor)
+  }
+  return scaleBy('log', Math.log10, fill, (value) => 10 ** value, domain, pixels)
 }
 
 /** asinh(value/unit): linear up to about the unit, logarithmic beyond, with the sign kept. */
 export function symmetricLogScale(unit: number, domain: Ends, pixels: Ends): Scale {
   const through = (value: number) => Math.asinh(value / unit)
-  return scaleBy(`asinh ${unit}`, through, (value) => unit * Math.sinh(value), domain, pixels)
+  const fill: Scale['fill'] = (out, values, factor) => {
+    for (let i = 0; i < values.length; i++) out[i] = Math.asinh(((values[i] as number) * factor) / unit)
+  }
+  return scaleBy(`asinh ${unit}`, through, fill, (value) => unit * Math.sinh(value), domain, pixels)
 }
 
 const SLACK = 1e-9

@@ -13,6 +13,7 @@ interface Piece {
 const MARKS = /\*([^*]+)\*|_([^_{}]+)_(?:\{([^}]+)\})?|\^\{([^}]+)\}/g
 
 export function pieces(text: string): Piece[] {
+  if (!/[*_^]/.test(text)) return text === '' ? [] : [{ kind: 'text', text }]
   const out: Piece[] = []
   let from = 0
   const push = (kind: Piece['kind'], part: string) => part !== '' && out.push({ kind, text: part })

@@ -6,6 +6,7 @@ import { Motion, type Setup } from './motion'
 import { secondIsLoaded, secondLoaded } from './second'
 
 export type { Regime } from 'libration'
+export { type Arrays, KeptArrays, newArrays } from './arrays'
 export { type Energy, MOST_STEPS, Motion, type Setup } from './motion'
 export type { Compared, Largest, Refusal, Solution, Track } from './solution'
 

@@ -5,6 +5,8 @@
 
 import { approx, DomainError, Pendulum, type Regime } from 'libration'
 import { type Curve, curveKey, kindOf } from '../curves'
+import { remember } from '../memory'
+import { newArrays } from './arrays'
 import { needsSecond, secondLoaded } from './second'
 import { Formula, type Refusal, type Solution, Stepped, type Track } from './solution'
 
@@ -29,7 +31,7 @@ export const MOST_STEPS = 1_000_000
 interface Exact {
   theta(t: number): number
   velocity(t: number): number
-  motion(times: Float64Array): Track
+  motion(times: Float64Array, out?: Track): Track
 }
 
 function still(theta: number): Exact {
@@ -66,6 +68,12 @@ function separatrix(pendulum: Pendulum): Exact | null {
   }
 }
 
+/** What is the same wherever it starts: the period of small swings and the energy at the top. */
+const whereverStarted = remember((length: number, gravity: number) => {
+  const pendulum = new Pendulum({ theta0: 0, length, gravity })
+  return { smallPeriod: pendulum.period, top: pendulum.energies({ theta: Math.PI, velocity: 0 }).potential }
+})
+
 export class Motion {
   readonly #pendulum: Pendulum
   readonly #exact: Exact
@@ -96,11 +104,12 @@ export class Motion {
     this.regime = this.balanced ? 'rest' : limit ? 'separatrix' : pendulum.regime
     this.omega0 = pendulum.omega0
     this.period = limit ? Number.POSITIVE_INFINITY : pendulum.period
-    this.smallPeriod = new Pendulum({ theta0: 0, length, gravity }).period
+    const { smallPeriod, top } = whereverStarted(length, gravity)
+    this.smallPeriod = smallPeriod
+    this.#top = top
     this.thetaMax = limit || this.regime === 'rotation' || this.regime === 'separatrix' ? Math.PI : pendulum.thetaMax
     this.energyRatio = limit ? 1 : pendulum.energyRatio
     this.energyRatioC = limit ? 0 : pendulum.energyRatioC
-    this.#top = pendulum.energies({ theta: Math.PI, velocity: 0 }).potential
   }
 
   theta(t: number): number {
@@ -111,13 +120,15 @@ export class Motion {
     return this.#exact.velocity(t)
   }
 
-  sample(times: Float64Array): Track {
-    return this.#exact.motion(times)
+  sample(times: Float64Array, arrays = newArrays): Track {
+    return this.#exact.motion(times, { theta: arrays.next(times.length), velocity: arrays.next(times.length) })
   }
 
-  energy({ theta, velocity }: Track): Energy {
-    const { kinetic, potential } = this.#pendulum.energies({ theta, velocity })
-    const total = new Float64Array(kinetic.length)
+  energy({ theta, velocity }: Track, arrays = newArrays): Energy {
+    const { length } = theta
+    const out = { kinetic: arrays.next(length), potential: arrays.next(length) }
+    const { kinetic, potential } = this.#pendulum.energies({ theta, velocity }, out)
+    const total = arrays.next(length)
     for (let i = 0; i < total.length; i++) {
       total[i] = ((kinetic[i] as number) + (potential[i] as number)) / this.#top
       kinetic[i] = (kinetic[i] as number) / this.#top

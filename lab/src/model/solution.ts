@@ -4,6 +4,7 @@
 
 import { approx, type Pendulum, type Regime } from 'libration'
 import { type Curve, curveKey } from '../curves'
+import { type Arrays, newArrays } from './arrays'
 
 export interface Track {
   readonly theta: Float64Array
@@ -32,7 +33,7 @@ export interface Solution {
   theta(t: number): number
   velocity(t: number): number
   /** At the times of the exact motion. The error is without cancellation, or a plain difference where it must be quick. */
-  compared(times: Float64Array, exact: Track, quick: boolean): Compared
+  compared(times: Float64Array, exact: Track, quick: boolean, arrays?: Arrays): Compared
   /** Over so many periods from the start, where the core searches for it; else null. */
   largest(periods: number): Largest | null
   /** Time in s at which it goes over the top though the exact motion does not; NaN if it does not. */
@@ -51,10 +52,21 @@ export interface Reference {
 const SLOPE = 1e-5
 
 /** a + factor b. */
-function combined(a: Float64Array, b: Float64Array, factor: 1 | -1): Float64Array {
-  const out = new Float64Array(a.length)
+function combined(a: Float64Array, b: Float64Array, factor: 1 | -1, arrays: Arrays): Float64Array {
+  const out = arrays.next(a.length)
   for (let i = 0; i < out.length; i++) out[i] = (a[i] as number) + factor * (b[i] as number)
   return out
+}
+
+const formulas = new Map<string, approx.AngleFormula>()
+
+/** A formula by its name, which is read once. */
+function formulaOf(key: string): approx.AngleFormula {
+  const before = formulas.get(key)
+  if (before) return before
+  const made = approx.angle(key)
+  formulas.set(key, made)
+  return made
 }
 
 export class Formula implements Solution {
@@ -67,7 +79,7 @@ export class Formula implements Solution {
     pendulum: Pendulum,
     readonly curve: Curve,
   ) {
-    this.#of = approx.angle(curveKey(curve)).of(pendulum)
+    this.#of = formulaOf(curveKey(curve)).of(pendulum)
     this.#slope = SLOPE / exact.omega0
   }
 
@@ -80,12 +92,12 @@ export class Formula implements Solution {
     return (this.#of.theta(t + h) - this.#of.theta(t - h)) / (2 * h)
   }
 
-  compared(times: Float64Array, exact: Track, quick: boolean): Compared {
+  compared(times: Float64Array, exact: Track, quick: boolean, arrays = newArrays): Compared {
     const approximation = this.#of
     const h = this.#slope
     let velocity: Float64Array | null = null
     return {
-      ...this.#both(times, exact.theta, quick || !this.exact.asGiven),
+      ...this.#both(times, exact.theta, quick || !this.exact.asGiven, arrays),
       // Asked for only where velocities are drawn.
       get velocity() {
         if (velocity) return velocity
@@ -98,13 +110,19 @@ export class Formula implements Solution {
   }
 
   /** Angle and error by one evaluation of the formula. */
-  #both(times: Float64Array, exact: Float64Array, plain: boolean): { theta: Float64Array; error: Float64Array } {
+  #both(
+    times: Float64Array,
+    exact: Float64Array,
+    plain: boolean,
+    arrays: Arrays,
+  ): { theta: Float64Array; error: Float64Array } {
+    const out = arrays.next(times.length)
     if (plain) {
-      const theta = this.#of.theta(times)
-      return { theta, error: combined(theta, exact, -1) }
+      const theta = this.#of.theta(times, out)
+      return { theta, error: combined(theta, exact, -1, arrays) }
     }
-    const error = this.#of.difference(times)
-    return { theta: combined(error, exact, 1), error }
+    const error = this.#of.difference(times, out)
+    return { theta: combined(error, exact, 1, arrays), error }
   }
 
   largest(periods: number): Largest | null {
@@ -138,9 +156,10 @@ export class Stepped implements Solution {
     return this.#of.motion(t).velocity
   }
 
-  compared(times: Float64Array, exact: Track): Compared {
-    const { theta, velocity } = this.#of.motion(times)
-    return { theta, velocity, error: combined(theta, exact.theta, -1) }
+  compared(times: Float64Array, exact: Track, _quick: boolean, arrays = newArrays): Compared {
+    const out = { theta: arrays.next(times.length), velocity: arrays.next(times.length) }
+    const { theta, velocity } = this.#of.motion(times, out)
+    return { theta, velocity, error: combined(theta, exact.theta, -1, arrays) }
   }
 
   largest(): null {

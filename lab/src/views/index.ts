@@ -1,6 +1,7 @@
 // The views that there are, in the order of their tabs. A view that does not exist yet has no tab.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import { retried } from '../retry'
 import { motionSentence } from './bench'
 import { dialog } from './dialogs'
 import { lab, labAlarm } from './lab'
@@ -19,11 +20,13 @@ export function secondFailed(): void {
 /** Loads all views but the Lab; begun with the page, so that no request is left for a tab. Never rejects: the Lab works alone. */
 export async function loadViews(): Promise<void> {
   try {
-    later = await import('./later')
+    later = await retried(() => import('./later'))
   } catch {
     failed = true
   }
 }
+
+export const viewsLoaded = (): boolean => later !== null
 
 function view(name: 'phase' | 'period' | 'functions'): View {
   const shown = (page: Live) => (name === 'phase' || page.model.complete ? later : null)

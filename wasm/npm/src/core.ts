@@ -141,6 +141,9 @@ function shown(value: number): string {
   return Number.isInteger(size) ? `${sign}${size}.0` : `${sign}${size}`;
 }
 
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
 /** Copies a block of an array into a column. */
 function fill(column: Float64Array, from: Numbers, at: number, count: number): void {
   if (from instanceof Float64Array) column.set(count === from.length ? from : from.subarray(at, at + count));
@@ -175,12 +178,12 @@ export class Core {
   /** The text that the core has left. */
   text(): string {
     const { memory } = this.exports;
-    return new TextDecoder().decode(new Uint8Array(memory.buffer, this.exports.text(), this.exports.text_length()));
+    return decoder.decode(new Uint8Array(memory.buffer, this.exports.text(), this.exports.text_length()));
   }
 
   /** Writes the text that the core reads next. */
   say(text: string): void {
-    const bytes = new TextEncoder().encode(text);
+    const bytes = encoder.encode(text);
     const at = this.exports.text_room(bytes.length);
     new Uint8Array(this.exports.memory.buffer, at, bytes.length).set(bytes);
   }

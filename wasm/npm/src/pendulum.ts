@@ -277,6 +277,7 @@ export class Pendulum {
    * ω₀²(1 − cos θ), zero at rest at the stable equilibrium. Also of states that are not its own, as of a numerical solution.
    *
    * @param state Angle in rad and velocity in rad/s: two numbers or two arrays of one length.
+   * @param out Where to put the energies of arrays.
    * @returns Each within 1 ulp, of the state as it was given.
    *
    * @example
@@ -285,8 +286,11 @@ export class Pendulum {
    * kinetic + potential; // pendulum.energy, 0.459697...
    */
   energies(state: Motion<number>): Energies<number>;
-  energies(state: Motion<Numbers>): Energies<Float64Array>;
-  energies({ theta, velocity }: Motion<number | Numbers>): Energies<number> | Energies<Float64Array> {
+  energies(state: Motion<Numbers>, out?: Energies<Float64Array>): Energies<Float64Array>;
+  energies(
+    { theta, velocity }: Motion<number | Numbers>,
+    out?: Energies<Float64Array>,
+  ): Energies<number> | Energies<Float64Array> {
     const { exports } = core();
     const work = (rows: number): void => exports.orbit_energies(this.orbit, rows);
     if (typeof theta === "number" || typeof velocity === "number") {
@@ -296,7 +300,8 @@ export class Pendulum {
     if (theta.length !== velocity.length) {
       throw new DomainError("velocity", `${velocity.length} numbers`, `as many as theta, ${theta.length}`);
     }
-    const [kinetic, potential] = this.energiesOf(theta, velocity, work);
+    const results = out && ([out.kinetic, out.potential] as [Float64Array, Float64Array]);
+    const [kinetic, potential] = this.energiesOf(theta, velocity, work, results);
     return { kinetic, potential };
   }
 
@@ -311,8 +316,12 @@ export class Pendulum {
     }
   }
 
-  private energiesOf(theta: Numbers, velocity: Numbers, work: (rows: number) => void): [Float64Array, Float64Array] {
-    const results: [Float64Array, Float64Array] = [new Float64Array(theta.length), new Float64Array(theta.length)];
+  private energiesOf(
+    theta: Numbers,
+    velocity: Numbers,
+    work: (rows: number) => void,
+    results: [Float64Array, Float64Array] = [new Float64Array(theta.length), new Float64Array(theta.length)],
+  ): [Float64Array, Float64Array] {
     core().through(theta, results, work, velocity);
     return results;
   }

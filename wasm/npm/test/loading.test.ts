@@ -114,6 +114,10 @@ test("results go where they are told, also onto their arguments", () => {
   const out = { theta: new Float64Array(t.length), velocity: new Float64Array(t.length) };
   assert.equal(pendulum.motion(t, out).theta, out.theta);
   assert.deepEqual(out, expected);
+  const energies = pendulum.energies(expected);
+  const kept = { kinetic: new Float64Array(t.length), potential: out.velocity };
+  assert.equal(pendulum.energies(out, kept).potential, out.velocity);
+  assert.deepEqual(kept, energies);
   assert.equal(pendulum.theta(t, t), t);
   assert.deepEqual(t, expected.theta);
 });
