@@ -120,10 +120,10 @@ pub trait Lane:
         Self::select(mask, Self::splat(1.0), Self::splat(0.0)).store(&mut flags);
         let (mut count, mut i) = (0, 0);
         while i < Self::WIDTH {
-            if flags[i] != 0.0 {
-                values[i] = from[count];
-                count += 1;
-            }
+            // By an index: whether one is taken cannot be foreseen.
+            let taken = usize::from(flags[i] != 0.0);
+            values[i] = [values[i], from[count]][taken];
+            count += taken;
             i += 1;
         }
         (Self::load(&values), count)
