@@ -139,7 +139,8 @@ def uncertain(found: Any, say: Words) -> list[str]:
     ]
     rows.append((say.word("{name}, combined", name=name), f"{value.u:.2g}", "100 %" if total > 0 else ""))
     rows.append((say.word("{name}, expanded (k = 2)", name=name), f"{value.expanded:.2g}", ""))
-    rows = [(source, say.decimal(u), share) for source, u, share in rows]
+    # A narrow screen breaks no equation.
+    rows = [(source.replace("k = ", "k\u00a0=\u00a0"), say.decimal(u), share) for source, u, share in rows]
     heads = (say.word("source"), say.word("u in {unit}", unit=unit), say.word("of the variance"))
     notes = [_text.taken_as_exact(found, say)]
     alone = _text.naive(found)

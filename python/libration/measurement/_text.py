@@ -96,10 +96,18 @@ def window(fit: Any, say: Words = ENGLISH) -> str:
     count = str(found["samples"])
     if fit._given.kind in ("gate", "swings"):
         return say.word("all {count} periods{swing}", count=count, swing=swing)
-    first, last = (say.decimal(f"{each:.4g}") for each in fit.window)
+    first, last = (say.decimal(each) for each in told_apart(*fit.window))
     reason = say.word(str(found["window_reason"]))
     form = "{first} s to {last} s, {reason}: {count} samples{swing}"
     return say.word(form, first=first, last=last, reason=reason, count=count, swing=swing)
+
+
+def told_apart(first: float, last: float) -> tuple[str, str]:
+    """Two times to four digits; of stamps that are far from 0, to four digits of the time between them."""
+    if max(abs(first), abs(last)) < 1000.0 * (last - first):
+        return f"{first:.4g}", f"{last:.4g}"
+    places = max(0, 3 - math.floor(math.log10(last - first))) if last > first else 0
+    return f"{first:.{places}f}", f"{last:.{places}f}"
 
 
 def rms(fit: Any, value: float) -> str:
@@ -213,10 +221,12 @@ def budget(found: Any) -> list[tuple[str, str]]:
     """The budget of uncertainty."""
     name, value, unit = quoted(found)
     lines = [(f"u of {name}", f"{value.u:.2g} {unit}, of which")]
-    lines += [("", f"{small(u, value.u)}  {source}") for source, u in budget_rows(found)]
+    rows = [(small(u, value.u), source) for source, u in budget_rows(found)]
+    wide = max(len(u) for u, _ in rows)
+    lines += [("", f"{u:{wide}}  {source}") for u, source in rows]
     alone = naive(found)
     if alone is not None:
-        lines.append(("", f"({alone:.2g}  {unit}, if the residuals were independent; they are not taken so)"))
+        lines.append(("", f"({alone:.2g} {unit}, if the residuals were independent; they are not taken so)"))
     exact = taken_as_exact(found)
     return [*lines, ("", exact)] if exact else lines
 
