@@ -87,6 +87,13 @@ table only.
         "Such as --part rod:0.495m,19g --part point:0.495m,31g. Each value may have an uncertainty, 0.495±0.001m.",
     ),
     Topic(
+        "friction",
+        text="""\
+theta'' + 2 linear theta' + quadratic |theta'| theta' + dry sgn(theta') + omega0^2 sin(theta) = 0, all per unit inertia: what
+libration solve --linear, --quadratic and --dry take. The poorest model that the record does not reject is chosen.
+""",
+    ),
+    Topic(
         "uncertainty",
         text="""\
 After the GUM, k = 1: noise with its correlation in time, the choice of the friction model, and length, scale and clock.

@@ -56,7 +56,9 @@ def place(fit: Any) -> str:
 def record(fit: Any, say: Words, mark: str, shared: bool = False) -> list[str]:
     """What a page says of a record."""
     numbers = [*_text.result(fit, say), (say.word("model"), _text.model_words(fit, say))]
-    parts = [table(numbers), heading("Data with the fitted curve, and residuals", say), pictures(fit, say, mark)]
+    law = _text.equation(fit, say)
+    parts = [table(numbers), f'<p class="small">{escape(law)}</p>' if law else ""]
+    parts += [heading("Data with the fitted curve, and residuals", say), pictures(fit, say, mark)]
     against = swings(fit, say, mark)
     if against:
         note = say.word("Each dot is one period of the record; the curve is the exact law at the fitted omega0.")

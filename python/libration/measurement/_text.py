@@ -18,6 +18,13 @@ TERMS = {
     "dry": ("dry friction", "rad/s^2"),
     "presliding": ("presliding angle", "rad"),
 }
+# Term of the equation and letter of each; dry friction changes its sign over the presliding angle, not at once.
+SYMBOLS = {
+    "linear": ("2γθ′", "γ"),
+    "quadratic": ("β|θ′|θ′", "β"),
+    "dry": ("μ sgn θ′", "μ"),
+    "presliding": ("", "δ"),
+}
 RMS_UNITS = {"angle": "deg", "velocity": "deg/s", "acceleration": "m/s^2"}
 # Words before the sentence of a verdict.
 GRADES = {"refuted": "DO NOT QUOTE", "warning": "warning", "note": "note"}
@@ -265,6 +272,16 @@ def equation_words(fit: Any, say: Words = ENGLISH) -> str:
     if not fit.friction:
         return say.word("the pendulum equation without friction")
     return say.word("the pendulum equation with {friction}", friction=model_words(fit, say))
+
+
+def equation(fit: Any, say: Words = ENGLISH) -> str:
+    """The equation with the terms that act and what their letters are, or nothing of periods alone."""
+    if fit._given.kind in ("gate", "swings"):
+        return ""
+    acting = [SYMBOLS[name] for name in fit.friction]
+    shown = " + ".join(["θ″", *(term for term, _ in acting if term), "ω₀² sin θ"])
+    letters = [f"{letter} = {say.word(TERMS[name][0])}" for name, (_, letter) in zip(fit.friction, acting, strict=True)]
+    return say.word("Equation: {equation} = 0", equation=shown) + "".join(f"; {each}" for each in letters)
 
 
 def quoting(found: Any, how: str, say: Words = ENGLISH) -> str:
