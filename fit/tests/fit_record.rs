@@ -245,3 +245,42 @@ fn a_term_at_its_bound_leaves_the_others_uncertain() {
     assert!((1.3..10.0).contains(&ratio), "{:?} {:?}", held.omega0, alone.omega0);
     assert!((held.omega0.value - alone.omega0.value).abs() < alone.omega0.u);
 }
+
+/// Accelerations under dry friction that falls while the velocity rises, with a wave of twice the frequency from a sensor that hangs
+/// askew.
+fn askew(phase: f64) -> Data {
+    let friction = Friction::new(-0.027, 0.0103, 0.081, 0.0).unwrap();
+    let frequency = Frequency::from_omega0(6.15).unwrap();
+    let pendulum = DampedPendulum::new(0.95, 0.0, frequency, friction, libration::Torque::NONE).unwrap();
+    let trajectory = pendulum.trajectory(0.0, 40.0).unwrap();
+    let t: Vec<f64> = (0..1000).map(|i| 0.04 * i as f64).collect();
+    let noise = Stream::new(17).noise(0.0, t.len());
+    let shown = |(t, e): (&f64, f64)| {
+        let tangential = -0.27 * 6.15 * 6.15 * trajectory.theta(*t).sin();
+        tangential + 0.2 * (12.2 * t + phase).sin() * (-t / 40.0).exp() + 0.03 * e
+    };
+    let values = t.iter().zip(noise).map(shown).collect();
+    Data::Record { measured: Measured::Acceleration, t, values }
+}
+
+#[test]
+fn dry_friction_and_linear_friction_do_not_hold_each_other_at_0() {
+    for phase in [2.0, 3.0] {
+        let data = askew(phase);
+        let of = |model| fit(&data, &FitOptions { model, ..FitOptions::default() }).unwrap();
+        let (all, alone) = (of(None), of(Some(Model::Dry)));
+        let among = all.ladder.iter().find(|rung| rung.model == Model::Dry).unwrap();
+        let poorer = all.ladder.iter().find(|rung| rung.model == Model::Quadratic).unwrap();
+        // One minimum, whatever the search began from.
+        for rms in [alone.ladder[0].rms, alone.rms] {
+            assert!((among.rms / rms - 1.0).abs() < 1e-4, "{phase}: {} {rms}", among.rms);
+        }
+        assert!(alone.rms < 0.985 * poorer.rms, "{phase}: {} {}", alone.rms, poorer.rms);
+    }
+}
+
+#[test]
+fn presliding_over_more_than_any_swing_is_no_friction() {
+    let found = fit(&askew(0.0), &FitOptions::default()).unwrap();
+    assert!((found.omega0.value / 6.15 - 1.0).abs() < 2e-3, "{}", found.omega0.value);
+}

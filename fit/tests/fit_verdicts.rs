@@ -47,11 +47,15 @@ fn what_is_no_record_is_refused_in_one_line() {
     for (data, words) in [
         (angle(t.clone(), vec![0.3; 100]), "every value is 0.3"),
         (angle(t.clone(), vec![f64::NAN; 100]), "0 rows with numbers"),
-        (angle(vec![1.0], vec![0.2]), "1 rows with numbers"),
+        (angle(vec![1.0], vec![0.2]), "1 row with numbers"),
         (angle(t.iter().rev().copied().collect(), wave.clone()), "must rise"),
         (angle(vec![2.0; 100], wave.clone()), "every time is 2"),
         (angle(t.clone(), wave[..99].to_vec()), "same length"),
-        (angle(t.clone(), t.clone()), "turning points"),
+        (angle(t.clone(), t.clone()), "1 turning point in"),
+        (
+            Data::Gate { t: t[..5].to_vec(), periods: vec![2.0, 2.011, 1.996, 2.008, 2.001], transits: None },
+            "5 periods do not",
+        ),
     ] {
         let refusal = fit(&data, &none).unwrap_err().to_string();
         assert!(refusal.contains(words) && !refusal.contains('\n'), "{refusal}");
@@ -138,6 +142,55 @@ fn a_wrong_length_is_named_with_its_size() {
     };
     assert!(says(&with(0.61), "the stated length is off by 22"), "{:?}", with(0.61).verdicts);
     assert!(!says(&with(0.5), "length"), "{:?}", with(0.5).verdicts);
+}
+
+#[test]
+fn a_length_or_a_time_in_another_unit_is_not_quoted() {
+    let (t, values) = swing(0.8, 0.02, 1000);
+    let with = |data: &Data, value: f64| {
+        let length = Some(Measure { value, u: 0.001 });
+        fit(data, &FitOptions { length, ..FitOptions::default() }).unwrap()
+    };
+    let unit = "the unit of the length or of the times is wrong: g would be";
+    let milliseconds: Vec<f64> = t.iter().map(|t| 1e-3 * t).collect();
+    for (data, length) in
+        [(angle(t.clone(), values.clone()), 5.0), (angle(milliseconds, values.clone()), 0.5)]
+    {
+        let found = with(&data, length);
+        assert!(says(&found, unit) && !found.stands(), "{:?}", found.verdicts);
+    }
+    // On the Moon it swings too.
+    let moon = with(&angle(t.clone(), values.clone()), 0.5 / 6.0);
+    assert!(says(&moon, "the stated length is off by") && moon.stands(), "{:?}", moon.verdicts);
+    let table =
+        Data::Table { swings: vec![0.2, 0.6, 1.0, 1.4], periods: vec![2.0112, 2.0521, 2.1387, 2.2847] };
+    assert!(!says(&with(&table, 1.0), "length"), "{:?}", with(&table, 1.0).verdicts);
+    assert!(says(&with(&table, 0.9), "the stated length is off by"), "{:?}", with(&table, 0.9).verdicts);
+    assert!(says(&with(&table, 100.0), unit), "{:?}", with(&table, 100.0).verdicts);
+}
+
+#[test]
+fn what_is_no_pendulum_says_nothing_of_its_length() {
+    let t = times(600);
+    let values = (0..600).map(|i| 0.3 * noise(i)).collect();
+    let length = Some(Measure { value: 0.65, u: 0.01 });
+    let found = fit(&angle(t, values), &FitOptions { length, ..FitOptions::default() }).unwrap();
+    assert!(!found.stands() && !says(&found, "length"), "{:?}", found.verdicts);
+}
+
+#[test]
+fn periods_that_the_swing_does_not_explain_say_so() {
+    // The width of the flag changes midway, and with it every speed.
+    let gate = |change: f64| {
+        let swing = |i: usize| 0.3 * (-0.004 * i as f64).exp();
+        let speed = |i: usize| 2.0 * 3.0 * (0.5 * swing(i)).sin();
+        let t: Vec<f64> = (0..200).map(|i| 2.1 * i as f64).collect();
+        let periods = (0..200).map(|i| 2.0944 * (1.0 + swing(i).powi(2) / 16.0) + 2e-5 * noise(i)).collect();
+        let dark = (0..200).map(|i| if i < 100 { 0.02 } else { change * 0.02 } / speed(i)).collect();
+        fit(&Data::Gate { t, periods, transits: Some(dark) }, &FitOptions::default()).unwrap()
+    };
+    assert!(says(&gate(1.2), "residuals follow each other"), "{:?}", gate(1.2).verdicts);
+    assert!(!says(&gate(1.0), "residuals"), "{:?}", gate(1.0).verdicts);
 }
 
 #[test]

@@ -344,6 +344,7 @@ fn a_buffer_of_periods() {
     assert_eq!(record.kind, Kind::Gate);
     near(&record.series(Quantity::Period).unwrap().values, &[1.602, 1.601, 1.6, 1.599], 0.0);
     near(&record.time, &[2.243, 3.044, 3.845, 6.247], 0.0);
+    says(&record, "the period and how long a passage is dark: \"Period\", \"Transit time\"");
     says(&record, "a passage missed");
     says(&record, "a passage too many");
 }
@@ -357,4 +358,30 @@ fn a_table_of_swings() {
     near(&record.series(Quantity::Period).unwrap().values, &[1.428, 1.307, 1.303], 0.0);
     says(&record, "no value in column \"Period (s)\" (lines 4, 6)");
     says(&record, "no number in column \"Theta (rad)\" (line 7)");
+}
+
+#[test]
+fn a_short_table_of_periods_is_no_record_in_time() {
+    let rows = ["10,2.0112", "20,2.025", "30,2.041", "40,2.062", "50,2.1"];
+    for count in 3..=5 {
+        let record = record(&format!("theta (deg),T (s)\n{}\n", rows[..count].join("\n")));
+        assert_eq!(record.kind, Kind::Swings);
+        near(&record.series(Quantity::Period).unwrap().values[..3], &[2.0112, 2.025, 2.041], 0.0);
+    }
+}
+
+#[test]
+fn bars_part_cells() {
+    let plain = record("t [s]|theta [deg]\n0|10\n0.1|9\n0.2|7\n0.3|5\n");
+    let page =
+        record("| t [s] | theta [deg] |\n| --- | --- |\n| 0 | 10 |\n| 0.1 | 9 |\n| 0.2 | 7 |\n| 0.3 | 5 |\n");
+    for record in [plain, page] {
+        near(&degrees(&record), &[10.0, 9.0, 7.0, 5.0], 1e-12);
+        near(&record.time, &[0.0, 0.1, 0.2, 0.3], 1e-15);
+    }
+}
+
+#[test]
+fn the_size_of_an_angle_is_told_to_six_digits() {
+    says(&record("t,theta\n0,1.0096729722787197\n0.1,0.9\n0.2,0.7\n"), "(the largest, 1.00967, does");
 }

@@ -173,7 +173,8 @@ def test_too_long_a_file_of_unknown_size(said, monkeypatch):
     monkeypatch.setattr("libration.cli.times.readable", lambda *_: (0, False))
     with open("t.csv", "w") as file:
         file.write("1\n" * 51)
-    assert "has more than the 100 bytes that are read" in said(*SOLVE, "--times", "t.csv")
+    assert "has more than the 100 bytes that are read; in Python" in said(*SOLVE, "--times", "t.csv")
+    assert said(*SOLVE, "--torque-file", "t.csv").endswith("has more than the 100 bytes that are read")
 
 
 def test_unknown_column_lists_what_there_is(said):

@@ -84,6 +84,8 @@ def test_estimates_are_rounded_to_their_uncertainty():
     assert str(Estimate(9.8104, 0.0996)) == "9.81 ± 0.10"
     assert str(Estimate(1234.5, 67.8)) == "1234 ± 68"
     assert str(Estimate(0.8, 0.0)) == "0.8"
+    assert str(Estimate(-1e-6, 0.0088)) == "0.0000 ± 0.0088"
+    assert str(Estimate(-0.0001, 0.0088)) == "-0.0001 ± 0.0088"
     assert str(Estimate(math.nan, 0.1)) == "not known"
     assert Estimate(1.0, 0.25).expanded == 0.5
 
@@ -172,6 +174,17 @@ REFUSED = [
     (dict(without="friction"), "without = 'friction': must be one of bob size"),
     (dict(monte_carlo=10), "monte_carlo = 10: must be a whole number, 0 or from 100"),
     (dict(bootstrap=2.5), "bootstrap = 2.5: must be a whole number"),
+    (dict(parts=3), "parts = 3: must be a sequence of"),
+    (dict(parts="rod"), "parts = 'rod': must be a sequence of"),
+    (dict(without=3), "without = 3: must be one of bob size"),
+    (dict(columns="theta"), "columns = 'theta': must be a mapping"),
+    (dict(units=["deg"]), r"units = \['deg'\]: must be a mapping"),
+    (dict(columns={"theta": "a"}), "columns: 'theta' must be one of time, angle"),
+    (dict(columns={"angle": ""}), "columns: angle = '' must be the name of a column"),
+    (dict(units={"angle": 3}), "units: angle = 3 must be the name of a unit"),
+    (dict(run="first"), "run = 'first': must be a whole number"),
+    (dict(run=1.5), "run = 1.5: must be a whole number"),
+    (dict(run=0), "run = 0: must be a whole number from 1"),
 ]
 
 
@@ -208,6 +221,29 @@ def test_no_source():
         fit(["a.csv", "b.csv"])
     with pytest.raises(FileNotFoundError):
         fit("no such file.csv")
+
+
+@pytest.mark.parametrize(
+    ("t", "words"),
+    [
+        (np.arange("2026-01-01", "2026-01-11", dtype="M8[D]"), r"t: holds dates; must be real numbers, \(t - t\[0\]\)"),
+        (np.arange(10).astype("m8[s]"), "t: holds durations; must be real numbers, t / np.timedelta64"),
+        (np.arange(10.0) + 0j, "t = an array of shape"),
+    ],
+)
+def test_what_is_no_number_of_seconds(t, words):
+    with pytest.raises(TypeError, match=words):
+        fit(t, np.zeros(10))
+
+
+def test_a_mask_leaves_out_what_it_covers():
+    covered = np.zeros(T.size, dtype=bool)
+    covered[::7] = True
+    theta = np.ma.masked_array(np.where(covered, 1e3, record()), mask=covered)
+    found = fit(T, theta, model="linear")
+    assert found.dropped[0]["count"] == covered.sum()
+    again = fit(T, np.where(covered, np.nan, record()), model="linear")
+    assert found.omega0 == again.omega0
 
 
 def test_rows_without_numbers_are_listed():

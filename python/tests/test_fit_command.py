@@ -172,6 +172,7 @@ REFUSED = [
     ("FILE --title a --report a.html", "needs --plot FILE"),
     ("absent.csv", "absent.csv: cannot be read: No such file"),
     (".", "cannot be read: Is a directory"),
+    ("-", "unknown option '-'; see libration fit --help"),
 ]
 
 
@@ -191,6 +192,9 @@ CONTENTS = [
     ("t,theta\n" + "".join(f"{k},0.5\n" for k in range(50)), "no column moves"),
     ("some words\nand more\n", "no row of numbers"),
     ("t,theta\n" + "".join(f"{k},nan\n" for k in range(50)), "no number"),
+    ('{"t": [0, 1, 2], "theta": [1, 2, 3]}', "bad.csv: is JSON; write a table of text"),
+    ("\n<!DOCTYPE html>\n<table><tr><td>0</td><td>1</td></tr></table>", "bad.csv: is a page of HTML; save"),
+    ("%PDF-1.7\n1 0 obj\n", "bad.csv: is a PDF; give"),
 ]
 
 
@@ -201,6 +205,41 @@ def test_no_record(content, message, tmp_path, capsys):
     assert main(["fit", str(path), "--unit", "angle=rad"]) == 2
     told = capsys.readouterr()
     assert "bad.csv" in told.err and message in told.err and told.err.count("\n") == 1 and not told.out
+
+
+def test_a_file_whose_name_begins_as_an_option_does(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path / "-a.csv", swing())
+    assert main(["fit", "-a.csv"]) == 2
+    assert "unknown option '-a.csv'; a file of this name is written './-a.csv'" in capsys.readouterr().err
+    assert main(["fit", "./-a.csv", "--model", "linear"]) == 0
+
+
+def test_a_device_without_an_end(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("libration.measurement._columns.MOST_BYTES", 1000)
+    path = write(tmp_path / "long.csv", swing())
+    assert main(["fit", path]) == 2
+    assert "long.csv: cannot be read: it holds more than 1000 bytes" in capsys.readouterr().err
+
+
+def test_a_bob_without_a_mass(file, capsys):
+    assert main(["fit", file, "--length", "0.8", "--bob", "12.5mm", "--model", "linear"]) == 0
+    assert "bob size" in capsys.readouterr().out
+
+
+def test_times_far_from_0_are_told_apart(tmp_path, capsys):
+    path = tmp_path / "stamps.csv"
+    rows = "".join(f"{1717171717 + t:.3f},{each:.4f}\n" for t, each in zip(T, swing(), strict=True))
+    path.write_text("t [s],theta [deg]\n" + rows)
+    assert main(["fit", str(path), "--model", "linear"]) == 0
+    assert "1717171717.00 s to 1717171741.00 s, from the release" in capsys.readouterr().out
+
+
+def test_the_budget_is_a_table(file, capsys):
+    assert main(["fit", file, "--length", "0.800±0.001", "--model", "linear"]) == 0
+    lines = capsys.readouterr().out.split("\n")
+    places = {line.index(each) for line in lines for each in ("  fit", "  length") if line.endswith(each)}
+    assert len(places) == 1
 
 
 def test_a_refused_file_leaves_nothing(file, tmp_path, capsys):

@@ -12,6 +12,7 @@ import pytest
 import scipy.io
 
 from libration import DampedPendulum, Friction, fit, fit_together
+from libration.measurement._columns import in_python
 
 T = np.linspace(0.0, 12.0, 300)
 THETA = DampedPendulum(0.9, length=0.8, gravity=9.81, friction=Friction(linear=0.02)).theta(T) + np.random.default_rng(
@@ -112,6 +113,30 @@ def test_damaged_files(content, message, tmp_path):
     with pytest.raises(ValueError, match=message) as refusal:
         fit(path)
     assert "\n" not in str(refusal.value) and "bad.bin" in str(refusal.value)
+
+
+MESSAGES = [
+    ({"columns": {"angle": 4}}, 'columns={"angle": "4"}: is no column; the file has t, theta, phi'),
+    ({"columns": {"angle": "c or d"}}, 'columns={"angle": "c or d"}: is no column'),
+    ({"columns": {"angle": "theta"}, "units": {"angle": "mile"}}, 'units={"angle": "mile"}: must be rad'),
+    ({}, 'which column is the angle? theta, phi; write columns={"angle": "NAME"}'),
+]
+
+
+@pytest.mark.parametrize(("stated", "message"), MESSAGES)
+def test_messages_name_the_arguments_of_python(stated, message, tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("t,theta,phi\n0,10,1\n0.1,9,2\n0.2,7,4\n")
+    with pytest.raises(ValueError) as refusal:
+        fit(path, **stated)
+    assert message in str(refusal.value) and "--" not in str(refusal.value)
+
+
+def test_several_options_in_one_message():
+    asked = "what? x; write --column velocity=NAME or --column acceleration=NAME, or both --column x=NAME and --column y=NAME"
+    told = 'what? x; write columns={"velocity": "NAME"} or columns={"acceleration": "NAME"}, or both columns={"x": "NAME"} and columns={"y": "NAME"}'
+    assert in_python(asked) == told
+    assert in_python("write --rate HZ, or --column time=NAME") == 'write rate=HZ, or columns={"time": "NAME"}'
 
 
 @pytest.mark.parametrize(

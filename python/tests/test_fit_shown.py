@@ -121,6 +121,12 @@ def test_the_page_in_other_languages(lang, which, request):
     assert not re.search(r'class="number">[^<]*[0-9]\.[0-9]', text)
 
 
+def test_the_page_states_its_equation(found, table):
+    assert "Equation: θ″ + 2γθ′ + ω₀² sin θ = 0; γ = linear friction<" in found.report()
+    assert "Ecuación: θ″ + 2γθ′ + ω₀² sin θ = 0; γ = rozamiento lineal<" in found.report("es")
+    assert "Equation:" not in table.report()
+
+
 def test_the_page_has_two_themes(found):
     text = found.report()
     assert "prefers-color-scheme:dark" in text and 'content="light dark"' in text

@@ -3,6 +3,7 @@
 import json
 import math
 from io import BytesIO
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -172,12 +173,23 @@ def files(tmp_path):
     return [write(tmp_path / f"{name}.csv", record(length)) for name, length in (("a", 0.5), ("b", 0.8), ("c", 1.1))]
 
 
-def test_the_command_of_runs(files, capsys):
-    assert main(["fit", files[1], files[1], "--length", "0.800±0.001", "--model", "linear", "--json"]) == 0
+def test_a_record_that_is_given_twice_is_refused(files, tmp_path, capsys):
+    copy = tmp_path / "copy.csv"
+    copy.write_bytes(Path(files[1]).read_bytes().replace(b"\n", b"\r\n"))
+    for other in (files[1], str(copy)):
+        assert main(["fit", files[1], other, "--report", str(tmp_path / "a.html")]) == 2
+        told = capsys.readouterr()
+        assert f"{other}: holds the record of {files[1]} again" in told.err and told.err.count("\n") == 1
+    assert not (tmp_path / "a.html").exists()
+
+
+def test_the_command_of_runs(files, tmp_path, capsys):
+    again = write(tmp_path / "again.csv", record(seed=7))
+    assert main(["fit", files[1], again, "--length", "0.800±0.001", "--model", "linear", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["kind"] == "runs" and told["g"]["value"] == pytest.approx(9.81, abs=0.02)
-    assert [each["source"] for each in told["records"]] == [files[1], files[1]]
-    assert main(["fit", files[1], files[1], "--model", "linear"]) == 0
+    assert [each["source"] for each in told["records"]] == [files[1], again]
+    assert main(["fit", files[1], again, "--model", "linear"]) == 0
     printed = capsys.readouterr().out
     assert printed.count("to quote") == 1 and "record 2" in printed and "together" in printed
 

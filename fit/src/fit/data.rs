@@ -107,8 +107,9 @@ pub(super) fn clean(t: &[f64], values: &[f64]) -> Result<Clean, FitRefusal> {
         return Err(FitRefusal::new(format!("the time falls in {falls} of {} rows: it must rise", t.len())));
     }
     if kept.t.len() < 8 {
+        let few = if kept.t.len() == 1 { "row" } else { "rows" };
         return Err(FitRefusal::new(format!(
-            "{} rows with numbers: a record needs at least 8",
+            "{} {few} with numbers: a record needs at least 8",
             kept.t.len()
         )));
     }

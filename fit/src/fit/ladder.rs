@@ -2,11 +2,11 @@
 
 use super::covariance::effective_size;
 use super::data::Measured;
-use super::optimiser::{Outcome, Patience, minimum};
+use super::optimiser::{FINE, Outcome, Patience, minimum};
 use super::options::Model;
 use super::problem::{
-    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_HELD, Problem, QUADRATIC, SCALE, Samples, THETA,
-    VELOCITY, Values, always_free, below_bound, least_linear, trajectory,
+    DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_HELD, PRESLIDING_RANGE, Problem, QUADRATIC, SCALE,
+    Samples, THETA, VELOCITY, Values, always_free, below_bound, least_linear, trajectory,
 };
 use nalgebra::DVector;
 
@@ -80,8 +80,29 @@ fn wants_back(
     Some(asked[place])
 }
 
-/// A model at its minimum, from the values of a neighbour; a term that leans on its bound is held at 0 and remembered.
+/// A model at its minimum, from the values of a neighbour.
 pub(super) fn rung(
+    samples: &Samples,
+    measured: Measured,
+    model: Model,
+    start: &Values,
+    free_scale: bool,
+    patience: Patience,
+) -> Rung {
+    let search = |start: &Values, patience| searched(samples, measured, model, start, free_scale, patience);
+    let found = search(start, patience);
+    // Without dry friction the linear one has no room below 0, and without that dry friction may have no use: each holds the other. A
+    // search that begins there, with both free and with more patience, leads away where a lower cost is near.
+    let both = [LINEAR, DRY].iter().all(|term| found.wanted_negative.contains(term));
+    if !both || found.outcome.values[QUADRATIC] <= 0.0 {
+        return found;
+    }
+    let other = search(&found.outcome.values, FINE);
+    if other.outcome.sum_of_squares < found.outcome.sum_of_squares { other } else { found }
+}
+
+/// A model at the minimum that a search from these values reaches; a term that leans on its bound is held at 0 and remembered.
+fn searched(
     samples: &Samples,
     measured: Measured,
     model: Model,
@@ -140,11 +161,15 @@ pub(super) fn rung(
     }
     outcome.values[LINEAR] = outcome.values[LINEAR].max(least_linear(&outcome.values));
     let mut wanted_negative = held;
-    // The bound is an angle of 0: dry friction alone.
-    if free.contains(&PRESLIDING) && outcome.values[PRESLIDING] < PRESLIDING_HELD {
+    // The bound is an angle of 0: dry friction alone. Beyond the largest angle it is a spring, which no swing tells from gravity.
+    let spring = outcome.values[PRESLIDING] > PRESLIDING_RANGE.1;
+    if free.contains(&PRESLIDING) && (spring || outcome.values[PRESLIDING] < PRESLIDING_HELD) {
+        let mut values = if spring { *start } else { outcome.values };
+        for term in wanted_negative.iter().filter(|_| spring) {
+            values[*term] = 0.0;
+        }
         wanted_negative.push(PRESLIDING);
         free.retain(|place| *place != PRESLIDING);
-        let mut values = outcome.values;
         values[PRESLIDING] = 0.0;
         outcome = search(&free, values);
     }

@@ -43,7 +43,8 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     let inside = |t: f64| options.window.is_none_or(|(from, to)| (from..=to).contains(&t));
     let kept: Vec<usize> = (0..clean.t.len()).filter(|i| inside(clean.t[*i])).collect();
     if kept.len() < 8 {
-        return Err(FitRefusal::new(format!("{} samples in the window: at least 8 are needed", kept.len())));
+        let few = if kept.len() == 1 { "sample" } else { "samples" };
+        return Err(FitRefusal::new(format!("{} {few} in the window: at least 8 are needed", kept.len())));
     }
     let t: Vec<f64> = kept.iter().map(|i| clean.t[*i]).collect();
     let y: Vec<f64> = kept.iter().map(|i| clean.y[*i]).collect();
@@ -59,9 +60,10 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
         turns_over = !starts.is_empty();
     }
     let Some(start) = nearest_start(&t, &y, measured, &starts, sensor, options.stop) else {
+        let turns = swings.turns.len();
+        let points = if turns == 1 { "turning point" } else { "turning points" };
         return Err(FitRefusal::new(format!(
-            "{} turning points in the record: at least one whole swing is needed",
-            swings.turns.len()
+            "{turns} {points} in the record: at least one whole swing is needed"
         )));
     };
     if measured == Measured::Angle && start.last > 1.1 * core::f64::consts::PI {

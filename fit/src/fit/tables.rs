@@ -1,5 +1,6 @@
 //! Gate and table data: periods alone, fitted by the core's period without an integration.
 
+use super::covariance::autocorrelations;
 use super::curve::{CurveFit, inside, nearest};
 use super::data::{extent, median};
 use super::monte_carlo::interval;
@@ -10,8 +11,12 @@ use super::result::{
     Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals, Verdict,
 };
 use super::spread::scatter;
+use super::verdicts::{of_correlation, of_length};
 use libration::damped::averaged_turning_angle;
 use libration::{Frequency, Friction, Orbit};
+
+/// A relative uncertainty of omega0 beyond this says that the rows hold no more than the mean period of an unknown swing.
+const MOST_SPREAD: f64 = 0.05;
 
 /// Rows that can be used, and what was left out.
 struct Rows {
@@ -123,7 +128,10 @@ pub(super) fn gate(
 ) -> Result<Fit, FitRefusal> {
     let columns: Vec<&[f64]> = [Some(t), Some(periods), transits].into_iter().flatten().collect();
     let mut rows = usable(&columns, periods)?;
-    let failed = || FitRefusal::new("the periods do not determine omega0");
+    let failed = || {
+        let count = periods.len();
+        FitRefusal::new(format!("{count} periods do not determine omega0 beside an unknown swing"))
+    };
     // Once for the outliers, once without them.
     for _ in 0..2 {
         let best = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
@@ -138,12 +146,19 @@ pub(super) fn gate(
         rows.kept = (0..keep.len()).filter(|i| keep[*i]).map(|i| rows.kept[i]).collect();
     }
     let (best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
+    if linear.is_some() && best.u(0) > MOST_SPREAD * best.values[0] {
+        return Err(FitRefusal::new(format!(
+            "{} periods do not determine omega0 beside an unknown swing: give more of them, or a table of periods against swings",
+            rows.kept.len()
+        )));
+    }
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
     let model = model_of_gate(&best, t, periods, transits, &rows.kept);
     let mut fit = of_periods(&best, model, options, rows, swing, &measured)?;
     fit.residuals.t = times;
     fit.window = extent(&fit.residuals.t);
+    fit.diagnostics.lag1 = autocorrelations(&best.residuals, 1)[1];
     if let Some(place) = linear {
         fit.model = Model::Linear;
         fit.friction.linear = Some(Estimate::new(best.values[place], best.u(place), 0.0, 0.0));
@@ -154,6 +169,7 @@ pub(super) fn gate(
             ));
         }
     }
+    fit.verdicts.extend(of_correlation(&fit));
     Ok(fit)
 }
 
@@ -272,7 +288,7 @@ fn of_periods(
     let names = &["omega0", "second value", "linear"][..best.values.len()];
     let matrix = &best.covariance.matrix;
     let entry = |i: usize, j: usize| matrix[(i, j)] / (matrix[(i, i)] * matrix[(j, j)]).sqrt();
-    Ok(Fit {
+    let mut fit = Fit {
         model: Model::None,
         rms,
         rms_deg: None,
@@ -306,5 +322,8 @@ fn of_periods(
         },
         residuals: Residuals { t: Vec::new(), measured: measured.to_vec(), residual: best.residuals.clone() },
         state: (swing, 0.0, 0.0),
-    })
+    };
+    fit.verdicts.extend(of_length(&fit));
+    fit.verdicts.sort_by_key(|verdict| core::cmp::Reverse(verdict.grade));
+    Ok(fit)
 }

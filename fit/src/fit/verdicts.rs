@@ -23,6 +23,62 @@ pub(super) struct Evidence {
 /// g on the surface of the Earth, pole to equator with mountains, in m/s^2.
 pub(super) const GRAVITY_ON_EARTH: (f64, f64) = (9.763, 9.834);
 
+/// g this many times that of the Earth, or less by as much, is a wrong unit or power of ten: g of the Moon is 6 times less.
+const OTHER_UNIT: f64 = 8.0;
+
+/// Three digits, without an exponent where the number is not too long for it.
+fn short(value: f64) -> String {
+    let text = format!("{value:.2e}");
+    let rounded = text.parse::<f64>().unwrap_or(value);
+    if (1e-4..1e7).contains(&rounded) { rounded.to_string() } else { text }
+}
+
+/// What a stated length says where g would be none of the Earth.
+pub(super) fn of_length(fit: &Fit) -> Option<Verdict> {
+    let (Some(g), Some(length), true) = (fit.g, fit.length, fit.length_given) else { return None };
+    let (low, high) = GRAVITY_ON_EARTH;
+    if (low - 3.0 * g.u..=high + 3.0 * g.u).contains(&g.value) {
+        return None;
+    }
+    let middle = 0.5 * (low + high);
+    let times = g.value / middle;
+    if !(1.0 / OTHER_UNIT..OTHER_UNIT).contains(&times) {
+        return Some(Verdict::new(
+            Grade::Refuted,
+            format!(
+                "the unit of the length or of the times is wrong: g would be {} m/s^2, {} times that of the Earth",
+                short(g.value),
+                short(times)
+            ),
+        ));
+    }
+    Some(Verdict::new(
+        Grade::Warning,
+        format!(
+            "the stated length is off by {:.1} %: g would be {:.3} m/s^2, and with g = {middle:.2} the length is {:.4} m",
+            100.0 * (times - 1.0).abs(),
+            g.value,
+            length.value / times
+        ),
+    ))
+}
+
+/// What residuals that follow each other say.
+pub(super) fn of_correlation(fit: &Fit) -> Option<Verdict> {
+    let diagnostics = &fit.diagnostics;
+    if diagnostics.lag1.is_nan() || diagnostics.lag1 <= 0.5 {
+        return None;
+    }
+    let ratio = fit.omega0.u / diagnostics.omega0_u_naive;
+    Some(Verdict::new(
+        Grade::Note,
+        format!(
+            "residuals follow each other (correlation {:.2}): an uncertainty that takes them as independent would be {ratio:.0} times too small",
+            diagnostics.lag1
+        ),
+    ))
+}
+
 pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     let mut found = Vec::new();
     let mut say = |grade: Grade, sentence: String| found.push(Verdict::new(grade, sentence));
@@ -129,23 +185,10 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             ),
         );
     }
-    if let (Some(g), Some(length)) = (fit.g, fit.length)
-        && fit.length_given
+    if share <= 0.25
+        && let Some(verdict) = of_length(fit)
     {
-        let (low, high) = GRAVITY_ON_EARTH;
-        if g.value < low - 3.0 * g.u || g.value > high + 3.0 * g.u {
-            let middle = 0.5 * (low + high);
-            let off = 100.0 * (g.value / middle - 1.0);
-            say(
-                Grade::Warning,
-                format!(
-                    "the stated length is off by {:.1} %: g would be {:.3} m/s^2, and with g = {middle:.2} the length is {:.4} m",
-                    off.abs(),
-                    g.value,
-                    length.value * middle / g.value
-                ),
-            );
-        }
+        say(verdict.grade, verdict.sentence);
     }
     let per_period = diagnostics.samples_per_period;
     if per_period > 0.0 && per_period < 4.0 {
@@ -175,15 +218,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             ),
         );
     }
-    if diagnostics.lag1 > 0.5 {
-        let ratio = fit.omega0.u / diagnostics.omega0_u_naive;
-        say(
-            Grade::Note,
-            format!(
-                "residuals follow each other (correlation {:.2}): an uncertainty that takes them as independent would be {ratio:.0} times too small",
-                diagnostics.lag1
-            ),
-        );
+    if let Some(verdict) = of_correlation(fit) {
+        say(verdict.grade, verdict.sentence);
     }
     let clock = diagnostics.against_velocity.abs();
     if clock > 0.3 && diagnostics.effective_size > 20.0 {

@@ -3,6 +3,7 @@
 
 use super::profile::{Profile, median};
 use super::refusal::{Refusal, quoted};
+use super::stamps;
 
 pub(super) const DEGREE: f64 = 0.017453292519943295;
 const TURN: f64 = 6.283185307179586;
@@ -32,9 +33,10 @@ pub(super) fn factor_by_size(name: &str, values: &[f64]) -> Result<(f64, String)
     let than = if degrees { 3.3 } else { 7.0 };
     let than = if !degrees && largest <= 3.3 { 3.3 } else { than };
     let guess = format!(
-        "Column {} has no unit: taken as {unit} by its size (the largest, {largest}, {why} {than}); \
+        "Column {} has no unit: taken as {unit} by its size (the largest, {}, {why} {than}); \
          --unit angle=deg or =rad says otherwise.",
-        quoted(name)
+        quoted(name),
+        stamps::short(largest)
     );
     Ok((factor, guess))
 }

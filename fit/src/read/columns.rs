@@ -11,10 +11,16 @@ pub(super) fn profiles(table: &Table<'_>) -> Vec<Profile> {
     table.columns.iter().map(|column| Profile::of(column.iter().copied())).collect()
 }
 
-/// Decides what a column named `T` is: a time if it rises as a clock does, as in Kinovea's files, and else a period.
+/// Fewer rows are no record in time.
+const LEAST_ROWS: usize = 8;
+
+/// Decides what a column named `T` is: a time if it rises as a clock does, as in Kinovea's files, and else a period. Beside a few
+/// angles it is a period: those of wider swings are longer.
 pub(super) fn settle(heads: &mut [Head], profiles: &[Profile]) {
+    let angles = heads.iter().any(|head| head.meaning == Some(Meaning::Angle));
     for (head, profile) in heads.iter_mut().zip(profiles) {
-        if head.name == "T" && head.meaning == Some(Meaning::Period) && profile.clock() {
+        let table = angles && profile.count < LEAST_ROWS;
+        if head.name == "T" && head.meaning == Some(Meaning::Period) && profile.clock() && !table {
             head.meaning = Some(Meaning::Time);
         }
     }

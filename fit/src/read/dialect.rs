@@ -1,4 +1,4 @@
-//! How a line is cut into cells: by tabs, semicolons, commas, blanks; `name=value`; vectors in brackets; the clock that a
+//! How a line is cut into cells: by tabs, semicolons, bars, commas, blanks; `name=value`; vectors in brackets; the clock that a
 //! serial monitor writes in front.
 
 use std::borrow::Cow;
@@ -143,6 +143,9 @@ fn separator(sample: &[&str]) -> (Separator, Vec<String>) {
     }
     if share(sample, |line| line.contains(';')) > 0.5 {
         return (Separator::One(';'), Vec::new());
+    }
+    if share(sample, |line| line.contains('|')) > 0.5 {
+        return (Separator::One('|'), Vec::new());
     }
     // Between digits only, and blanks beside it: the comma of `0,1 18,5` is a decimal mark, that of `0.1, 18.5` is not.
     let decimal = |line: &str| {

@@ -210,7 +210,11 @@ fn tell_columns(table: &Table<'_>, selection: &Selection, record: &mut Record) {
     let values = match selection.chosen {
         Chosen::One(quantity, column) => Some((quantity.words(), name(column))),
         Chosen::Track(x, y) => Some(("the position", format!("{}, {}", name(x), name(y)))),
-        Chosen::Gate(period, _) => Some(("the period", name(period))),
+        Chosen::Gate(period, None) => Some(("the period", name(period))),
+        Chosen::Gate(period, Some(transit)) => Some((
+            "the period and how long a passage is dark",
+            format!("{}, {}", name(period), name(transit)),
+        )),
         Chosen::Swings(angle, period) => {
             Some(("the angle of release and the period", format!("{}, {}", name(angle), name(period))))
         }

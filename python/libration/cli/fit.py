@@ -87,6 +87,13 @@ table only.
         "Such as --part rod:0.495m,19g --part point:0.495m,31g. Each value may have an uncertainty, 0.495±0.001m.",
     ),
     Topic(
+        "friction",
+        text="""\
+theta'' + 2 linear theta' + quadratic |theta'| theta' + dry sgn(theta') + omega0^2 sin(theta) = 0, all per unit inertia: what
+libration solve --linear, --quadratic and --dry take. The poorest model that the record does not reject is chosen.
+""",
+    ),
+    Topic(
         "uncertainty",
         text="""\
 After the GUM, k = 1: noise with its correlation in time, the choice of the friction model, and length, scale and clock.
@@ -174,11 +181,10 @@ OF_READER = ("columns", "units", "rate", "run", "length")
 
 def read(path: str, known: dict[str, Any]) -> "list[Given]":
     """The records of a file, or a Refusal."""
-    from libration.measurement._columns import runs_of_bytes, stated_of
+    from libration.measurement._columns import content_of, runs_of_bytes, stated_of
 
     try:
-        with open(path, "rb") as file:
-            content = file.read()
+        content = content_of(path)
     except (OSError, ValueError) as error:
         raise Refusal(f"{shown(path)}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
     try:
@@ -194,6 +200,7 @@ def fitted(givens: "list[Given]", known: dict[str, Any], apart: "Apart") -> "Fit
     from libration.measurement._known import known_of
 
     count = len(givens)
+    distinct(givens)
     if apart.lengths and len(apart.lengths) != count:
         times = counted(len(apart.lengths))
         records = f"{count} record{'s' * (count > 1)}"
@@ -211,6 +218,15 @@ def fitted(givens: "list[Given]", known: dict[str, Any], apart: "Apart") -> "Fit
         return together_given(givens, known_of(**others), apart, progress=True)
     except ValueError as error:
         raise Refusal(str(error)) from error
+
+
+def distinct(givens: "list[Given]") -> None:
+    """Refuse a record that is given twice: its noise would count as that of two."""
+    first: dict[tuple[bytes, ...], int] = {}
+    for place, given in enumerate(givens):
+        before = first.setdefault(tuple(column.tobytes() for column in given.columns), place)
+        if before < place:
+            raise Refusal(f"{given.name}: holds the record of {givens[before].name} again; give each record once")
 
 
 FILE, KNOWN, READ, MODEL, RESULTS = (

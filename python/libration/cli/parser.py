@@ -6,6 +6,7 @@ option. Required options are checked by the commands, after unknown ones, so tha
 """
 
 import difflib
+import os
 import re
 from collections.abc import Callable, Iterable, Sequence
 from types import SimpleNamespace
@@ -299,6 +300,8 @@ def unknown(ctx: click.Context, word: str) -> str:
     help_page = f"see {ctx.command_path} --help"
     if word.startswith("-"):
         hint = "options stand before --" if name in known else meant(name.lstrip("-"), known, help_page)
+        if os.path.isfile(word):
+            hint = f"a file of this name is written {quoted(os.path.join(os.curdir, word))}"
         return f"unknown option {quoted(name)}; {hint}"
     hint = help_page
     if word.endswith("'"):
@@ -318,7 +321,7 @@ def meant(name: str, known: Sequence[str], otherwise: str) -> str:
 
     others = [f"--{each}" for each in (*ARGUMENTS.get(name, ()), *ALSO.get(name.lower(), ()))]
     near = [each for each in others if each in known][:1]
-    near = near or [each for each in known if each.lower().startswith(f"--{name.lower()}")][:3]
+    near = near or [each for each in known if name and each.lower().startswith(f"--{name.lower()}")][:3]
     if near:
         return f"did you mean {' or '.join(near)}?"
     near = difflib.get_close_matches(name.lower(), [each[2:] for each in known], n=1, cutoff=0.6)

@@ -120,7 +120,7 @@ def text_bytes(file: TextFile) -> bytes:
     """The bytes of a text file that is not too large, or a Refusal."""
     size, regular = readable(file.option, file.path)
     limit = bytes_text(LARGEST_FILE)
-    advice = "; in Python, Pendulum(...).theta(t) takes any array"
+    advice = "; in Python, Pendulum(...).theta(t) takes any array" if file.option == "--times" else ""
     if regular and size > LARGEST_FILE:
         raise file.refusal(f"has {bytes_text(size)}, more than the {limit} that are read{advice}")
     parts: list[bytes] = []

@@ -1,5 +1,6 @@
 """What is given to a fit, as columns: a file, a data frame, or arrays; and measures, which are values with uncertainties."""
 
+import errno
 import os
 import re
 from collections.abc import Mapping
@@ -8,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import _core
-from .._scalars import real, shown
+from .._scalars import count, real, shown
 from ._binary import as_text
 from ._frames import frame_as_text
 
@@ -16,9 +17,13 @@ from ._frames import frame_as_text
 ARRAYS, FRAME = "arrays", "data frame"
 # In place of the number of a run.
 ALL = "all"
-# As the messages of the reader name the options of the command.
-OPTION = re.compile(r"--(column|unit) (\w+)=([^;,]+)")
-PLAIN_OPTION = re.compile(r"--(rate|run|length)\b")
+# What a column may be.
+ROLES = ("time", "angle", "velocity", "acceleration", "x", "y", "period")
+# As the messages of the reader name the options of the command; a value ends where its sentence goes on.
+OPTION = re.compile(r"--(column|unit) (\w+)=(.+?)(?=: |[;,]| or --| and --|$)")
+PLAIN_OPTION = re.compile(r"--(rate|run|length)( (?=[A-Z]))?")
+# Bytes of the largest file: its columns take some twenty times its memory, and a device may have no end.
+MOST_BYTES = 1 << 30
 
 
 class Given(NamedTuple):
@@ -45,7 +50,7 @@ def measure(name: str, given: Any) -> tuple[float, float]:
 
 
 def stated_of(
-    columns: Mapping[str, str] | None,
+    columns: Mapping[str, str | int] | None,
     units: Mapping[str, str] | None,
     rate: float | None,
     run: int | str | None,
@@ -53,12 +58,44 @@ def stated_of(
 ) -> dict[str, Any]:
     """What is stated about a file, as the reader takes it."""
     return {
-        "columns": [f"{role}={name}" for role, name in (columns or {}).items()],
-        "units": [f"{role}={unit}" for role, unit in (units or {}).items()],
+        "columns": by_role("columns", columns, (str, int, np.integer)),
+        "units": by_role("units", units, (str,)),
         "rate": rate,
-        "run": run,
+        "run": run if run is None or (isinstance(run, str) and run == ALL) else run_of(run),
         "length": length and length[0],
     }
+
+
+def by_role(name: str, given: Mapping[str, str | int] | None, kinds: tuple[type, ...]) -> list[str]:
+    """Names of columns, or units, by what they are, as the reader takes them."""
+    if given is None:
+        return []
+    if not isinstance(given, Mapping):
+        example = "theta" if name == "columns" else "deg"
+        raise ValueError(f"{name} = {shown(given)}: must be a mapping, such as {{'angle': '{example}'}}")
+    for role, each in given.items():
+        if role not in ROLES:
+            raise ValueError(f"{name}: {shown(role)} must be one of {', '.join(ROLES)}")
+        if not isinstance(each, kinds) or isinstance(each, bool) or not str(each).strip():
+            wanted = "the name of a column, or its number from 1" if name == "columns" else "the name of a unit"
+            raise ValueError(f"{name}: {role} = {shown(each)} must be {wanted}")
+    return [f"{role}={each}" for role, each in given.items()]
+
+
+def run_of(run: Any) -> int:
+    """The number of a run."""
+    if isinstance(run, str) or (number := count("run", run)) < 1:
+        raise ValueError(f"run = {shown(run)}: must be a whole number from 1, or 'all' for fit_together")
+    return number
+
+
+def content_of(path: str | bytes) -> bytes:
+    """The bytes of a file, or an OSError."""
+    with open(path, "rb") as file:
+        content = file.read(MOST_BYTES + 1)
+    if len(content) > MOST_BYTES:
+        raise OSError(errno.EFBIG, f"it holds more than {MOST_BYTES} bytes, the most that are read", path)
+    return content
 
 
 def of_bytes(name: str, content: bytes, stated: Mapping[str, Any]) -> Given:
@@ -118,9 +155,7 @@ def of_each(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) 
     try:
         if isinstance(source, str | os.PathLike):
             name = os.fspath(source)
-            with open(name, "rb") as file:
-                content = file.read()
-            return runs_of_bytes(str(name), content, stated)
+            return runs_of_bytes(str(name), content_of(name), stated)
         if hasattr(source, "to_csv") or hasattr(source, "write_csv"):
             return runs_of_bytes(FRAME, frame_as_text(source), stated)
     except ValueError as error:
@@ -131,7 +166,7 @@ def of_each(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) 
 def in_python(message: str) -> str:
     """A message of the reader with the arguments of `fit` in the place of the command's options."""
     message = OPTION.sub(lambda found: f'{found[1]}s={{"{found[2]}": "{found[3].strip()}"}}', message)
-    return PLAIN_OPTION.sub(r"\1", message)
+    return PLAIN_OPTION.sub(lambda found: f"{found[1]}=" if found[2] else found[1], message)
 
 
 def of_arrays(t: Any, values: Any, quantity: str) -> Given:
@@ -141,13 +176,24 @@ def of_arrays(t: Any, values: Any, quantity: str) -> Given:
         raise ValueError(f"quantity = {shown(quantity)}: must be one of {', '.join(kinds)}")
     columns = []
     for name, given in (("t", t), ("values", values)):
-        try:
-            array = np.asarray(given, dtype=float)
-        except (TypeError, ValueError):
-            raise TypeError(f"{name} = {shown(given)}: must be real numbers") from None
+        array = reals(name, given)
         if array.ndim != 1:
             raise ValueError(f"{name}: has the shape {array.shape}; must have one dimension")
         columns.append(np.ascontiguousarray(array))
     if columns[0].size != columns[1].size:
         raise ValueError(f"t and values: have {columns[0].size} and {columns[1].size} elements; must have equally many")
     return Given(ARRAYS, quantity, columns, [], [])
+
+
+def reals(name: str, given: Any) -> Any:
+    """An array of doubles, NaN where a mask covers it."""
+    kind = getattr(getattr(given, "dtype", None), "kind", "")
+    if kind in ("M", "m"):
+        seconds = "(t - t[0]) / np.timedelta64(1, 's')" if kind == "M" else f"{name} / np.timedelta64(1, 's')"
+        raise TypeError(f"{name}: holds {'dates' if kind == 'M' else 'durations'}; must be real numbers, {seconds}")
+    try:
+        if kind == "c":
+            raise TypeError
+        return np.ma.filled(np.ma.asarray(given, dtype=float), np.nan)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} = {shown(given)}: must be real numbers") from None

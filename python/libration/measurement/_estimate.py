@@ -80,7 +80,8 @@ def rounded(value: float, u: float) -> str:
         power = math.floor(math.log10(max(abs(value), u)))
         return f"({rounded(value / 10.0**power, u / 10.0**power)})e{power}" if power else f"{value:.6g} ± {u:.2g}"
     places = max(places, 0)
-    return f"{value:.{places}f} ± {u:.{places}f}"
+    # What is 0 to these digits has no sign.
+    return f"{round(value, places) + 0.0:.{places}f} ± {u:.{places}f}"
 
 
 def estimate(found: Mapping[str, Any] | None) -> Estimate | None:

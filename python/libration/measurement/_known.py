@@ -47,7 +47,7 @@ def known_of(
     return {
         "length": None if length is None else measure("length", length),
         "gravity": None if gravity is None else measure("gravity", gravity),
-        "parts": [measured_part(each) for each in parts],
+        "parts": parts_of(parts),
         "bob": (*bob_of(bob), None if wire is None else real("wire", wire)),
         "fluid": fluid_of(fluid),
         "without": without_of(without),
@@ -60,6 +60,13 @@ def known_of(
         "monte_carlo": count_of("monte_carlo", monte_carlo, LEAST_DRAWS),
         "seed": count_of("seed", seed, 0),
     }
+
+
+def parts_of(parts: Any) -> list[MeasuredPart]:
+    """Parts of a rigid pendulum, or a ValueError."""
+    if isinstance(parts, str) or not hasattr(parts, "__iter__"):
+        raise ValueError(f"parts = {shown(parts)}: must be a sequence of (shape, mass, distance, size)")
+    return [measured_part(each) for each in parts]
 
 
 def measured_part(given: Any) -> MeasuredPart:
@@ -78,7 +85,7 @@ def bob_of(bob: Any) -> tuple[float | None, float | None]:
         return real("bob", bob), None
     if len(bob) != 2:
         raise ValueError(f"bob = {shown(bob)}: must be a radius in m, or (radius, mass in kg)")
-    return real("radius of bob", bob[0]), real("mass of bob", bob[1])
+    return real("radius of bob", bob[0]), None if bob[1] is None else real("mass of bob", bob[1])
 
 
 def fluid_of(fluid: Any) -> Pair:
@@ -94,7 +101,7 @@ def fluid_of(fluid: Any) -> Pair:
 
 def without_of(without: Any) -> list[str]:
     """Names of corrections that are not made."""
-    names = [without] if isinstance(without, str) else list(without)
+    names = [without] if isinstance(without, str) or not hasattr(without, "__iter__") else list(without)
     for name in names:
         if name not in CORRECTIONS:
             raise ValueError(f"without = {shown(name)}: must be one of {', '.join(CORRECTIONS)}")

@@ -56,7 +56,9 @@ def place(fit: Any) -> str:
 def record(fit: Any, say: Words, mark: str, shared: bool = False) -> list[str]:
     """What a page says of a record."""
     numbers = [*_text.result(fit, say), (say.word("model"), _text.model_words(fit, say))]
-    parts = [table(numbers), heading("Data with the fitted curve, and residuals", say), pictures(fit, say, mark)]
+    law = _text.equation(fit, say)
+    parts = [table(numbers), f'<p class="small">{escape(law)}</p>' if law else ""]
+    parts += [heading("Data with the fitted curve, and residuals", say), pictures(fit, say, mark)]
     against = swings(fit, say, mark)
     if against:
         note = say.word("Each dot is one period of the record; the curve is the exact law at the fitted omega0.")
@@ -139,7 +141,8 @@ def uncertain(found: Any, say: Words) -> list[str]:
     ]
     rows.append((say.word("{name}, combined", name=name), f"{value.u:.2g}", "100 %" if total > 0 else ""))
     rows.append((say.word("{name}, expanded (k = 2)", name=name), f"{value.expanded:.2g}", ""))
-    rows = [(source, say.decimal(u), share) for source, u, share in rows]
+    # A narrow screen breaks no equation.
+    rows = [(source.replace("k = ", "k\u00a0=\u00a0"), say.decimal(u), share) for source, u, share in rows]
     heads = (say.word("source"), say.word("u in {unit}", unit=unit), say.word("of the variance"))
     notes = [_text.taken_as_exact(found, say)]
     alone = _text.naive(found)

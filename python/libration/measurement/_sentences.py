@@ -62,6 +62,10 @@ PATTERNS = {
         "o comprimento indicado está errado em {} %: g seria {} m/s^2, e com g = {} o comprimento é {} m",
         "la longitud indicada está errada en un {} %: g sería {} m/s^2, y con g = {} la longitud es {} m",
     ),
+    "the unit of the length or of the times is wrong: g would be {} m/s^2, {} times that of the Earth": (
+        "a unidade do comprimento ou dos tempos está errada: g seria {} m/s^2, {} vezes o da Terra",
+        "la unidad de la longitud o de los tiempos está equivocada: g sería {} m/s^2, {} veces el de la Tierra",
+    ),
     "{} points per swing ({} samples in a period): another frequency may fit as well": (
         "{} pontos por oscilação ({} amostras em um período): outra frequência pode se ajustar igualmente",
         "{} puntos por oscilación ({} muestras en un periodo): otra frecuencia puede ajustarse igual de bien",
@@ -315,6 +319,10 @@ PIECES = {
     "the angle": ("o ângulo", "el ángulo"),
     "the position": ("a posição", "la posición"),
     "the period": ("o período", "el periodo"),
+    "the period and how long a passage is dark": (
+        "o período e o tempo no escuro de uma passagem",
+        "el periodo y el tiempo en la oscuridad de un paso",
+    ),
     "the angular velocity": ("a velocidade angular", "la velocidad angular"),
     "the acceleration": ("a aceleração", "la aceleración"),
     "the angle of release and the period": ("o ângulo de soltura e o período", "el ángulo de suelta y el periodo"),

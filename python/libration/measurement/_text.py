@@ -18,6 +18,13 @@ TERMS = {
     "dry": ("dry friction", "rad/s^2"),
     "presliding": ("presliding angle", "rad"),
 }
+# Term of the equation and letter of each; dry friction changes its sign over the presliding angle, not at once.
+SYMBOLS = {
+    "linear": ("2γθ′", "γ"),
+    "quadratic": ("β|θ′|θ′", "β"),
+    "dry": ("μ sgn θ′", "μ"),
+    "presliding": ("", "δ"),
+}
 RMS_UNITS = {"angle": "deg", "velocity": "deg/s", "acceleration": "m/s^2"}
 # Words before the sentence of a verdict.
 GRADES = {"refuted": "DO NOT QUOTE", "warning": "warning", "note": "note"}
@@ -96,10 +103,18 @@ def window(fit: Any, say: Words = ENGLISH) -> str:
     count = str(found["samples"])
     if fit._given.kind in ("gate", "swings"):
         return say.word("all {count} periods{swing}", count=count, swing=swing)
-    first, last = (say.decimal(f"{each:.4g}") for each in fit.window)
+    first, last = (say.decimal(each) for each in told_apart(*fit.window))
     reason = say.word(str(found["window_reason"]))
     form = "{first} s to {last} s, {reason}: {count} samples{swing}"
     return say.word(form, first=first, last=last, reason=reason, count=count, swing=swing)
+
+
+def told_apart(first: float, last: float) -> tuple[str, str]:
+    """Two times to four digits; of stamps that are far from 0, to four digits of the time between them."""
+    if max(abs(first), abs(last)) < 1000.0 * (last - first):
+        return f"{first:.4g}", f"{last:.4g}"
+    places = max(0, 3 - math.floor(math.log10(last - first))) if last > first else 0
+    return f"{first:.{places}f}", f"{last:.{places}f}"
 
 
 def rms(fit: Any, value: float) -> str:
@@ -213,10 +228,12 @@ def budget(found: Any) -> list[tuple[str, str]]:
     """The budget of uncertainty."""
     name, value, unit = quoted(found)
     lines = [(f"u of {name}", f"{value.u:.2g} {unit}, of which")]
-    lines += [("", f"{small(u, value.u)}  {source}") for source, u in budget_rows(found)]
+    rows = [(small(u, value.u), source) for source, u in budget_rows(found)]
+    wide = max(len(u) for u, _ in rows)
+    lines += [("", f"{u:{wide}}  {source}") for u, source in rows]
     alone = naive(found)
     if alone is not None:
-        lines.append(("", f"({alone:.2g}  {unit}, if the residuals were independent; they are not taken so)"))
+        lines.append(("", f"({alone:.2g} {unit}, if the residuals were independent; they are not taken so)"))
     exact = taken_as_exact(found)
     return [*lines, ("", exact)] if exact else lines
 
@@ -255,6 +272,16 @@ def equation_words(fit: Any, say: Words = ENGLISH) -> str:
     if not fit.friction:
         return say.word("the pendulum equation without friction")
     return say.word("the pendulum equation with {friction}", friction=model_words(fit, say))
+
+
+def equation(fit: Any, say: Words = ENGLISH) -> str:
+    """The equation with the terms that act and what their letters are, or nothing of periods alone."""
+    if fit._given.kind in ("gate", "swings"):
+        return ""
+    acting = [SYMBOLS[name] for name in fit.friction]
+    shown = " + ".join(["θ″", *(term for term, _ in acting if term), "ω₀² sin θ"])
+    letters = [f"{letter} = {say.word(TERMS[name][0])}" for name, (_, letter) in zip(fit.friction, acting, strict=True)]
+    return say.word("Equation: {equation} = 0", equation=shown) + "".join(f"; {each}" for each in letters)
 
 
 def quoting(found: Any, how: str, say: Words = ENGLISH) -> str:

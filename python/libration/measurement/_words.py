@@ -87,6 +87,7 @@ CATALOGUE = {
     "linear friction": ("atrito linear", "rozamiento lineal"),
     "quadratic friction": ("atrito quadrático", "rozamiento cuadrático"),
     "dry friction": ("atrito seco", "rozamiento seco"),
+    "Equation: {equation} = 0": ("Equação: {equation} = 0", "Ecuación: {equation} = 0"),
     "presliding angle": ("ângulo de pré-deslizamento", "ángulo de predeslizamiento"),
     "rest at": ("repouso em", "reposo en"),
     "sensor at": ("sensor a", "sensor a"),

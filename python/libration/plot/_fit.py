@@ -160,7 +160,7 @@ def draw_data(axes: Any, fit: Any, say: Language) -> None:
         axes.set_xlabel(say.word("turning angle θmax [degrees]"))
         axes.set_ylabel(say.word("period [s]"))
         return
-    axes.set_xlabel(part_of("t [s]", x[0], shown_to, x[0], x[-1], say))
+    axes.set_xlabel(part_of("t [s]", x[0], shown_to, x[0], x[-1], say, 3))
     axes.set_ylabel(say.word(WORDS.get(fit._given.kind, "period [s]")))
     axes.margins(x=0.01)
 

@@ -173,12 +173,14 @@ def first_swings(first: float, last: float, scale: float) -> float:
     return first + SHOWN * scale if last - first > MANY * scale else last
 
 
-def part_of(unit: str, first: float, last: float, start: float, stop: float, say: Language = ENGLISH) -> str:
-    """What an axis from `first` to `last` shows of the instants asked for, `start` to `stop`."""
+def part_of(
+    unit: str, first: float, last: float, start: float, stop: float, say: Language = ENGLISH, digits: int = 6
+) -> str:
+    """What an axis from `first` to `last` shows of `start` to `stop`, whose length has so many digits."""
     if last - first == stop - start:
         return unit
     text = "{axis}, the first {shown} of {all} s" if first == start else "{axis}, {shown} of {all} s"
-    return say.word(text, axis=unit, shown=say.number(last - first, 3), all=say.number(stop - start))
+    return say.word(text, axis=unit, shown=say.number(last - first, 3), all=say.number(stop - start, digits))
 
 
 def look(styles: tuple[tuple[str, Any], ...], number_of: int) -> tuple[str, Any]:
