@@ -88,6 +88,8 @@ export class Measurement {
   message = ''
   /** Part of the steps of the fit that have begun. */
   progress = 0
+  /** What was stated when the last fit began. */
+  #begun = ''
 
   constructor(
     private readonly fitter: Fitter,
@@ -116,8 +118,13 @@ export class Measurement {
 
   enter(patch: Partial<Entries>): void {
     this.entries = { ...this.entries, ...patch }
-    if (this.file) this.begin()
+    if (this.file && this.#statements() !== this.#begun) this.begin()
     else this.changed()
+  }
+
+  /** What is stated, to be compared. */
+  #statements(): string {
+    return JSON.stringify(statementsOf(this.file?.name ?? '', this.entries))
   }
 
   cancel(): void {
@@ -134,6 +141,7 @@ export class Measurement {
       this.changed()
       return
     }
+    this.#begun = this.#statements()
     Object.assign(this, { phase: 'reading', reading: null, result: null, message: '', progress: 0 })
     void this.fitter.begin(file.bytes, statementsOf(file.name, entries), (told) => this.#hear(told))
     this.changed()

@@ -207,6 +207,9 @@ describe('what is typed', () => {
     expect(begun.length).toBe(1)
     now.enter({ length: '1' })
     expect(begun.map((each) => each.length)).toEqual([1, 2])
+    // What is entered again as it was is no reason for another fit.
+    now.enter({ length: '1' })
+    expect(begun.length).toBe(2)
     now.cancel()
     expect(now.phase).toBe('cancelled')
   })

@@ -1,4 +1,4 @@
-// Data in the offline file, which has no fit: it would be twice as long with one. The view says so.
+// Data in the offline file, which has no fit: it would be two thirds longer with one. The view says so.
 
 import { html, type TemplateResult } from 'lit-html'
 import type { Live } from './page'
