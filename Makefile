@@ -23,7 +23,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-MODULES := simd scalar second
+MODULES := simd scalar second fit
 .PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
 
 help: ## this list
@@ -67,12 +67,18 @@ WASM_FLAGS := -C no-vectorize-loops -C no-vectorize-slp
 module-simd: WASM_FLAGS += -C target-feature=+simd128
 # What a page does not need at first.
 module-second: WHOLE := --features whole
+# The reader and the fit, with vectors: a package of its own.
+CRATE := libration-wasm
+PROFILE := wasm
+module-fit: WASM_FLAGS += -C target-feature=+simd128
+module-fit: CRATE := libration-wasm-fit
+module-fit: PROFILE := wasm-fit
 $(MODULES:%=module-%): module-%:
 	@mkdir -p $(LOGS) $(DIST)
 	@rustup target list --installed | grep -q wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
-	@RUSTFLAGS='$(WASM_FLAGS)' CARGO_TARGET_DIR=target/wasm-$* cargo build --locked --package libration-wasm --profile wasm \
+	@RUSTFLAGS='$(WASM_FLAGS)' CARGO_TARGET_DIR=target/wasm-$* cargo build --locked --package $(CRATE) --profile $(PROFILE) \
 	  --target wasm32-unknown-unknown $(WHOLE) >$(LOGS)/$@.log 2>&1 || { tail -n 60 $(LOGS)/$@.log; exit 1; }
-	@cp target/wasm-$*/wasm32-unknown-unknown/wasm/libration_wasm.wasm $(DIST)/libration-$*.wasm
+	@cp target/wasm-$*/wasm32-unknown-unknown/$(PROFILE)/$(subst -,_,$(CRATE)).wasm $(DIST)/libration-$*.wasm
 
 $(NPM)/node_modules/.package-lock.json: $(NPM)/package-lock.json
 	@npm --prefix $(NPM) ci --no-audit --no-fund --loglevel=error

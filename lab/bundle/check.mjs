@@ -12,6 +12,8 @@ const DIST = new URL('../dist/', import.meta.url).pathname
 /** Bytes: all that is loaded first, gzipped; the offline file as it is. */
 const FIRST_LOAD = 150_000
 const OFFLINE = 600_000
+/** The module of the reader and the fit, gzipped: what the view Data asks for when it opens. */
+const FIT = 300_000
 
 /** @param {string} folder @returns {string[]} */
 function files(folder) {
@@ -53,6 +55,12 @@ console.log(`then ${later.reduce((sum, { gzipped }) => sum + gzipped, 0)} for th
 if (later.length !== 1) failures.push(`one part with the other views is expected, there are ${later.length}`)
 if (cores.length !== 2) failures.push(`two modules of the core are expected, there are ${cores.length}`)
 if (bounds && !(load <= FIRST_LOAD)) failures.push(`the first load is ${load} bytes gzipped, allowed are ${FIRST_LOAD}`)
+
+const fits = all.filter(({ name }) => /libration-fit[^/]*\.wasm$/.test(name))
+console.log(`then ${fits[0]?.gzipped} for the fit, when the view Data opens`)
+if (fits.length !== 1) failures.push(`one module of the fit is expected, there are ${fits.length}`)
+if (bounds && !((fits[0]?.gzipped ?? 0) <= FIT))
+  failures.push(`the fit is ${fits[0]?.gzipped} bytes gzipped, allowed are ${FIT}`)
 
 const offline = all.find(({ name }) => name === 'offline.html')
 if (!offline) failures.push('there is no offline.html')

@@ -2,6 +2,7 @@
 // One of the first two is needed to begin; the second holds what the views of the period and the functions need, and the cubic
 // formulas, and follows.
 
+import fit from 'libration/libration-fit.wasm?url'
 import scalar from 'libration/libration-scalar.wasm?url'
 import second from 'libration/libration-second.wasm?url'
 import simd from 'libration/libration-simd.wasm?url'
@@ -25,3 +26,5 @@ function source(address: string): string | PromiseLike<Response> {
 
 export const SOURCES = { simd: source(simd), scalar: source(scalar) }
 export const SECOND = source(second)
+/** The reader and the fit: asked for when the view Data opens. */
+export const FIT = source(fit)

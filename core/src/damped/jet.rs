@@ -15,7 +15,7 @@ use super::taylor::{INVERSE, LONG, ORDER, Series, double, places};
 use super::torque_jet::TorqueJet;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{Kernel, Lane, four};
+use crate::lanes::{COMPACT, Kernel, Lane, four};
 
 /// Sums that are written out order by order, and lanes of four coefficients.
 const _: () = assert!(LONG == 9 && ORDER == 31);
@@ -113,10 +113,11 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
         let mut lo = [start[SINE].lo, start[COSINE].lo, start[SLIP].lo, 0.0];
         t[0] = Unnormalised::new(factors(hi, start[VELOCITY].hi), factors(lo, start[VELOCITY].lo));
         let (mut f, mut w) = ([zero; ORDER + 1], [0.0; ORDER + 1]);
-        // Written out here and below, so that the compiler knows the length of every sum.
+        // Written out here and below, so that the compiler knows the length of every sum; loops where code is to be short.
         macro_rules! next {
-            ($($k:literal)*) => {$({
-                const K: usize = $k;
+            ($($kind:tt $k:expr);*) => {$({
+                #[allow(non_snake_case, reason = "a constant where it is written out")]
+                $kind K: usize = $k;
                 let mut sums = t[0] * v[K];
                 if K > 0 {
                     // The two products with the latest row last.
@@ -154,10 +155,19 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
                 t[K + 1] = Unnormalised::new(factors(hi, next), factors(lo, rest));
             })*};
         }
-        next!(0 1 2 3 4 5 6 7);
+        if COMPACT {
+            let mut k = 0;
+            while k < 8 {
+                next!(let k);
+                k += 1;
+            }
+        } else {
+            next!(const 0; const 1; const 2; const 3; const 4; const 5; const 6; const 7);
+        }
         macro_rules! keep {
-            ($($k:literal)*) => {$({
-                const K: usize = $k;
+            ($($kind:tt $k:expr);*) => {$({
+                #[allow(non_snake_case, reason = "a constant where it is written out")]
+                $kind K: usize = $k;
                 // Not normalised: so the orders above need not wait for the low words.
                 (w[K], f[K]) = (v[K].hi.first(), t[K].hi);
                 let (row, now) = (t[K].tight(), v[K].tight());
@@ -169,7 +179,15 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
                 (jet.velocity[K], jet.slopes[K]) = (now.hi.first(), slope.hi.first());
             })*};
         }
-        keep!(0 1 2 3 4 5 6 7 8);
+        if COMPACT {
+            let mut k = 0;
+            while k < LONG {
+                keep!(let k);
+                k += 1;
+            }
+        } else {
+            keep!(const 0; const 1; const 2; const 3; const 4; const 5; const 6; const 7; const 8);
+        }
         let constants = Constants {
             omega2: L::splat(piece.omega2.hi),
             linear: L::splat(piece.linear),
@@ -194,13 +212,21 @@ impl<const FULL: bool> Kernel for Recurrence<'_, FULL> {
             k += 1;
         }
         macro_rules! orders {
-            ($($k:literal)*) => {$(
+            ($($k:expr)*) => {$(
                 last = if FULL {
                     constants.full_order($k, jet, &mut rows, torque, last)
                 } else {
                     constants.order($k, jet, &mut rows, torque, last)
                 };
             )*};
+        }
+        if COMPACT {
+            let mut k = LONG - 1;
+            while k < ORDER {
+                orders!(k);
+                k += 1;
+            }
+            return;
         }
         orders!( 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
     }

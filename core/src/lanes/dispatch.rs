@@ -59,6 +59,9 @@ pub fn wide<K: Kernel>(kernel: K) -> K::Output {
 /// Runs the kernel on lanes of width four, which hold four numbers of one computation, not of four.
 #[inline]
 pub fn four<K: Kernel>(kernel: K) -> K::Output {
+    if host::ONLY_PLAIN {
+        return K::Place::enter::<FourPlain, K>(kernel);
+    }
     match InstructionSet::in_use() {
         InstructionSet::Plain => K::Place::enter::<FourPlain, K>(kernel),
         InstructionSet::Fused => host::four_fused(kernel),

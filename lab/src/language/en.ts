@@ -20,8 +20,8 @@ export const en = {
     undo: 'Undo',
     replaced: 'Now showing: {name}.',
   },
-  views: { lab: 'Lab', phase: 'Phase portrait', period: 'Period', functions: 'Functions' },
-  viewsShort: { lab: 'Lab', phase: 'Phase', period: 'Period', functions: 'Functions' },
+  views: { lab: 'Lab', phase: 'Phase portrait', period: 'Period', functions: 'Functions', data: 'Data' },
+  viewsShort: { lab: 'Lab', phase: 'Phase', period: 'Period', functions: 'Functions', data: 'Data' },
 
   sentence: {
     swings: 'Released at *{angle}*, the pendulum swings once in *{period}*: *{longer}* longer than a small swing.',

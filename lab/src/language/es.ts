@@ -22,8 +22,8 @@ export const es: FirstCatalogue = {
     undo: 'Deshacer',
     replaced: 'Se muestra ahora: {name}.',
   },
-  views: { lab: 'Laboratorio', phase: 'Retrato de fases', period: 'Periodo', functions: 'Funciones' },
-  viewsShort: { lab: 'Lab', phase: 'Fases', period: 'Periodo', functions: 'Funciones' },
+  views: { lab: 'Laboratorio', phase: 'Retrato de fases', period: 'Periodo', functions: 'Funciones', data: 'Datos' },
+  viewsShort: { lab: 'Lab', phase: 'Fases', period: 'Periodo', functions: 'Funciones', data: 'Datos' },
 
   sentence: {
     swings: 'Soltado a *{angle}*, el péndulo oscila una vez en *{period}*: *{longer}* más que una oscilación pequeña.',

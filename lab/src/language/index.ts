@@ -2,20 +2,23 @@
 
 import { degrees, shortest } from '../number'
 import { LANGUAGES, type Language } from '../state'
+import type { DataWords } from './data'
 import { en, type FirstCatalogue } from './en'
 import type { LaterCatalogue } from './en-later'
 import { es } from './es'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
 
-export type Catalogue = FirstCatalogue & LaterCatalogue
+/** What comes with the later views. */
+type Added = LaterCatalogue & { readonly data: DataWords }
+export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }
 /** Whole once the words of the later views have come; nothing that is there before asks for those. */
 const CATALOGUES = FIRST as Readonly<Record<Language, Catalogue>>
 
 /** Adds the words of the later views (later.ts). */
-export function addWords(later: Readonly<Record<Language, LaterCatalogue>>): void {
+export function addWords(later: Readonly<Record<Language, Added>>): void {
   for (const language of LANGUAGES) Object.assign(CATALOGUES[language], later[language])
 }
 

@@ -22,8 +22,8 @@ export const ptBR: FirstCatalogue = {
     undo: 'Desfazer',
     replaced: 'Mostrando agora: {name}.',
   },
-  views: { lab: 'Laboratório', phase: 'Retrato de fase', period: 'Período', functions: 'Funções' },
-  viewsShort: { lab: 'Lab', phase: 'Fase', period: 'Período', functions: 'Funções' },
+  views: { lab: 'Laboratório', phase: 'Retrato de fase', period: 'Período', functions: 'Funções', data: 'Dados' },
+  viewsShort: { lab: 'Lab', phase: 'Fase', period: 'Período', functions: 'Funções', data: 'Dados' },
 
   sentence: {
     swings: 'Solto a *{angle}*, o pêndulo oscila uma vez em *{period}*: *{longer}* mais que uma oscilação pequena.',

@@ -28,8 +28,9 @@ export async function loadViews(): Promise<void> {
 
 export const viewsLoaded = (): boolean => later !== null
 
-function view(name: 'phase' | 'period' | 'functions'): View {
-  const shown = (page: Live) => (name === 'phase' || page.model.complete ? later : null)
+function view(name: 'phase' | 'period' | 'functions' | 'data'): View {
+  const alone = name === 'phase' || name === 'data'
+  const shown = (page: Live) => (alone || page.model.complete ? later : null)
   return {
     name,
     sentence: (page) => shown(page)?.[`${name}Sentence`](page) ?? page.words.say.sentence.waiting,
@@ -48,6 +49,7 @@ export const VIEWS: readonly View[] = [
   view('phase'),
   view('period'),
   view('functions'),
+  view('data'),
 ]
 
 /** The dialog that is open; where its part did not come it says so. */

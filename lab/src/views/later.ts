@@ -3,6 +3,7 @@
 
 import '../language/later'
 
+export { data, dataSentence } from './data'
 export { dialogs } from './dialog-bodies'
 export { functions, functionsSentence } from './functions'
 export { period, periodSentence } from './period'

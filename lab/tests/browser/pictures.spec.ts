@@ -44,6 +44,24 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
   })
 }
 
+for (const [size, [width, height]] of Object.entries(SIZES)) {
+  test(`pictures of a fit of ${size}`, async ({ browser }) => {
+    const page = await opened(browser, 't=0s', { viewport: { width, height } })
+    await show(page, `view=data&t=0s&theme=${size.endsWith('dark') ? 'dark' : 'light'}`)
+    await page.locator('#data-length').fill('0.8')
+    await page.locator('#data-lengthU').fill('0.001')
+    await page.locator('#data-file').setInputFiles(new URL('../record-70deg.csv', import.meta.url).pathname)
+    await expect(page.locator('#data-g')).toBeVisible()
+    const tall = await page.evaluate(() => document.documentElement.scrollHeight)
+    await page.setViewportSize({ width, height: width === 360 ? tall : height })
+    await page.locator('h1').first().click()
+    await drawn(page)
+    await page.mouse.move(0, 0)
+    await picture(page, `data-${size}`)
+    await page.context().close()
+  })
+}
+
 test('pictures of the errors a link may have', async ({ browser }) => {
   const page = await opened(browser, 'th0=200deg&L=1m&curves=magic&t=0s&theme=light')
   await page.locator('#field-length').fill('0')

@@ -1,0 +1,303 @@
+// Stories 16 and 17: files of several tools are read without a question, and g comes out with its uncertainty; nothing leaves.
+
+import { readFile } from 'node:fs/promises'
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { load, Pendulum } from 'libration'
+import { column, csvOf, drawn, expect, largest, opened, show, test } from './lab'
+import { layoutFaults } from './layout'
+
+const RECORD = new URL('../record-70deg.csv', import.meta.url).pathname
+const WANTED = JSON.parse(await readFile(RECORD.replace('.csv', '.json'), 'utf8'))
+const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
+
+test.beforeAll(() => load())
+
+/** The view in a page of its own: what is measured stays with a visit. Keeps the addresses that it asks for. */
+async function opening(browser: import('@playwright/test').Browser, options = {}) {
+  const page = await opened(browser, 't=0s&lang=en', options)
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(request.url()))
+  await show(page, 'view=data&t=0s&lang=en')
+  await expect(page.locator('#data-file')).toBeAttached()
+  return { page, asked }
+}
+
+async function give(page: Page, name: string, text: string): Promise<void> {
+  await page.locator('#data-file').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })
+}
+
+async function state(page: Page, length: string, u: string): Promise<void> {
+  await page.locator('#data-length').fill(length)
+  await page.locator('#data-lengthU').fill(u)
+  await page.locator('#data-lengthU').blur()
+}
+
+/** `9.81 ± 0.01 m/s²` as its two numbers. */
+const numbers = (text: string | null): number[] => [...(text ?? '').matchAll(/\d+(?:\.\d+)?/g)].map(Number)
+
+/** A swing of 0.8 m from 1 rad, 30 times a second, with a scatter of some 0.002 rad. */
+function swing(count: number, rate = 30) {
+  const pendulum = new Pendulum({ theta0: 1, length: 0.8, gravity: 9.81 })
+  let seed = 1
+  const scatter = () => {
+    seed = (seed * 48271) % 2147483647
+    return 0.007 * (seed / 2147483647 - 0.5)
+  }
+  const t = Array.from({ length: count }, (_, i) => i / rate)
+  const { theta, velocity } = pendulum.motion(Float64Array.from(t))
+  return t.map((time, i) => ({
+    t: time,
+    theta: (theta[i] as number) + scatter(),
+    velocity: (velocity[i] as number) + 3 * scatter(),
+  }))
+}
+
+type Row = ReturnType<typeof swing>[number]
+const rows = (head: string, each: (row: Row) => readonly number[], between: string, point = '.', count = 300) =>
+  `${head}\n${swing(count)
+    .map((row) =>
+      each(row)
+        .map((value) => value.toFixed(6).replace('.', point))
+        .join(between),
+    )
+    .join('\n')}\n`
+const angle = ({ t, theta }: Row) => [t, (theta * 180) / Math.PI]
+const place = ({ t, theta }: Row) => [t, 0.8 * Math.sin(theta) + 0.1, -0.8 * Math.cos(theta) + 0.2]
+
+/** Passages of a light gate: twice a period. */
+function passages(): string {
+  const { period } = new Pendulum({ theta0: 0.3, length: 0.8, gravity: 9.81 })
+  const events = Array.from({ length: 40 }, (_, i) => 0.5 * i * period)
+  const lines = events.flatMap((time, i) => {
+    const late = time + 0.0002 * (((i * 7919) % 13) / 13 - 0.5)
+    return [
+      `${late.toFixed(6)},${late.toFixed(6)},1,0,`,
+      `${(late + 0.02).toFixed(6)},${(late + 0.02).toFixed(6)},0,0,`,
+    ]
+  })
+  return `Time,Event Time,State at A,State at B,Comment\ns,s,State,State,\n\n${lines.join('\n')}\n`
+}
+
+/** Name, text, and what is said of the measured column. */
+const FILES: readonly (readonly [string, () => string, string])[] = [
+  ['tracker-5.txt', () => rows('\tmass A\t\nt\tx\ty', place, '\t'), 'the angle'],
+  ['tracker-5-comma.txt', () => rows('mass A\nt\tx\ty', place, '\t', ','), 'the angle'],
+  ['tracker-6.txt', () => rows('#multi:\n#mass A\nt\tx\ty', place, '\t'), 'the angle'],
+  [
+    'phyphox.csv',
+    () => rows('"Time (s)","Gyroscope x (rad/s)"', ({ t, velocity }) => [t, velocity], ','),
+    'the angular velocity',
+  ],
+  [
+    'phyphox-comma.csv',
+    () => rows('"Time (s)";"Gyroscope x (rad/s)"', ({ t, velocity }) => [t, velocity], ';', ','),
+    'the angular velocity',
+  ],
+  [
+    'graphical-analysis.csv',
+    () => rows('Latest: Time (s),Latest: Angle (rad)', ({ t, theta }) => [t, theta], ','),
+    'the angle',
+  ],
+  ['kinovea.txt', () => rows('#Kinovea Trajectory data export\n#T X Y', place, ' '), 'the angle'],
+  ['spreadsheet.txt', () => rows('Tempo (s)\tÂngulo (°)', angle, '\t', ','), 'the angle'],
+  ['point.csv', () => rows('t / s;angle / deg', angle, ';'), 'the angle'],
+  ['gate.csv', passages, 'the period, by a light gate'],
+]
+
+test('story 16: files of many tools are understood without a question, and nothing leaves the machine', async ({
+  browser,
+}) => {
+  const { page, asked } = await opening(browser)
+  await expect.poll(() => asked.filter((each) => each.endsWith('.wasm')).length).toBe(1)
+  expect(asked[0]).toContain('libration-fit')
+  await state(page, '0.8', '0.001')
+  const before = asked.filter((each) => !each.startsWith('blob:')).length
+  for (const [name, text, what] of FILES) {
+    await give(page, name, text())
+    await expect(page.locator('.file-name')).toHaveText(name)
+    await expect(page.locator('#data-g, #data-refusal').first(), name).toBeVisible()
+    await expect(page.locator('#data-refusal'), name).toHaveCount(0)
+    await expect(page.locator('#data-rows'), name).toContainText(what)
+    const [g = Number.NaN, u = Number.NaN] = numbers(await page.locator('#data-g').textContent())
+    // Gates at one swing hardly tell it, and say so by their uncertainty.
+    expect(Math.abs(g - 9.81), `${name}: ${g}`).toBeLessThan(name === 'gate.csv' ? 3 * u : 0.05)
+    // Without that there were no numbers, and with another separator or sign of decimals not these.
+    await expect(page.locator('#data-understood'), name).not.toBeEmpty()
+  }
+  // A table as it is pasted from a spreadsheet.
+  await page.locator('summary', { hasText: 'Paste' }).click()
+  await page.locator('#data-text').fill(rows('t\ttheta (deg)', angle, '\t', ','))
+  await page.locator('#data-read').click()
+  await expect(page.locator('.file-name')).toHaveText('pasted table')
+  await expect(page.locator('#data-g')).toBeVisible()
+  expect(asked.filter((each) => !each.startsWith('blob:')).length).toBe(before)
+  await page.context().close()
+})
+
+test('story 16: one clear question, and the answer to it', async ({ browser }) => {
+  const { page } = await opening(browser)
+  await state(page, '0.8', '0.001')
+  await give(
+    page,
+    'two.csv',
+    rows('t,one,theta', (row) => [row.t, 0.5 * row.theta, row.theta], ','),
+  )
+  await expect(page.locator('#data-g, #data-refusal').first()).toBeVisible()
+  await give(
+    page,
+    'asks.csv',
+    rows('t,theta,phi', (row) => [row.t, (row.theta * 180) / Math.PI, row.velocity], ','),
+  )
+  await expect(page.locator('#data-refusal')).toContainText('asks.csv: ')
+  await expect(page.locator('#data-refusal')).toContainText('write --column angle=')
+  await page.locator('#data-correct summary').click()
+  await page.locator('#data-column').fill('theta')
+  await page.locator('#data-unit').fill('deg')
+  await page.keyboard.press('Enter')
+  await expect(page.locator('#data-g')).toBeVisible()
+  await expect(page.locator('#data-understood')).toContainText('theta')
+  // Malformed files: the lines of the command.
+  for (const [text, line] of [
+    ['', 'bad.csv: is empty'],
+    ['PK\u0003\u0004', 'bad.csv: an archive or a workbook; give a table from it as text'],
+  ] as const) {
+    await give(page, 'bad.csv', text)
+    await expect(page.locator('#data-refusal')).toHaveText(line)
+  }
+  await page.context().close()
+})
+
+test('story 17: g with its uncertainty, budget, friction and residuals', async ({ browser }) => {
+  const { page } = await opening(browser)
+  await state(page, '0,800', '0.001')
+  await page.locator('#data-file').setInputFiles(RECORD)
+  await expect(page.locator('#data-g')).toHaveText(/^9\.810 ± 0\.012\sm\/s²/)
+  await expect(page.locator('#page .sentence')).toContainText('from 600 samples of swings up to 70°')
+  const budget: string[][] = []
+  for (const row of await page.locator('#data-budget tbody tr').all())
+    budget.push(await row.locator('th, td').allTextContents())
+  expect(budget.find(([name]) => name === 'length')?.[1]).toBe('0.012')
+  expect(budget.find(([name]) => name?.startsWith('fit: noise'))?.[1]).toBe(WANTED.budget[0].u.toFixed(4))
+  await expect(page.locator('#data-ladder tr.chosen')).toContainText('linear')
+  // The linear equation leaves a pattern, the pendulum's noise.
+  const sine = Number((await page.locator('#data-sine td').first().textContent())?.trim())
+  expect(sine).toBeGreaterThan(5 * WANTED.rms_deg)
+  await expect(page.locator('#data-verdicts')).toContainText('Nothing speaks against')
+  // The curve and the residuals are those of the record.
+  const sheet = await csvOf(page, 'data')
+  const [measured, fitted, residual] = ['measured', 'fitted', 'residual'].map((name) => column(sheet, name)) as [
+    Float64Array,
+    Float64Array,
+    Float64Array,
+  ]
+  expect(measured.length).toBe(600)
+  expect(largest(measured.map((each, i) => each - (fitted[i] as number) - (residual[i] as number)))).toBeLessThan(1e-12)
+  const rms = Math.sqrt(residual.reduce((sum, each) => sum + each * each, 0) / residual.length)
+  expect(Math.abs(rms / WANTED.rms_deg - 1)).toBeLessThan(0.01)
+  // L from g.
+  await page.getByRole('button', { name: 'Gravity' }).click()
+  await page.locator('#data-gravity').fill('9.81')
+  await page.locator('#data-gravityU').fill('0.0001')
+  await page.keyboard.press('Enter')
+  await expect(page.locator('#page .sentence')).toContainText('L = ')
+  const [length = Number.NaN] = numbers(await page.locator('#data-length-found').textContent())
+  expect(Math.abs(length - 0.8)).toBeLessThan(5e-4)
+  // Not a number: said, and the result stays away from it.
+  await page.locator('#data-gravity').fill('strong')
+  await page.locator('#data-gravity').blur()
+  await expect(page.locator('#data-fault')).toContainText('strong')
+  await page.context().close()
+})
+
+test('story 17: with keys only', async ({ browser }) => {
+  const { page } = await opening(browser)
+  await page.locator('#data-length').focus()
+  await page.keyboard.type('0.8')
+  await page.keyboard.press('Tab')
+  await page.keyboard.type('0.001')
+  await page.locator('summary', { hasText: 'Paste' }).focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Tab')
+  await expect(page.locator('#data-text')).toBeFocused()
+  await page.keyboard.insertText(await readFile(RECORD, 'utf8'))
+  await page.keyboard.press('Tab')
+  await page.keyboard.press('Enter')
+  await expect(page.locator('#data-g')).toHaveText(/^9\.810 ± 0\.012/)
+  // What came out is spoken.
+  await expect(page.locator('#live')).toContainText('9.810 ± 0.012')
+  await page.context().close()
+})
+
+/** 20,000 samples. */
+const long = () => rows('t / s,angle / rad', ({ t, theta }) => [t, theta], ',', '.', 20_000)
+
+test('20,000 samples: the page answers while they are fitted', async ({ browser }) => {
+  const { page } = await opening(browser)
+  await state(page, '0.8', '0.001')
+  await page.evaluate(() => {
+    const counted = window as unknown as { answered: number }
+    counted.answered = 0
+    setInterval(() => {
+      if (document.querySelector('#data-cancel')) counted.answered++
+    }, 5)
+  })
+  await give(page, 'long.csv', long())
+  await expect(page.locator('#data-g')).toBeVisible({ timeout: 120_000 })
+  await expect(page.locator('#data-rows')).toContainText('20000 values')
+  const answered = await page.evaluate(() => (window as unknown as { answered: number }).answered)
+  expect(answered).toBeGreaterThan(2)
+  await page.context().close()
+})
+
+test('a fit can be cancelled and begun again', async ({ browser }) => {
+  const { page } = await opening(browser)
+  await page.evaluate(() => {
+    const watch = new MutationObserver(() => {
+      const button = document.querySelector<HTMLElement>('#data-cancel')
+      if (!button) return
+      watch.disconnect()
+      button.click()
+    })
+    watch.observe(document.body, { childList: true, subtree: true })
+  })
+  await give(page, 'long.csv', long())
+  await expect(page.locator('#data-again')).toBeVisible()
+  await expect(page.locator('#data-omega0')).toHaveCount(0)
+  await page.locator('#data-again').click()
+  await expect(page.locator('#data-omega0')).toBeVisible({ timeout: 120_000 })
+  await page.context().close()
+})
+
+test('axe and the layout find nothing with a result, in any language', async ({ browser }) => {
+  const { page } = await opening(browser)
+  await state(page, '0.8', '0.001')
+  await page.locator('#data-file').setInputFiles(RECORD)
+  await expect(page.locator('#data-g')).toBeVisible()
+  await page.locator('#data-correct summary').click()
+  const faults: string[] = []
+  for (const language of ['en', 'pt-BR', 'es'] as const) {
+    for (const theme of ['light', 'dark'] as const) {
+      await show(page, `view=data&t=0s&lang=${language}&theme=${theme}`)
+      await expect(page.locator('html')).toHaveAttribute('lang', language)
+      const { violations } = await new AxeBuilder({ page }).withTags(TAGS).analyze()
+      faults.push(...violations.map(({ id, nodes }) => `${language} ${theme} ${id}: ${nodes[0]?.html}`))
+    }
+    for (const [width, height] of [
+      [360, 740],
+      [768, 1024],
+      [1280, 720],
+      [1920, 1080],
+    ] as const) {
+      await page.setViewportSize({ width, height })
+      await drawn(page)
+      faults.push(...(await layoutFaults(page)).map((each) => `${language} ${width}: ${each}`))
+    }
+    await page.setViewportSize({ width: 1280, height: 720 })
+  }
+  expect(faults).toEqual([])
+  await page.locator('#data-correct summary').click()
+  await drawn(page)
+  expect(await layoutFaults(page, true)).toEqual([])
+  await page.context().close()
+})

@@ -1,0 +1,216 @@
+// The module of the fit: the numbers of the command line on one record, its messages, and what a worker tells of a measurement.
+
+import { readFile } from 'node:fs/promises'
+import { createRequire } from 'node:module'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { entryNumber, isBad, Measurement, statementsOf } from '../src/measurement'
+import { FitModule, FitRefusal, type Statements } from '../src/model/fit-module'
+import { measure, type Told } from '../src/model/fit-protocol'
+import type { Fitter } from '../src/model/fitter'
+
+const place = createRequire(import.meta.url)
+const text = (name: string) => readFile(new URL(name, import.meta.url), 'utf8')
+const bytes = (of: string) => new TextEncoder().encode(of)
+/** 70°, 0.8 m, 600 samples with a scatter of 0.01 rad; python/tests/test_fit_page.py holds the command line to the same numbers. */
+const RECORD = 'record-70deg.csv'
+const STATED: Statements = [
+  ['file', RECORD],
+  ['length', '0.8 0.001'],
+]
+
+let module: WebAssembly.Module
+beforeAll(async () => {
+  module = await WebAssembly.compile(await readFile(place.resolve('libration/libration-fit.wasm')))
+})
+
+/** Largest difference of numbers at the same place, against the size of the wanted one or 1; texts must be the same. */
+function difference(found: unknown, wanted: unknown): number {
+  if (typeof wanted === 'number' && typeof found === 'number')
+    return Math.abs(found - wanted) / Math.max(1e-3, Math.abs(wanted))
+  if (typeof wanted !== 'object' || wanted === null || typeof found !== 'object' || found === null)
+    return Object.is(found, wanted) ? 0 : Number.POSITIVE_INFINITY
+  const keys = Object.keys(wanted)
+  if (Object.keys(found).length !== keys.length) return Number.POSITIVE_INFINITY
+  const each = (of: object, key: string) => (of as Record<string, unknown>)[key]
+  return keys.reduce((most, key) => Math.max(most, difference(each(found, key), each(wanted, key))), 0)
+}
+
+describe('the record of 70°', () => {
+  /** Of `libration fit record-70deg.csv --length 0.800±0.001 --json`. */
+  const wanted = async () => JSON.parse(await text('record-70deg.json')) as Record<string, unknown>
+  const KEYS = [
+    'omega0',
+    'g',
+    'length',
+    'offset',
+    'friction',
+    'swing',
+    'verdicts',
+    'window',
+    'samples',
+    'ladder',
+    'budget',
+  ] as const
+
+  it('has the numbers of the command line to 1e-12', async () => {
+    const fits = await FitModule.start(module)
+    const line = await wanted()
+    const read = fits.read(bytes(await text(RECORD)), STATED)
+    expect(read.understood).toEqual(line.understood)
+    expect(read.measured).toBe(line.kind)
+    const { fit, grades, stands } = fits.fit(STATED)
+    expect({ grades, stands, model: fit.model }).toEqual({
+      grades: line.grades,
+      stands: line.stands,
+      model: line.model,
+    })
+    for (const key of KEYS) expect([key, difference(fit[key], line[key]) < 1e-12]).toEqual([key, true])
+    expect(difference(fit.rms, line.rms)).toBeLessThan(1e-12)
+  })
+
+  it('has other numbers where a time is another one', async () => {
+    const fits = await FitModule.start(module)
+    fits.read(bytes((await text(RECORD)).replace('0.1,', '0.1001,')), STATED)
+    expect(difference(fits.fit(STATED).fit.g, (await wanted()).g)).toBeGreaterThan(1e-9)
+  })
+
+  it('gives g = 9.810 ± 0.012', async () => {
+    const fits = await FitModule.start(module)
+    fits.read(bytes(await text(RECORD)), STATED)
+    const { g } = fits.fit(STATED).fit
+    expect(g?.value.toFixed(3)).toBe('9.810')
+    expect(g?.u.toFixed(3)).toBe('0.012')
+  })
+
+  it('gives the length from g', async () => {
+    const fits = await FitModule.start(module)
+    const stated: Statements = [['gravity', '9.81 0.0001']]
+    fits.read(bytes(await text(RECORD)), stated)
+    const { length, length_given: given } = fits.fit(stated).fit
+    expect(given).toBe(false)
+    expect(Math.abs((length?.value ?? 0) - 0.8)).toBeLessThan(3e-4)
+  })
+})
+
+describe('refusals are the lines of the command', () => {
+  const refusal = async (of: string, stated: Statements) => {
+    const fits = await FitModule.start(module)
+    try {
+      fits.read(bytes(of), stated)
+      fits.fit(stated)
+    } catch (error) {
+      if (error instanceof FitRefusal) return error.message
+      throw error
+    }
+    return ''
+  }
+
+  it.each([
+    ['', 'swing.csv: is empty'],
+    ['t,theta\n0,1\n', 'swing.csv: '],
+    ['t,theta,phi\n0,10,1\n0.1,9,2\n0.2,7,4\n', 'write --column angle='],
+    ['PK\u0003\u0004', 'swing.csv: an archive or a workbook; give a table from it as text'],
+  ])('%j', async (of, line) => {
+    const found = await refusal(of, [['file', 'swing.csv']])
+    expect(found).toContain(line)
+    expect(found).not.toContain('\n')
+  })
+
+  it('both length and gravity: g/L is all that a motion holds', async () => {
+    const both: Statements = [...STATED, ['gravity', '9.81 0']]
+    expect(await refusal(await text(RECORD), both)).toContain('the motion holds g/L alone')
+  })
+
+  it('a role and a number that are none', async () => {
+    expect(await refusal('', [['column', 'colour=red']])).toContain('must be ROLE=NAME')
+    expect(await refusal('', [['rate', 'fast']])).toBe('rate = "fast": is not understood')
+  })
+})
+
+describe('what the worker tells', () => {
+  const told = async (of: string, stated: Statements) => {
+    const all: Told[] = []
+    await measure({ module, bytes: bytes(of), stated }, (each) => all.push(each))
+    return all
+  }
+
+  it('what was read, then every step, then the result', async () => {
+    const all = await told(await text(RECORD), STATED)
+    const steps = all.filter((each) => each.kind === 'step')
+    expect(all.map(({ kind }) => kind)).toEqual(['read', ...steps.map(() => 'step'), 'fitted'])
+    expect(steps.map((each) => each.step)).toEqual(Array.from({ length: steps[0]?.of ?? 0 }, (_, i) => i))
+    const last = all.at(-1)
+    if (last?.kind !== 'fitted') throw new Error('no result')
+    const { x, measured, fitted, residual } = last.result
+    expect([x.length, measured.length, fitted.length, residual.length]).toEqual([600, 600, 600, 600])
+    expect(
+      Math.max(...fitted.map((each, i) => Math.abs(each + (residual[i] as number) - (measured[i] as number)))),
+    ).toBeLessThan(1e-15)
+  })
+
+  it('a refusal, once and last', async () => {
+    expect(await told('', [['file', 'a.csv']])).toEqual([{ kind: 'refused', message: 'a.csv: is empty' }])
+  })
+
+  it('a failure where there is no module', async () => {
+    const all: Told[] = []
+    const none = {} as WebAssembly.Module
+    await measure({ module: none, bytes: bytes(''), stated: [] }, (each) => all.push(each))
+    expect(all.map(({ kind }) => kind)).toEqual(['failed'])
+  })
+})
+
+describe('what is typed', () => {
+  const nothing = new Measurement({} as Fitter, () => {}).entries
+
+  it('becomes statements', () => {
+    const entries = {
+      ...nothing,
+      length: '80,0 cm',
+      lengthU: '1 mm',
+      column: 'theta',
+      unit: 'deg',
+      rate: '30',
+      gravity: '9',
+    }
+    expect(statementsOf('a.csv', entries)).toEqual([
+      ['file', 'a.csv'],
+      ['column', 'angle=theta'],
+      ['unit', 'angle=deg'],
+      ['rate', '30'],
+      ['length', '0.8 0.001'],
+    ])
+    expect(
+      statementsOf('a.csv', { ...nothing, known: 'gravity', gravity: '9,81', model: 'dry', time: '1', run: '2' }),
+    ).toEqual([
+      ['file', 'a.csv'],
+      ['column', 'time=1'],
+      ['run', '2'],
+      ['gravity', '9.81 0'],
+      ['model', 'dry'],
+    ])
+  })
+
+  it('is bad where a number belongs and none stands', () => {
+    expect(isBad('length', 'long')).toBe(true)
+    expect(isBad('column', 'long')).toBe(false)
+    expect(isBad('length', ' ')).toBe(false)
+    expect(entryNumber('length', '65cm')).toBe(0.65)
+  })
+
+  it('is not fitted while it is bad, and the fit of a file before is not touched by a cancelled one', () => {
+    const begun: Statements[] = []
+    const fitter = { begin: (_: Uint8Array, stated: Statements) => void begun.push(stated), cancel: () => {} }
+    const now = new Measurement(fitter as unknown as Fitter, () => {})
+    now.take('a.csv', bytes('t'))
+    now.enter({ length: 'x' })
+    expect(begun.length).toBe(1)
+    now.enter({ length: '1' })
+    expect(begun.map((each) => each.length)).toEqual([1, 2])
+    // What is entered again as it was is no reason for another fit.
+    now.enter({ length: '1' })
+    expect(begun.length).toBe(2)
+    now.cancel()
+    expect(now.phase).toBe('cancelled')
+  })
+})

@@ -1,0 +1,102 @@
+//! The functions that JavaScript calls, and the one of JavaScript that is called. `unsafe` stands in this file only: in the
+//! attributes that give functions their names outside, and in that call. No pointer is read.
+
+use crate::answer;
+use crate::stated::Stated;
+use libration_fit::fit::Data;
+use std::cell::RefCell;
+
+thread_local! {
+    /// The bytes of the file, what is stated, the answer.
+    static TEXTS: [RefCell<Vec<u8>>; 3] = const { [const { RefCell::new(Vec::new()) }; 3] };
+    static DATA: RefCell<Option<Data>> = const { RefCell::new(None) };
+}
+
+const FILE: usize = 0;
+const STATED: usize = 1;
+const ANSWER: usize = 2;
+
+#[cfg(target_arch = "wasm32")]
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    /// Told at the begin of each step of a fit: its number in `FitOptions::STEPS`.
+    fn step(number: usize);
+}
+
+/// Tells the page which step begins.
+pub fn tell(number: usize) {
+    #[cfg(target_arch = "wasm32")]
+    // SAFETY: the page reads one whole number.
+    unsafe {
+        step(number);
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    let _ = number;
+}
+
+/// Makes a text so many bytes long, to be written; its address. 0 is the file, 1 what is stated about it.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(text: usize, length: usize) -> *const u8 {
+    TEXTS.with(|texts| {
+        let Some(text) = texts.get(text) else { return core::ptr::null() };
+        let mut text = text.borrow_mut();
+        text.clear();
+        text.resize(length, 0);
+        text.as_ptr()
+    })
+}
+
+/// Address of the answer.
+#[unsafe(no_mangle)]
+pub extern "C" fn answer() -> *const u8 {
+    TEXTS.with(|texts| texts[ANSWER].borrow().as_ptr())
+}
+
+/// Bytes of the answer.
+#[unsafe(no_mangle)]
+pub extern "C" fn answer_length() -> usize {
+    TEXTS.with(|texts| texts[ANSWER].borrow().len())
+}
+
+/// Reads the file. 1: the answer is what was understood, in JSON; 0: the refusal. The bytes are let go.
+#[unsafe(no_mangle)]
+pub extern "C" fn read_file() -> u32 {
+    let bytes = taken(FILE);
+    left(stated().and_then(|stated| {
+        let (data, json) = answer::read(&bytes, &stated)?;
+        DATA.set(Some(data));
+        Ok(json)
+    }))
+}
+
+/// Fits what was read last. 1: the answer is the result, in JSON; 0: the refusal.
+#[unsafe(no_mangle)]
+pub extern "C" fn fit_data() -> u32 {
+    left(stated().and_then(|stated| {
+        DATA.with_borrow(|data| match data {
+            Some(data) => answer::fitted(data, &stated),
+            None => Err("no file was read".to_owned()),
+        })
+    }))
+}
+
+/// Leaves the names of the steps of a fit in the answer, each on a line.
+#[unsafe(no_mangle)]
+pub extern "C" fn steps() {
+    left(Ok(libration_fit::fit::FitOptions::STEPS.join("\n")));
+}
+
+fn taken(text: usize) -> Vec<u8> {
+    TEXTS.with(|texts| texts[text].take())
+}
+
+fn stated() -> Result<Stated, String> {
+    Stated::of(&String::from_utf8_lossy(&taken(STATED)))
+}
+
+fn left(answer: Result<String, String>) -> u32 {
+    let kept = u32::from(answer.is_ok());
+    let text = answer.unwrap_or_else(|refusal| refusal);
+    TEXTS.with(|texts| texts[ANSWER].replace(text.into_bytes()));
+    kept
+}
