@@ -6,6 +6,7 @@ import type { Page } from '@playwright/test'
 import { load, Pendulum } from 'libration'
 import { column, csvOf, drawn, expect, largest, opened, show, test } from './lab'
 import { layoutFaults } from './layout'
+import { DIST } from './server'
 
 const RECORD = new URL('../record-70deg.csv', import.meta.url).pathname
 const WANTED = JSON.parse(await readFile(RECORD.replace('.csv', '.json'), 'utf8'))
@@ -227,6 +228,31 @@ test('story 17: with keys only', async ({ browser }) => {
   // What came out is spoken.
   await expect(page.locator('#live')).toContainText('9.810 ± 0.012')
   await page.context().close()
+})
+
+test('a file that is dropped is read', async ({ browser }) => {
+  const { page } = await opening(browser)
+  const dropped = await page.evaluateHandle(
+    (text) => {
+      const transfer = new DataTransfer()
+      transfer.items.add(new File([text], 'dropped.csv'))
+      return transfer
+    },
+    await readFile(RECORD, 'utf8'),
+  )
+  await page.locator('.drop').dispatchEvent('drop', { dataTransfer: dropped })
+  await expect(page.locator('.file-name')).toHaveText('dropped.csv')
+  await expect(page.locator('#data-omega0')).toBeVisible()
+  await page.context().close()
+})
+
+test('the offline file says that it has no fit', async ({ browser }) => {
+  const context = await browser.newContext({ offline: true })
+  const page = await context.newPage()
+  await page.goto(`file://${DIST}offline.html#view=data&t=0s&lang=es`)
+  await expect(page.locator('#data-absent')).toContainText('libration lab')
+  await expect(page.locator('#data-file')).toHaveCount(0)
+  await context.close()
 })
 
 /** 20,000 samples. */
