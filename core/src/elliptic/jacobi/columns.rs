@@ -112,7 +112,7 @@ pub fn jacobi_epsilon_into(given: Given, arguments: [&[f64]; 2], values: &mut [f
 /// use libration::elliptic::{Given, jacobi_zeta_into};
 /// let mut zeta = [0.0; 2];
 /// jacobi_zeta_into(Given::M, [&[1.0, 1.0], &[0.5, -2.0]], &mut zeta);
-/// assert_eq!(format!("{:.10} {:.10}", zeta[0], zeta[1]), "0.1438019865 0");
+/// assert_eq!(format!("{:.10} {:.10}", zeta[0], zeta[1]), "0.1438019865 -0.1848132450");
 /// ```
 pub fn jacobi_zeta_into(given: Given, arguments: [&[f64]; 2], values: &mut [f64]) {
     let lanes = |class: usize, columns: Columns<2, 1>| match class {
