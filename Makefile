@@ -124,7 +124,7 @@ bench: $(VENV)/.built $(VENV)/.rivals ## time and error of libration and its riv
 bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes and horizons (hours)
 	@$(PY) bench/run.py --full
 
-bench-elliptic: $(VENV)/.packages $(VENV)/.built ## elliptic functions beside SciPy's and mpmath's: docs/elliptic.md (5 minutes)
+bench-elliptic: $(VENV)/.built $(VENV)/.rivals ## elliptic functions beside SciPy's and mpmath's: docs/elliptic.md (5 minutes)
 	@$(PY) bench/run_elliptic.py
 
 bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)

@@ -13,6 +13,7 @@ Exit status 1 if a target (report/targets.py) is missed, or a page is not what t
 import os
 
 os.environ["LIBRATION_NUM_THREADS"] = "1"  # read when libration is imported; threads.py sets its own
+os.environ["RAYON_NUM_THREADS"] = "1"  # read by ellippy, which takes all cores otherwise
 
 import argparse
 import json

@@ -23,6 +23,7 @@ from rivals.method import Method
 from rivals.ours import ALLOCATING, FRESH, MOTION, THETA
 
 from . import threads
+from .columns import COUNT, columns
 from .comparison import TOLERANCES, one_orbit, own_states, tuned
 from .timing import LIMIT, ROUNDS, rounds
 
@@ -147,8 +148,22 @@ def calls(full: bool) -> list[dict]:
     return found
 
 
+def rows(full: bool) -> list[dict]:
+    """A hundred thousand rows of every function of columns, beside the fastest peer or np.cos, in turn."""
+    found = []
+    for column in columns():
+        seconds = rounds({"ours": column.call, "theirs": column.theirs}, 3 * ROUNDS)
+        each = {
+            "ours": [taken / COUNT for taken in seconds["ours"]],
+            "theirs": [taken / column.rows for taken in seconds["theirs"]],
+        }
+        found.append({"case": column.work, "peer": column.peer, "limit": column.limit, "seconds": each})
+        print(f"  {column.work}", {name: f"{min(taken) * 1e9:.1f} ns" for name, taken in each.items()}, flush=True)
+    return found
+
+
 def threaded(full: bool) -> list[dict]:
-    """One thread against two, each in a process of its own, in turn: 10^7 times, and a million states."""
+    """One thread against two, each in a process of its own, in turn: 10^7 times, a million states, their actions."""
     return threads.compare([orbit.name for orbit in (ORBITS if full else [BY_NAME["150°"], STANDARD, ORBITS[-1]])])
 
 
@@ -162,6 +177,7 @@ SECTIONS = {
     "long_times": long_times,
     "states": own,
     "steps": steps,
+    "columns": rows,
     "threads": threaded,
 }
 

@@ -9,21 +9,30 @@ import os
 import subprocess
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
+import numpy as np
 from cases.orbits import BY_NAME, states, times
 from rivals.ours import MOTION, THETA
+
+import libration
 
 BENCH = Path(__file__).resolve().parents[1]
 TEN_MILLION = 10**7
 MILLION = 10**6
+ACTIONS = "their actions"
 ROUNDS = 9
 
 
 def answer(case: str, count: int) -> None:
     """Prepare the work, then time one call (after an untimed one) for every line of the input."""
-    call = THETA.orbit(BY_NAME[case], times(BY_NAME[case], count, 10)) if case in BY_NAME else None
-    call = call or MOTION.states(*states(count))
+    if case in BY_NAME:
+        call = THETA.orbit(BY_NAME[case], times(BY_NAME[case], count, 10))
+    else:
+        theta, velocity, t = states(count)
+        action = partial(libration.action, theta, velocity, out=np.empty(count))
+        call = action if case == ACTIONS else MOTION.states(theta, velocity, t)
     call()
     print("ready", flush=True)
     for _ in sys.stdin:
@@ -47,7 +56,7 @@ def started(case: str, count: int, threads: int) -> subprocess.Popen:
 def compare(names: list[str]) -> list[dict]:
     """Seconds per call with one thread and with two, round by round, for orbits by name and for own states."""
     found = []
-    for case, count in [*((name, TEN_MILLION) for name in names), ("states of their own", MILLION)]:
+    for case, count in [*((name, TEN_MILLION) for name in names), ("states of their own", MILLION), (ACTIONS, MILLION)]:
         processes = {str(threads): started(case, count, threads) for threads in (1, 2)}
         seconds = {threads: [] for threads in processes}
         for _ in range(ROUNDS):

@@ -116,6 +116,18 @@ def long_times(records: list[dict]) -> str:
     return table(head, body, (0, 1, 3))
 
 
+def column_table(records: list[dict]) -> str:
+    """Functions of columns beside their peers, nanoseconds a row."""
+    body = []
+    for record in records:
+        ours, theirs = (statistics.median(taken) * 1e9 for taken in record["seconds"].values())
+        times = ratio(*record["seconds"].values())
+        body.append(
+            [record["case"], number(ours), record["peer"], number(theirs), number(times), number(record["limit"])]
+        )
+    return table(["function", "ns", "beside", "ns", "ratio", "limit"], body, (0, 2))
+
+
 def thread_table(records: list[dict]) -> str:
     """One thread and two."""
     body = []
@@ -159,6 +171,7 @@ def pages(held: dict[str, dict]) -> dict[str, str]:
         "long_times": long_times(held["long_times"]["records"]),
         "digits": against(held["digits"]["records"]),
         "calls": small_calls(held["calls"]["records"]),
+        "columns": column_table(held["columns"]["records"]),
         "threads": thread_table(held["threads"]["records"]),
         "standard": held["sizes"]["records"][0]["case"],
     }

@@ -8,13 +8,16 @@ import statistics
 from dataclasses import dataclass
 
 from cases.orbits import BEYOND_150, UP_TO_150
+from measurement.threads import ACTIONS
 from measurement.timing import ratio
 from rivals.formulas import LINEAR, SCIPY, SCIPY_MOTION, SINE_COSINE
 from rivals.ours import MOTION, THETA
 
 MILLION = 10**6
 LOWER = [orbit.name for orbit in UP_TO_150]
-HIGHER = [orbit.name for orbit in BEYOND_150]
+NEAR = ["179.999°", "1 − κ² = 1e-12", "1 − κ² = −1e-12"]
+BEYOND = [orbit.name for orbit in BEYOND_150]
+HIGHER = [name for name in BEYOND if name not in NEAR]
 EASIER, SMALL = ["90°", "150°", "170°"], ["0.1°", "30°"]
 
 
@@ -81,6 +84,22 @@ def kernel(record: dict) -> float:
     return statistics.median(few) / (statistics.median(many) - statistics.median(few)) * 16
 
 
+def columns(records: list[dict]) -> list[Target]:
+    """Functions of columns: one target for all with the same peer and limit."""
+    found: dict[tuple[str, float], dict[str, float]] = {}
+    for record in records:
+        key = record["peer"].partition(" ")[0], record["limit"]
+        found.setdefault(key, {})[record["case"]] = ratio(*record["seconds"].values())
+    return [
+        Target(
+            f"columns: {' and '.join(ratios) if len(ratios) < 3 else f'{len(ratios)} functions'} / {peer}",
+            limit,
+            ratios,
+        )
+        for (peer, limit), ratios in found.items()
+    ]
+
+
 def targets(results: dict[str, dict]) -> list[Target]:
     """Every target, from the records of one run by section."""
     orbits, states, steps, long_times, calls, threads = (
@@ -90,20 +109,21 @@ def targets(results: dict[str, dict]) -> list[Target]:
     million = "10⁶ sorted times"
     late = {r["case"]: ratio(*(r["seconds"][f"{r['case']} {p:g}"] for p in (1e9, 10))) for r in long_times}
     return [
-        Target(f"θ of one orbit up to 150°, {million} / θ₀ cos ω₀t", 0.35, pairs(orbits, theta, linear, LOWER)),
-        Target(f"θ of the other orbits, {million} / θ₀ cos ω₀t", 0.6, pairs(orbits, theta, linear, HIGHER)),
-        Target("θ and θ̇ up to 150° / θ₀ cos ω₀t", 0.8, pairs(orbits, motion, linear, LOWER)),
-        Target("θ and θ̇ of the other orbits / θ₀ cos ω₀t", 1.2, pairs(orbits, motion, linear, HIGHER)),
+        Target(f"θ of one orbit up to 150°, {million} / θ₀ cos ω₀t", 0.3, pairs(orbits, theta, linear, LOWER)),
+        Target(f"θ at 170° and of the rotation, {million} / the same", 0.35, pairs(orbits, theta, linear, HIGHER)),
+        Target(f"θ next to the separatrix, {million} / the same", 0.45, pairs(orbits, theta, linear, NEAR)),
+        Target("θ and θ̇ up to 150° / θ₀ cos ω₀t", 0.55, pairs(orbits, motion, linear, LOWER)),
+        Target("θ and θ̇ of the other orbits / θ₀ cos ω₀t", 0.8, pairs(orbits, motion, linear, BEYOND)),
         Target("θ of one orbit at 90°, 150°, 170° / SciPy recipe", 1 / 100, pairs(orbits, theta, SCIPY.name, EASIER)),
         Target("θ of one orbit at 0.1°, 30° / SciPy recipe", 1 / 60, pairs(orbits, theta, SCIPY.name, SMALL)),
         Target(
             "10⁶ states of their own, θ and θ̇ / SciPy recipe",
-            1 / 12,
+            1 / 15,
             pairs(states, motion, SCIPY_MOTION.name, [states[0]["case"]]),
         ),
         Target(
             "`advance(a, b, 0.3, out=(a, b))` of 10⁶ random states / `np.sin(a) + np.cos(a)`",
-            1.5,
+            1.2,
             pairs(steps, motion, SINE_COSINE.name, [steps[0]["case"]]),
         ),
         Target("10⁶ samples, θ / heyoka's fastest method (which gives both)", 1 / 20, heyoka(orbits, theta)),
@@ -111,6 +131,10 @@ def targets(results: dict[str, dict]) -> list[Target]:
         Target(
             "two threads / one thread, 10⁷ times", 0.65, two([r for r in threads if r["count"] > MILLION], "1", "2")
         ),
+        Target(
+            "two threads / one thread, 10⁶ actions", 0.6, two([r for r in threads if r["case"] == ACTIONS], "1", "2")
+        ),
+        *columns(results["columns"]["records"]),
         Target("time at 10⁹ periods / time at 10 periods", 1.1, late),
         Target(
             "`Pendulum.theta(t, out=)` at 1,000 samples / the kernel alone",
