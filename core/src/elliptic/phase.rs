@@ -129,18 +129,10 @@ impl<L: Lane> Phase<L> {
         let f = Dd::ordered_sum(sum - n, rest);
         let far = L::splat(NEAR).less(n.abs());
         if L::any(far) {
-            let (n_far, f_far) = self.count_far(t, end);
+            let (n_far, f_far) = counted_far(n, sum, rest, end);
             return (L::select(far, n_far, n), Dd::select(far, f_far, f));
         }
         (n, f)
-    }
-
-    /// The same where the sum has so few digits after the point that the rest is counted again.
-    #[inline(always)]
-    fn count_far(&self, t: L, end: f64) -> (L, Dd<L>) {
-        let (_, [whole, carry], f) = self.rounded(t);
-        let n = whole + carry;
-        (n, within(n, end, f))
     }
 
     /// The reduced phase at t.
@@ -152,6 +144,16 @@ impl<L: Lane> Phase<L> {
         let parity = alternating(whole) * alternating(carry);
         ReducedPhase { n: Dd::sum(whole, carry), sign, f: f.scale(sign), parity }
     }
+}
+
+/// The same where the sum has so few digits after the point that the rest may be of the size of 1, and carry. The rounding of the
+/// rest is 2^-106 of the sum.
+#[inline(always)]
+fn counted_far<L: Lane>(n: L, sum: L, rest: L, end: f64) -> (L, Dd<L>) {
+    let carry = ((sum - n) + rest).round();
+    let whole = n + carry;
+    // Exact: the part is a whole number of last places of the sum, and at most 1.
+    (whole, within(whole, end, Dd::sum((sum - n) - carry, rest)))
 }
 
 /// f where |count| is below the end, else a NaN.

@@ -11,9 +11,7 @@
 //!
 //! [`NevilleTheta`]: super::neville::NevilleTheta
 
-use super::neville::{
-    ShortCorrection, bounded_square, excesses, excesses_at_zero, fold, logarithmic_slope, short_corrections,
-};
+use super::neville::{bounded_square, excesses, excesses_at_zero, fold, logarithmic_slope};
 use crate::elliptic::agm::agm_near;
 use crate::elliptic::nome::{minus_log_short_nome, short_nome};
 use crate::float::elementary::{quotient, sin_cos, sinh_cosh};
@@ -44,8 +42,6 @@ pub(crate) struct NevilleThetaLanes<L: Lane> {
     pub quadratic: L,
     /// The nome of m or mc.
     nome: Dd<L>,
-    /// Beside sin, cos, 1, 1 on the circular side and sinh, 1, 1, cosh on the hyperbolic one.
-    corrections: [ShortCorrection<L>; 4],
 }
 
 /// 1 - E/K - m/2 for m <= 1/2, from k', m and lambda: the squares c_n^2 2^(n - 1) of the mean from n = 1 on, DLMF 19.8.6; that
@@ -94,9 +90,6 @@ impl<L: Lane> NevilleThetaLanes<L> {
         let (b, one_minus_square) = if HYPERBOLIC { (m.root(), mc) } else { (kc, m) };
         let [mean, lambda, root] = agm_near(b, one_minus_square);
         let nome = short_nome(lambda);
-        let [t1, t2, t3, t4] = short_corrections(nome.hi);
-        // theta2 and theta4 change places.
-        let corrections = if HYPERBOLIC { [t1, t4, t3, t2] } else { [t1, t2, t3, t4] };
         let (frequency, angle) = if HYPERBOLIC {
             let angle = minus_log_short_nome(lambda);
             (mean.over(angle), angle)
@@ -104,33 +97,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
             (mean * Unnormalised::splat(INVERSE_PI), Unnormalised::splat(PI))
         };
         let quadratic = beyond_half(b.hi, one_minus_square.hi, lambda.hi);
-        NevilleThetaLanes {
-            frequency,
-            angle,
-            theta2_factor: mean,
-            mc,
-            kc,
-            root,
-            quadratic,
-            nome,
-            corrections,
-        }
-    }
-
-    /// theta1 without the factor A, theta2, theta3, theta4 at a circular or hyperbolic angle of at most a quarter of that of a
-    /// half period.
-    #[inline(always)]
-    pub fn thetas<const HYPERBOLIC: bool>(&self, angle: Dd<L>) -> [Dd<L>; 4] {
-        let one = Dd::from_double(L::splat(1.0));
-        let ([first, second, third, fourth], x) = if HYPERBOLIC {
-            let (sine, cosine) = sinh_cosh(angle);
-            ([sine, one, one, cosine], -bounded_square(sine.hi))
-        } else {
-            let (sine, cosine) = sin_cos(angle);
-            ([sine, cosine, one, one], sine.hi * sine.hi)
-        };
-        let [t1, t2, t3, t4] = &self.corrections;
-        [first.nudge(t1.at(x)), second.nudge(t2.at(x)), third.nudge(t3.at(x)), fourth.nudge(t4.at(x))]
+        NevilleThetaLanes { frequency, angle, theta2_factor: mean, mc, kc, root, quadratic, nome }
     }
 
     /// theta1 theta3(0), theta2 theta3(0), theta3 theta2(0) and theta4 theta2(0), all over 2 q^1/4, at a circular angle of at most a
@@ -203,10 +170,15 @@ impl<L: Lane> NevilleThetaLanes<L> {
     pub fn at<const HYPERBOLIC: bool>(&self, f: Dd<L>) -> Point<L> {
         let (folded, v) = fold(f);
         let angle = (Unnormalised::from(v) * self.angle).tight();
-        let [theta1, theta2, ..] = self.thetas::<HYPERBOLIC>(angle);
-        let (theta1, theta2) = (Unnormalised::from(theta1), Unnormalised::from(theta2) * self.theta2_factor);
-        let sn = Unnormalised::select(folded, theta2, theta1);
-        let cn = Unnormalised::select(folded, self.kc * theta1, theta2);
+        let [theta1, theta2, _, theta4] = self.crossed_thetas::<HYPERBOLIC>(angle).thetas;
+        let theta1 = Unnormalised::from(theta1);
+        let other = Unnormalised::from(if HYPERBOLIC { theta4 } else { theta2 });
+        let sn = Unnormalised::select(folded, other, theta1);
+        let cn = if HYPERBOLIC {
+            Unnormalised::select(folded, theta1 * self.kc, other)
+        } else {
+            Unnormalised::select(folded, theta1, other) * self.root
+        };
         let (sn_square, cn_square) = (sn.square(), cn.square());
         let dn_square = cn_square + self.mc * sn_square;
         let unit_square = cn_square + sn_square;
