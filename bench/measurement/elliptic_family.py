@@ -138,7 +138,9 @@ def measured(function: Function, rival: Rival | None) -> dict | None:
 def moderate(function: Function, count: int) -> tuple[list[np.ndarray], np.ndarray, str]:
     """Moderate arguments that all libraries take, a parameter for each, and its keyword."""
     random = np.random.default_rng(5)
-    spans = {"u": (-10, 10), "re": (-5, 5), "im": (-1, 1), "z": (-10, 10), "phi": (-1.5, 1.5), "n": (-2, 0.9)}
+    spans = {"u": (-10, 10), "re": (-5, 5), "im": (-1, 1), "phi": (-1.5, 1.5), "n": (-2, 0.9)}
+    if function.parameter:
+        spans["z"] = (-10, 10)  # of theta functions; Carlson's is not negative
     arguments = [random.uniform(*spans.get(name, (0.1, 10)), count) for name in function.arguments]
     return arguments, random.uniform(0.05, 0.9, count), "q" if function.name.startswith("theta") else "m"
 
