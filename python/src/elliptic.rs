@@ -1,6 +1,6 @@
-//! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, `_q`. The parameter is
-//! set up once for the rows that share it, or, in the ufuncs of `_rows`, every row has one of its own over lanes; Carlson's
-//! integrals have none.
+//! The ufuncs of the elliptic functions: one per keyword that carries the parameter, `_m`, `_mc`, `_k`, `_q`. Every row has a
+//! parameter of its own over lanes; for Jacobi's functions it is set up once for the rows that share it, and the ufuncs of `_rows`
+//! are the others. Carlson's integrals have none.
 
 use libration::elliptic::{
     Given, carlson_rc_into, carlson_rd_into, carlson_rf_into, carlson_rj_into, complete_e_into,
@@ -9,9 +9,7 @@ use libration::elliptic::{
     jacobi_zeta_into, nome_into, theta_into, theta_of_nome_into,
 };
 use libration::parameter_of_nome;
-use libration::{
-    Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, SecondKind, Theta, ThetaFunction,
-};
+use libration::{Complex, Glaisher, Jacobi, JacobiComplex, JacobiComplexValues, ThetaFunction};
 use pyo3::prelude::*;
 
 use crate::ufunc::{Block, add, each, nothing, whole};
@@ -26,15 +24,13 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
         rows(module, &named_rows, given)?;
         integrals(module, &named, given)?;
         if given != Given::Nome {
-            theta(module, &named, move |value| Theta::from_parameter(given.parameter(value)))?;
-            theta_rows(module, &named_rows, move |which, arguments, values| {
+            theta(module, &named, move |which, arguments, values| {
                 theta_into(given, which, arguments, values);
             })?;
         }
     }
     add(module, "from_nome", nothing, each(|(): &(), [q]| <[f64; 2]>::from(parameter_of_nome(q))))?;
-    theta(module, &|name| format!("{name}_q"), Theta::from_nome)?;
-    theta_rows(module, &|name| format!("{name}_rows_q"), theta_of_nome_into)?;
+    theta(module, &|name| format!("{name}_q"), theta_of_nome_into)?;
     add(module, "carlson_rf", nothing, column(carlson_rf_into))?;
     add(module, "carlson_rc", nothing, column(carlson_rc_into))?;
     add(module, "carlson_rd", nothing, column(carlson_rd_into))?;
@@ -101,21 +97,16 @@ fn rows(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Gi
         };
         add(module, &named(which.name()), nothing, whole::<[f64; 1], _>(one))?;
     }
-    let epsilon = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
-        jacobi_epsilon_into(given, arguments, out);
-    };
-    add(module, &named("jacobi_epsilon"), nothing, whole::<[f64; 1], _>(epsilon))?;
-    let zeta = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
-        jacobi_zeta_into(given, arguments, out);
-    };
-    add(module, &named("jacobi_zeta"), nothing, whole::<[f64; 1], _>(zeta))
+    Ok(())
 }
 
-/// Jacobi's epsilon and zeta.
+/// Jacobi's epsilon and zeta: as fast for one parameter as for one a row.
 fn second_kind(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, given: Given) -> PyResult<()> {
-    let set_up = move |[value]: [f64; 1]| Some(SecondKind::new(given.parameter(value)));
-    add(module, &named("jacobi_epsilon"), set_up, each(|second: &SecondKind, [u]| [second.epsilon(u)]))?;
-    add(module, &named("jacobi_zeta"), set_up, each(|second: &SecondKind, [u]| [second.zeta(u)]))
+    let epsilon =
+        move |arguments: [&[f64]; 2], values: &mut [f64]| jacobi_epsilon_into(given, arguments, values);
+    add(module, &named("jacobi_epsilon"), nothing, column(epsilon))?;
+    let zeta = move |arguments: [&[f64]; 2], values: &mut [f64]| jacobi_zeta_into(given, arguments, values);
+    add(module, &named("jacobi_zeta"), nothing, column(zeta))
 }
 
 /// Legendre's integrals, the nome and Heuman's lambda.
@@ -148,30 +139,15 @@ fn integrals(module: &Bound<'_, PyModule>, named: &impl Fn(&str) -> String, give
     add(module, &named("nome"), nothing, column(nome))
 }
 
-/// The four theta functions.
+/// The four theta functions, as fast for one nome as for one a row.
 fn theta(
-    module: &Bound<'_, PyModule>,
-    named: &impl Fn(&str) -> String,
-    from: impl Fn(f64) -> Theta + Copy + Send + Sync + 'static,
-) -> PyResult<()> {
-    for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
-        let value = move |theta: &Theta, [z]: [f64; 1]| [theta.value(which, z)];
-        add(module, &named(&format!("theta{}", i + 1)), move |[given]| Some(from(given)), each(value))?;
-    }
-    Ok(())
-}
-
-/// The four of rows with a nome each.
-fn theta_rows(
     module: &Bound<'_, PyModule>,
     named: &impl Fn(&str) -> String,
     fill: impl Fn(ThetaFunction, [&[f64]; 2], &mut [f64]) + Copy + Send + Sync + 'static,
 ) -> PyResult<()> {
     for (i, which) in ThetaFunction::ALL.into_iter().enumerate() {
-        let values = move |(): &(), arguments: [&[f64]; 2], _: usize, [out]: [&mut [f64]; 1]| {
-            fill(which, arguments, out);
-        };
-        add(module, &named(&format!("theta{}", i + 1)), nothing, whole::<[f64; 1], _>(values))?;
+        let values = move |arguments: [&[f64]; 2], values: &mut [f64]| fill(which, arguments, values);
+        add(module, &named(&format!("theta{}", i + 1)), nothing, column(values))?;
     }
     Ok(())
 }

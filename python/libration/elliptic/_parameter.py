@@ -1,7 +1,7 @@
 """The parameter by exactly one keyword: ``m``, its complement ``mc = 1 - m``, the modulus ``k`` or the nome ``q``.
 
-A parameter without dimensions is set up once for all arguments; one with dimensions is answered row by row, where there is a
-formula for that. The call decides, so a value does not depend on chunks.
+For Jacobi's functions a parameter without dimensions is set up once for all arguments, and one with dimensions is answered row by
+row, as all other functions are. The call decides, so a value does not depend on chunks.
 """
 
 from typing import Any
