@@ -515,10 +515,6 @@ jacobi_epsilon_k: np.ufunc
 jacobi_epsilon_m: np.ufunc
 jacobi_epsilon_mc: np.ufunc
 jacobi_epsilon_q: np.ufunc
-jacobi_epsilon_rows_k: np.ufunc
-jacobi_epsilon_rows_m: np.ufunc
-jacobi_epsilon_rows_mc: np.ufunc
-jacobi_epsilon_rows_q: np.ufunc
 jacobi_k: np.ufunc
 jacobi_m: np.ufunc
 jacobi_mc: np.ufunc
@@ -531,10 +527,6 @@ jacobi_zeta_k: np.ufunc
 jacobi_zeta_m: np.ufunc
 jacobi_zeta_mc: np.ufunc
 jacobi_zeta_q: np.ufunc
-jacobi_zeta_rows_k: np.ufunc
-jacobi_zeta_rows_m: np.ufunc
-jacobi_zeta_rows_mc: np.ufunc
-jacobi_zeta_rows_q: np.ufunc
 nc_complex_k: np.ufunc
 nc_complex_m: np.ufunc
 nc_complex_mc: np.ufunc
@@ -638,34 +630,18 @@ theta1_k: np.ufunc
 theta1_m: np.ufunc
 theta1_mc: np.ufunc
 theta1_q: np.ufunc
-theta1_rows_k: np.ufunc
-theta1_rows_m: np.ufunc
-theta1_rows_mc: np.ufunc
-theta1_rows_q: np.ufunc
 theta2_k: np.ufunc
 theta2_m: np.ufunc
 theta2_mc: np.ufunc
 theta2_q: np.ufunc
-theta2_rows_k: np.ufunc
-theta2_rows_m: np.ufunc
-theta2_rows_mc: np.ufunc
-theta2_rows_q: np.ufunc
 theta3_k: np.ufunc
 theta3_m: np.ufunc
 theta3_mc: np.ufunc
 theta3_q: np.ufunc
-theta3_rows_k: np.ufunc
-theta3_rows_m: np.ufunc
-theta3_rows_mc: np.ufunc
-theta3_rows_q: np.ufunc
 theta4_k: np.ufunc
 theta4_m: np.ufunc
 theta4_mc: np.ufunc
 theta4_q: np.ufunc
-theta4_rows_k: np.ufunc
-theta4_rows_m: np.ufunc
-theta4_rows_mc: np.ufunc
-theta4_rows_q: np.ufunc
 turns: np.ufunc
 
 @final
