@@ -10,6 +10,8 @@ ROOMS = {
     "core/src": Crate,
     "fit/src": Crate,
     "python/src": Crate,
+    "wasm/src": Crate,
+    "wasm/fit/src": Crate,
     "python": Folder,
     "bench": Folder,
     "reference": Folder,

@@ -44,104 +44,115 @@ impl<const A: usize, const R: usize, const COUNT: usize> Classes<A, R, COUNT> {
         }
         for class in 0..COUNT {
             let code = class as f64;
-            let count = wide(Gathering { codes, code, arguments, members: &mut self.arguments });
+            let count =
+                wide(Members { codes, code, moved: Gathering { arguments, members: &mut self.arguments } });
             if count == 0 {
                 continue;
             }
             let members = self.arguments.each_ref().map(|column| &column[..count]);
             let sorted = self.results.each_mut().map(|column| &mut column[..count]);
             fill(class, Columns::new(members, sorted));
-            wide(Scattering { codes, code, members: &self.results, results: &mut results });
+            wide(Members {
+                codes,
+                code,
+                moved: Scattering { members: &self.results, results: &mut results },
+            });
         }
     }
 }
 
-/// The rows of one class, side by side.
+/// What is done with the rows of one class, whose entries stand side by side in `members`.
+trait Move {
+    /// With those of a lane of rows from `at` on; `count` were before them. How many they are.
+    fn several<L: Lane>(&mut self, mask: L::Mask, at: usize, count: usize) -> usize;
+    /// With one.
+    fn one(&mut self, at: usize, count: usize);
+}
+
+/// From the rows to the members.
 struct Gathering<'a, 'b, const A: usize> {
-    codes: &'a [f64],
-    code: f64,
     arguments: [&'a [f64]; A],
     members: &'b mut [[f64; ROOM]; A],
 }
 
 /// The way back.
 struct Scattering<'a, 'b, 'c, const R: usize> {
-    codes: &'a [f64],
-    code: f64,
     members: &'a [[f64; ROOM]; R],
     results: &'b mut [&'c mut [f64]; R],
 }
 
-/// Where both are compiled.
-struct Here;
+impl<const A: usize> Move for Gathering<'_, '_, A> {
+    #[inline(always)]
+    fn several<L: Lane>(&mut self, mask: L::Mask, at: usize, count: usize) -> usize {
+        let (mut found, mut i) = (0, 0);
+        while i < A {
+            found = L::load(&self.arguments[i][at..]).pack(mask, &mut self.members[i][count..]);
+            i += 1;
+        }
+        found
+    }
+    #[inline(always)]
+    fn one(&mut self, at: usize, count: usize) {
+        let mut i = 0;
+        while i < A {
+            self.members[i][count] = self.arguments[i][at];
+            i += 1;
+        }
+    }
+}
 
-impl<const A: usize> Kernel for Gathering<'_, '_, A> {
+impl<const R: usize> Move for Scattering<'_, '_, '_, R> {
+    #[inline(always)]
+    fn several<L: Lane>(&mut self, mask: L::Mask, at: usize, count: usize) -> usize {
+        let (mut found, mut i) = (0, 0);
+        while i < R {
+            let (values, taken) = L::load(&self.results[i][at..]).unpack(mask, &self.members[i][count..]);
+            values.store(&mut self.results[i][at..]);
+            found = taken;
+            i += 1;
+        }
+        found
+    }
+    #[inline(always)]
+    fn one(&mut self, at: usize, count: usize) {
+        let mut i = 0;
+        while i < R {
+            self.results[i][at] = self.members[i][count];
+            i += 1;
+        }
+    }
+}
+
+/// The rows whose code is this one, in order.
+struct Members<'a, M> {
+    codes: &'a [f64],
+    code: f64,
+    moved: M,
+}
+
+impl<M: Move> Kernel for Members<'_, M> {
     /// How many rows.
     type Output = usize;
-    type Place = Here;
+    type Place = Self;
     #[inline(always)]
     fn run<L: Lane>(self) -> usize {
-        let Gathering { codes, code, arguments, members } = self;
+        let Members { codes, code, mut moved } = self;
         let (mut count, mut at) = (0, 0);
         while codes.len() - at >= L::WIDTH {
             let mask = L::load(&codes[at..]).equal(L::splat(code));
             if L::any(mask) {
-                let (mut found, mut i) = (0, 0);
-                while i < A {
-                    found = L::load(&arguments[i][at..]).pack(mask, &mut members[i][count..]);
-                    i += 1;
-                }
-                count += found;
+                count += moved.several::<L>(mask, at, count);
             }
             at += L::WIDTH;
         }
         while at < codes.len() {
             if codes[at] == code {
-                let mut i = 0;
-                while i < A {
-                    members[i][count] = arguments[i][at];
-                    i += 1;
-                }
+                moved.one(at, count);
                 count += 1;
             }
             at += 1;
         }
         count
-    }
-}
-
-impl<const R: usize> Kernel for Scattering<'_, '_, '_, R> {
-    type Output = ();
-    type Place = Here;
-    #[inline(always)]
-    fn run<L: Lane>(self) {
-        let Scattering { codes, code, members, results } = self;
-        let (mut count, mut at) = (0, 0);
-        while codes.len() - at >= L::WIDTH {
-            let mask = L::load(&codes[at..]).equal(L::splat(code));
-            if L::any(mask) {
-                let (mut found, mut i) = (0, 0);
-                while i < R {
-                    let (values, taken) = L::load(&results[i][at..]).unpack(mask, &members[i][count..]);
-                    values.store(&mut results[i][at..]);
-                    found = taken;
-                    i += 1;
-                }
-                count += found;
-            }
-            at += L::WIDTH;
-        }
-        while at < codes.len() {
-            if codes[at] == code {
-                let mut i = 0;
-                while i < R {
-                    results[i][at] = members[i][count];
-                    i += 1;
-                }
-                count += 1;
-            }
-            at += 1;
-        }
     }
 }
 

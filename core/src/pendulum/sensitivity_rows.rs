@@ -52,7 +52,7 @@ fn integral<const ROTATION: bool, const HYPERBOLIC: bool, L: Lane>(
     let slope = Unnormalised::from(Dd::select(point.folded, far, fourth).scale(one.copysign(f)));
     let slope = if HYPERBOLIC { Unnormalised::from_double(n + n) + slope } else { slope };
     let passed = start.stretch * Unnormalised::from_double(t);
-    (passed * mean + slope * lattices.theta2_factor) * start.k
+    (passed * mean + slope * lattices.mean) * start.k
 }
 
 /// Rounded.

@@ -3,7 +3,7 @@
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
-import { layoutFaults, lengthen } from './layout'
+import { layoutFaults, lengthen, SCREENS } from './layout'
 
 const VIEWS = ['lab', 'phase', 'period', 'functions', 'data'] as const
 const LANGUAGES = ['en', 'pt-BR', 'es'] as const
@@ -56,12 +56,7 @@ test('what a screen reader has of every view', async ({ lab }) => {
   }
 })
 
-for (const [width, height] of [
-  [360, 740],
-  [768, 1024],
-  [1280, 720],
-  [1920, 1080],
-] as const) {
+for (const [width, height] of SCREENS) {
   test(`at ${width} × ${height} no text is on text or off the screen, and targets are large enough`, async ({
     lab,
   }) => {

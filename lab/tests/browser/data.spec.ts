@@ -5,7 +5,7 @@ import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
 import { load, Pendulum } from 'libration'
 import { column, csvOf, drawn, expect, largest, opened, show, test } from './lab'
-import { layoutFaults } from './layout'
+import { layoutFaults, SCREENS } from './layout'
 import { DIST } from './server'
 
 const RECORD = new URL('../record-70deg.csv', import.meta.url).pathname
@@ -309,12 +309,7 @@ test('axe and the layout find nothing with a result, in any language', async ({ 
       const { violations } = await new AxeBuilder({ page }).withTags(TAGS).analyze()
       faults.push(...violations.map(({ id, nodes }) => `${language} ${theme} ${id}: ${nodes[0]?.html}`))
     }
-    for (const [width, height] of [
-      [360, 740],
-      [768, 1024],
-      [1280, 720],
-      [1920, 1080],
-    ] as const) {
+    for (const [width, height] of SCREENS) {
       await page.setViewportSize({ width, height })
       await drawn(page)
       faults.push(...(await layoutFaults(page)).map((each) => `${language} ${width}: ${each}`))

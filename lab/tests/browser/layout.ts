@@ -2,6 +2,14 @@
 
 import type { Page } from '@playwright/test'
 
+/** Widths and heights of a phone, a tablet, a laptop and a projector. */
+export const SCREENS = [
+  [360, 740],
+  [768, 1024],
+  [1280, 720],
+  [1920, 1080],
+] as const
+
 /** Every fault as one line; none for a good layout. */
 export function layoutFaults(page: Page, oneScreen = false): Promise<string[]> {
   return page.evaluate((must) => {

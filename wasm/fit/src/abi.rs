@@ -3,7 +3,7 @@
 
 use crate::answer;
 use crate::stated::Stated;
-use libration_fit::fit::Data;
+use libration_fit::fit::{Data, FitOptions};
 use std::cell::RefCell;
 
 thread_local! {
@@ -23,8 +23,9 @@ unsafe extern "C" {
     fn step(number: usize);
 }
 
-/// Tells the page which step begins.
-pub fn tell(number: usize) {
+/// Tells the page which step of a fit begins.
+fn tell(begins: &'static str) {
+    let Some(number) = FitOptions::STEPS.iter().position(|each| *each == begins) else { return };
     #[cfg(target_arch = "wasm32")]
     // SAFETY: the page reads one whole number.
     unsafe {
@@ -83,7 +84,7 @@ pub extern "C" fn fit_data() -> u32 {
 /// Leaves the names of the steps of a fit in the answer, each on a line.
 #[unsafe(no_mangle)]
 pub extern "C" fn steps() {
-    left(Ok(libration_fit::fit::FitOptions::STEPS.join("\n")));
+    left(Ok(FitOptions::STEPS.join("\n")));
 }
 
 fn taken(text: usize) -> Vec<u8> {
@@ -91,7 +92,7 @@ fn taken(text: usize) -> Vec<u8> {
 }
 
 fn stated() -> Result<Stated, String> {
-    Stated::of(&String::from_utf8_lossy(&taken(STATED)))
+    Stated::of(&String::from_utf8_lossy(&taken(STATED)), tell)
 }
 
 fn left(answer: Result<String, String>) -> u32 {

@@ -8,7 +8,6 @@
 //! | `length`, `gravity` | value and standard uncertainty with a blank between, in m and m/s^2 |
 //! | `model` | a rung of the ladder |
 
-use crate::abi::tell;
 use libration_fit::Options;
 use libration_fit::fit::{FitOptions, Measure, Model};
 
@@ -23,8 +22,8 @@ pub struct Stated {
 }
 
 impl Stated {
-    /// From its lines, or a refusal of one line.
-    pub fn of(text: &str) -> Result<Stated, String> {
+    /// From its lines, or a refusal of one line; a fit tells its steps to `told`.
+    pub fn of(text: &str, told: fn(&'static str)) -> Result<Stated, String> {
         let known = FitOptions { seed: 1, told: Some(told), ..FitOptions::default() };
         let mut stated = Stated { file: String::new(), reading: Options::default(), known };
         for line in text.lines() {
@@ -56,12 +55,6 @@ impl Stated {
             _ => return Err(refused("name", name)),
         }
         Ok(())
-    }
-}
-
-fn told(step: &'static str) {
-    if let Some(number) = FitOptions::STEPS.iter().position(|each| *each == step) {
-        tell(number);
     }
 }
 

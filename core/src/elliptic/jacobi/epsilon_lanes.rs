@@ -47,7 +47,7 @@ impl<const HYPERBOLIC: bool> Formula<2, 1> for Epsilon<HYPERBOLIC> {
             (growth, Dd::select(folded, -far, near))
         };
         let turns = if HYPERBOLIC { Dd::from_double(count + count) } else { none };
-        let mean = jacobi.neville.theta2_factor;
+        let mean = jacobi.neville.mean;
         let slope = turns.plain_sum(slope.scale(sign)) * Dd::new(mean.hi, mean.lo);
         let factor = Dd::new(factor.hi, factor.lo);
         let whole = ((growth * factor) * u).plain_sum(slope) * factor;

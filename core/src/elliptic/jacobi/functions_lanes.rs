@@ -74,8 +74,8 @@ impl<L: Lane> JacobiLanes<L> {
 
     /// Half periods' angle per unit of u.
     #[inline(always)]
-    fn rate(&self) -> Unnormalised<L> {
-        let rate = self.neville.theta2_factor;
+    pub fn rate(&self) -> Unnormalised<L> {
+        let rate = self.neville.mean;
         if self.parameter.outside { rate * self.parameter.factor } else { rate }
     }
 

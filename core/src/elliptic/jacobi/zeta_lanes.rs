@@ -23,7 +23,7 @@ impl<const HYPERBOLIC: bool> Formula<2, 1> for Zeta<HYPERBOLIC> {
     #[inline(always)]
     fn at<L: Lane>(&self, [u, value]: [L; 2]) -> [L; 1] {
         let jacobi = JacobiLanes::<L>::new::<HYPERBOLIC>(self.0, value);
-        let ParameterLanes { m, factor, negative, above, outside, .. } = jacobi.parameter;
+        let ParameterLanes { m, negative, above, outside, .. } = jacobi.parameter;
         let ReducedArgument { sign, folded, angle, .. } = jacobi.reduced(u);
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         // For m < 0 theta3 and theta4 change places, and the sign is the other.
@@ -35,9 +35,8 @@ impl<const HYPERBOLIC: bool> Formula<2, 1> for Zeta<HYPERBOLIC> {
             (folded, sign)
         };
         let slope = jacobi.neville.slope_beyond_mean::<HYPERBOLIC>(angle, from_k);
-        let mean = jacobi.neville.theta2_factor;
-        let mean = if outside { mean * factor } else { mean };
-        let size = (slope * Dd::new(mean.hi, mean.lo)).value();
+        let rate = jacobi.rate();
+        let size = (slope * Dd::new(rate.hi, rate.lo)).value();
         // Zero at u = 0 and for m = 0, where it takes the sign of u.
         let none = size.equal(zero);
         let undefined = L::splat(f64::NAN);

@@ -2,7 +2,7 @@
 //! [`NevilleTheta`] each.
 //!
 //! K by the arithmetic-geometric mean of fixed length for m <= 1/2; above, K = K' (-ln q')/pi with the nome q' of mc, whose
-//! logarithm is good to 2^-100, so that no mean of far numbers is formed. For steps that are repeated theta1 and theta2
+//! logarithm is good to 2^-100, so that no mean of far numbers is formed. For steps that are repeated two theta functions
 //! suffice, because the rest follows from identities without cancellation: with
 //! p : q = sn : cn, the common factor is s = sqrt(p^2 + q^2) and dn = sqrt(q^2 + mc p^2)/s. So sn^2 + cn^2 = 1 and
 //! dn^2 + m sn^2 = 1 hold to double-double whatever the rounding of the theta functions, and a step repeated
@@ -31,8 +31,8 @@ pub(crate) struct NevilleThetaLanes<L: Lane> {
     pub frequency: Unnormalised<L>,
     /// Circular or hyperbolic angle of one half period 2K.
     pub angle: Unnormalised<L>,
-    /// pi/2K or pi/2K': what theta2 takes beside theta1.
-    pub theta2_factor: Unnormalised<L>,
+    /// pi/2K or pi/2K', an arithmetic-geometric mean.
+    pub mean: Unnormalised<L>,
     /// 1 - m.
     pub mc: Unnormalised<L>,
     pub kc: Unnormalised<L>,
@@ -97,7 +97,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
             (mean * Unnormalised::splat(INVERSE_PI), Unnormalised::splat(PI))
         };
         let quadratic = beyond_half(b.hi, one_minus_square.hi, lambda.hi);
-        NevilleThetaLanes { frequency, angle, theta2_factor: mean, mc, kc, root, quadratic, nome }
+        NevilleThetaLanes { frequency, angle, mean, mc, kc, root, quadratic, nome }
     }
 
     /// theta1 theta3(0), theta2 theta3(0), theta3 theta2(0) and theta4 theta2(0), all over 2 q^1/4, at a circular angle of at most a
