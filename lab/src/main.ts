@@ -6,7 +6,6 @@ import './style/base.css'
 import './style/layout.css'
 import './style/charts.css'
 import './style/controls.css'
-import './style/data.css'
 import './style/functions.css'
 import './style/period.css'
 import './style/phase.css'
@@ -16,14 +15,16 @@ import { completedModel, openModel } from './model'
 import { retried } from './retry'
 import { keepForLater } from './second-visit'
 import { SECOND, SOURCES } from './sources'
-import { dialogs, loadViews, secondFailed, VIEWS, viewsLoaded } from './views'
+import { dialogs, loadParts, loadViews, secondFailed, VIEWS, viewsLoaded } from './views'
 
 /** The views and formulas that the page can begin without; if they do not come, the page says so in their place. */
 async function completed(app: App, views: Promise<void>): Promise<void> {
   try {
     await views
     app.schedule()
-    app.begin(await retried(() => completedModel(SECOND)))
+    const parts = loadParts(app.store.state.view, () => app.schedule())
+    const [model] = await Promise.all([retried(() => completedModel(SECOND)), parts])
+    app.begin(model)
     if (viewsLoaded()) await keepForLater()
   } catch {
     secondFailed()

@@ -1,8 +1,6 @@
-// Of the words of the view Data those that the offline file needs, which has no fit: bundle/one-file.ts takes this file for data.ts.
+// Of the words of the view Data those that the offline file needs, which has no fit.
 
-import type { DataCatalogue } from './en-data'
-
-const absent = {
+export const absentWords = {
   en: {
     notHere:
       'The offline file has no fit, so that it stays small. The page that a server gives has one: the same, at its address or by the command libration lab.',
@@ -20,6 +18,4 @@ const absent = {
   },
 }
 
-export type AbsentCatalogue = (typeof absent)['en']
-/** No view asks for others where they are not. */
-export const dataWords = absent as { readonly [Language in keyof typeof absent]: AbsentCatalogue & DataCatalogue }
+export type AbsentCatalogue = (typeof absentWords)['en']

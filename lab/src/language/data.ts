@@ -1,14 +1,15 @@
-// The words of the view Data, in all languages.
+// The words of the view Data, in all languages: they come with the view.
 
-import { type AbsentCatalogue, dataWords as absent } from './data-absent'
+import { type AbsentCatalogue, absentWords as absent } from './data-absent'
 import { type DataCatalogue, enData } from './en-data'
 import { esData } from './es-data'
+import { addWords } from './index'
 import { ptBRData } from './pt-BR-data'
 
 export type DataWords = AbsentCatalogue & DataCatalogue
 
-export const dataWords: Readonly<Record<keyof typeof absent, DataWords>> = {
-  en: { ...absent.en, ...enData },
-  'pt-BR': { ...absent['pt-BR'], ...ptBRData },
-  es: { ...absent.es, ...esData },
-}
+addWords({
+  en: { data: { ...absent.en, ...enData } },
+  'pt-BR': { data: { ...absent['pt-BR'], ...ptBRData } },
+  es: { data: { ...absent.es, ...esData } },
+})

@@ -14,12 +14,12 @@ type Added = LaterCatalogue & { readonly data: DataWords }
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }
-/** Whole once the words of the later views have come; nothing that is there before asks for those. */
+/** Whole once the words of all parts have come; a part asks for none but its own and those that are there before it. */
 const CATALOGUES = FIRST as Readonly<Record<Language, Catalogue>>
 
-/** Adds the words of the later views (later.ts). */
-export function addWords(later: Readonly<Record<Language, Added>>): void {
-  for (const language of LANGUAGES) Object.assign(CATALOGUES[language], later[language])
+/** Adds the words of a part of the page that comes after the Lab (later.ts, data.ts). */
+export function addWords(words: Readonly<Record<Language, Partial<Added>>>): void {
+  for (const language of LANGUAGES) Object.assign(CATALOGUES[language], words[language])
 }
 
 /** In their own names; those made by machine say so until a native reader has seen them. */

@@ -1,13 +1,8 @@
 // The words of the views that follow the Lab and of the dialogs: a part of the page that comes with them.
 
-import { dataWords } from './data'
 import { enLater } from './en-later'
 import { esLater } from './es-later'
 import { addWords } from './index'
 import { ptBRLater } from './pt-BR-later'
 
-addWords({
-  en: { ...enLater, data: dataWords.en },
-  'pt-BR': { ...ptBRLater, data: dataWords['pt-BR'] },
-  es: { ...esLater, data: dataWords.es },
-})
+addWords({ en: enLater, 'pt-BR': ptBRLater, es: esLater })

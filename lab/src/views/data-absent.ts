@@ -1,12 +1,15 @@
-// Data in the offline file, which has no fit: it would be two thirds longer with one. The view says so.
+// Data in the offline file, which has no fit. The view says so; bundle/one-file.ts takes this file for data.ts.
 
 import { html, type TemplateResult } from 'lit-html'
+import { absentWords } from '../language/data-absent'
 import type { Live } from './page'
 
-export function data({ words }: Live): TemplateResult {
-  return html`<p class="refusal" id="data-absent">${words.say.data.notHere}</p>`
+function body({ words }: Live): TemplateResult {
+  return html`<p class="refusal" id="data-absent">${absentWords[words.language].notHere}</p>`
 }
 
-export function dataSentence({ words }: Live): string {
-  return words.say.data.sentenceEmpty
+function sentence({ words }: Live): string {
+  return absentWords[words.language].sentenceEmpty
 }
+
+export const part = { sentence, body }

@@ -1,5 +1,7 @@
 // Data: from a file of measurements to g. The file and what is known, the data with the curve and the residuals, the result.
 
+import '../language/data'
+import '../style/data.css'
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { icon } from '../draw/icons'
 import { Measurement } from '../measurement'
@@ -42,7 +44,7 @@ function status(page: Live, now: Measurement): TemplateResult {
     ${now.phase === 'cancelled' ? html`<p class="working"><span>${data.cancelled}</span>${again}</p>` : nothing}</div>`
 }
 
-export function data(page: Live): TemplateResult {
+function body(page: Live): TemplateResult {
   const now = current(page.store)
   const charts = dataCharts(page, now)
   return html`<div class="data-columns"><div class="column left">${dataSource(page, now)}</div>
@@ -54,7 +56,7 @@ export function data(page: Live): TemplateResult {
     }</div>`
 }
 
-export function dataSentence(page: Live): string {
+function sentence(page: Live): string {
   const { words, store } = page
   const { data } = words.say
   const { phase, result } = current(store)
@@ -72,3 +74,5 @@ export function dataSentence(page: Live): string {
   const form = fit.length ? (fit.length_given ? data.sentence : data.sentenceLength) : data.sentenceOmega
   return words.fill(form, values)
 }
+
+export const part = { sentence, body }

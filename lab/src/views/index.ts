@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { retried } from '../retry'
+import type { ViewName } from '../state'
 import { motionSentence } from './bench'
 import { dialog } from './dialogs'
 import { lab, labAlarm } from './lab'
@@ -12,12 +13,25 @@ type Later = typeof import('./later')
 let later: Later | null = null
 let failed = false
 
+/** A view that is a part of its own, with its words. */
+export interface Part {
+  readonly sentence: View['sentence']
+  readonly body: View['body']
+}
+
+/** The parts by their views, in the order in which they are asked for once the page works. */
+const PARTS = {
+  data: () => import('./data'),
+} satisfies Partial<Record<ViewName, () => Promise<{ readonly part: Part }>>>
+type PartName = keyof typeof PARTS
+const parts: Partial<Record<PartName, Part>> = {}
+
 /** The second module of the core did not come: its views say so. */
 export function secondFailed(): void {
   failed = true
 }
 
-/** Loads all views but the Lab; begun with the page, so that no request is left for a tab. Never rejects: the Lab works alone. */
+/** Loads the first views after the Lab; begun with the page, so that no request is left for a tab. Never rejects: the Lab works alone. */
 export async function loadViews(): Promise<void> {
   try {
     later = await retried(() => import('./later'))
@@ -28,19 +42,35 @@ export async function loadViews(): Promise<void> {
 
 export const viewsLoaded = (): boolean => later !== null
 
-function view(name: 'phase' | 'period' | 'functions' | 'data'): View {
-  const alone = name === 'phase' || name === 'data'
-  const shown = (page: Live) => (alone || page.model.complete ? later : null)
+/** Loads the other views, that of the link first: what it is has come before it is drawn. Rejects where one did not come. */
+export async function loadParts(first: ViewName, came: () => void): Promise<void> {
+  const names = Object.keys(PARTS) as PartName[]
+  names.sort((a, b) => Number(b === first) - Number(a === first))
+  for (const name of names) {
+    parts[name] = (await retried(PARTS[name])).part
+    came()
+  }
+}
+
+function part(name: PartName): View {
+  return {
+    name,
+    sentence: (page) => parts[name]?.sentence(page) ?? page.words.say.sentence.waiting,
+    body: (page) => parts[name]?.body(page) ?? waiting(page),
+  }
+}
+
+function waiting(page: Live): TemplateResult {
+  const { loadingView, failedView } = page.words.say.plots
+  return html`<p class="waiting-line" role="status">${failed ? failedView : loadingView}</p>`
+}
+
+function view(name: 'phase' | 'period' | 'functions'): View {
+  const shown = (page: Live) => (name === 'phase' || page.model.complete ? later : null)
   return {
     name,
     sentence: (page) => shown(page)?.[`${name}Sentence`](page) ?? page.words.say.sentence.waiting,
-    body: (page) => {
-      const { loadingView, failedView } = page.words.say.plots
-      return (
-        shown(page)?.[name](page) ??
-        html`<p class="waiting-line" role="status">${failed ? failedView : loadingView}</p>`
-      )
-    },
+    body: (page) => shown(page)?.[name](page) ?? waiting(page),
   }
 }
 
@@ -49,7 +79,7 @@ export const VIEWS: readonly View[] = [
   view('phase'),
   view('period'),
   view('functions'),
-  view('data'),
+  part('data'),
 ]
 
 /** The dialog that is open; where its part did not come it says so. */
