@@ -6,8 +6,13 @@ use libration_fit::{Kind, Options, Wanted};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
 
 use crate::damped::Floats;
+use crate::signals;
+
+/// Bytes of a file that takes longer to read, some 50 ms, than a user waits for Ctrl-C.
+const LONG: usize = 1 << 20;
 
 /// A value and its standard uncertainty, as Python gives it.
 pub type Pair = (f64, f64);
@@ -38,7 +43,7 @@ impl Record {
     fn new(
         py: Python<'_>,
         name: &str,
-        data: &[u8],
+        data: PyBackedBytes,
         columns: Vec<String>,
         units: Vec<String>,
         rate: Option<f64>,
@@ -53,8 +58,13 @@ impl Record {
         for unit in units {
             options = options.unit(&unit).map_err(unread)?;
         }
-        let record = py.detach(|| libration_fit::read(name, data, &options)).map_err(unread)?;
-        Ok(Self { record })
+        let record = if data.len() < LONG {
+            py.detach(|| libration_fit::read(name, &data, &options))
+        } else {
+            let name = name.to_owned();
+            signals::apart(py, move || libration_fit::read(&name, &data, &options))?
+        };
+        Ok(Self { record: record.map_err(unread)? })
     }
 
     /// What it is made of: samples, gate or swings.

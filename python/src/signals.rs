@@ -6,8 +6,9 @@
 //! Source: the Python C API, `PyErr_CheckSignals`, <https://docs.python.org/3/c-api/exceptions.html#signal-handling>.
 
 use std::cell::{Cell, RefCell};
-use std::process;
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
+use std::{panic, process, thread};
 
 use pyo3::prelude::*;
 
@@ -84,6 +85,25 @@ pub fn watched<T>(work: impl FnOnce(Stop<'_>) -> T) -> PyResult<T> {
 /// Likewise, of a thread that holds the interpreter and lets it go meanwhile.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce(Stop<'_>) -> T + Send) -> PyResult<T> {
     py.detach(|| watched(work))
+}
+
+/// Does work that asks nothing, in a thread of its own; the error if a signal ended the wait. The work then goes on to its end, and
+/// its answer is dropped.
+pub fn apart<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+    let (sender, receiver) = mpsc::sync_channel(1);
+    // The waiting thread may have gone away.
+    let worker = thread::Builder::new().spawn(move || drop(sender.send(work())))?;
+    py.detach(move || {
+        loop {
+            match receiver.recv_timeout(INTERVAL) {
+                Ok(answer) => return Ok(answer),
+                Err(RecvTimeoutError::Timeout) => asked().map_or(Ok(()), Err)?,
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+        // No answer and no sender: the work panicked, and so does its caller, as it would have done here.
+        panic::resume_unwind(worker.join().err().unwrap_or_else(|| Box::new("no answer")))
+    })
 }
 
 /// Leaves an error where NumPy looks for one after the loops of a ufunc.

@@ -43,6 +43,7 @@ BEGIN = f"""if True:
     def damped(k):
         return libration.DampedPendulum(1.0 + k / 10**5, friction=libration.Friction(linear=1e-9))
 
+    table = b"t / s,theta / rad\\n" + b"".join(b"%d,0.%d\\n" % (k, k % 7) for k in range(10**6))
     seconds = np.linspace(0.0, 60.0, 6000)
     swings = np.exp(-0.01 * seconds) * np.cos(3.0 * seconds)
 
@@ -79,6 +80,7 @@ CALLS = {
     "a damped motion": "[damped(k).theta(1e9) for k in range(10**4)]",
     "derivatives of a damped motion": "[damped(k).sensitivities(np.arange(1e5)) for k in range(10**4)]",
     "fits": "[libration.fit(seconds, swings) for _ in range(10**4)]",
+    "long tables": "[libration._core.Record('', table, [], []) for _ in range(10**4)]",
     "SciPy's solution": "approx.numerical('odeint').of(Pendulum(3.0)).error(10000)",
 }
 
@@ -132,7 +134,9 @@ def test_a_handler_may_call_and_go_on():
 
 
 def test_the_command_line_leaves_no_file(tmp_path):
-    words = ["compare", "--theta0", "2", "--with", "rk4:0.00001,small-m", "--periods", "5"]
+    # Minutes, each of some four million steps; so that a machine however slow is not done before the signal comes.
+    schemes = ",".join(f"rk4:0.000{step}" for step in range(180, 400))
+    words = ["compare", "--theta0", "2", "--with", schemes, "--periods", "5"]
     words += ["--out", str(tmp_path / "a.csv"), "--plot", str(tmp_path / "new/a.png")]
     code = BEGIN + "    from libration.cli import main\n    sys.exit(main(sys.argv[1:]))\n"
     child = subprocess.Popen([sys.executable, "-c", code, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
