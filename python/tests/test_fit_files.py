@@ -95,8 +95,9 @@ def test_an_index_of_pandas_is_the_time(expected):
 
 def test_an_array_of_two_columns(expected):
     same(fit(np.column_stack([T, THETA]), **OPTIONS), expected)
-    both = fit_together([np.column_stack([T, THETA]), (T, THETA)], **OPTIONS)
-    assert both.g.value == pytest.approx(expected.value, rel=1e-9)
+    half = len(T) // 2
+    both = fit_together([np.column_stack([T, THETA])[:half], (T[half:], THETA[half:])], **OPTIONS)
+    assert abs(both.g.value - expected.value) < expected.u
 
 
 DAMAGED = [

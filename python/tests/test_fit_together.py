@@ -135,6 +135,11 @@ def test_bad_options(options, count, message):
     assert "\n" not in str(refusal.value)
 
 
+def test_a_record_given_twice_is_refused():
+    with pytest.raises(ValueError, match=r"^record 2: holds the record of record 1 again; give each record once$"):
+        fit_together([record(), record()], **OPTIONS)
+
+
 @pytest.fixture(scope="module")
 def kinds():
     records = [record(0.5), record(0.8), record(1.1)]

@@ -200,7 +200,6 @@ def fitted(givens: "list[Given]", known: dict[str, Any], apart: "Apart") -> "Fit
     from libration.measurement._known import known_of
 
     count = len(givens)
-    distinct(givens)
     if apart.lengths and len(apart.lengths) != count:
         times = counted(len(apart.lengths))
         records = f"{count} record{'s' * (count > 1)}"
@@ -218,15 +217,6 @@ def fitted(givens: "list[Given]", known: dict[str, Any], apart: "Apart") -> "Fit
         return together_given(givens, known_of(**others), apart, progress=True)
     except ValueError as error:
         raise Refusal(str(error)) from error
-
-
-def distinct(givens: "list[Given]") -> None:
-    """Refuse a record that is given twice: its noise would count as that of two."""
-    first: dict[tuple[bytes, ...], int] = {}
-    for place, given in enumerate(givens):
-        before = first.setdefault(tuple(column.tobytes() for column in given.columns), place)
-        if before < place:
-            raise Refusal(f"{given.name}: holds the record of {givens[before].name} again; give each record once")
 
 
 FILE, KNOWN, READ, MODEL, RESULTS = (

@@ -170,8 +170,18 @@ def together_given(givens: Sequence[Given], known: Known, apart: Apart, progress
     return Together(fits, shared, grades, apart)
 
 
+def distinct(givens: Sequence[Given]) -> None:
+    """Refuse a record that is given twice: its noise would count as that of two."""
+    first: dict[tuple[bytes, ...], int] = {}
+    for place, given in enumerate(givens):
+        before = first.setdefault(tuple(column.tobytes() for column in given.columns), place)
+        if before < place:
+            raise ValueError(f"{given.name}: holds the record of {givens[before].name} again; give each record once")
+
+
 def check(givens: Sequence[Given], known: Known, apart: Apart) -> None:
     """Refuse what does not belong together."""
+    distinct(givens)
     count = len(givens)
     if count < 2:
         hint = "; run='all' takes every run of a file" if count and givens[0].runs > 1 else ""

@@ -119,8 +119,9 @@ class Together:
         Examples
         --------
         >>> import libration
-        >>> table = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
-        >>> libration.fit_together([table, table], quantity="swings").to_dict()["kind"]
+        >>> first = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
+        >>> second = [0.3, 0.7, 1.1, 1.5], [2.0181, 2.0683, 2.1684, 2.3321]
+        >>> libration.fit_together([first, second], quantity="swings").to_dict()["kind"]
         'runs'
         """
         names = ("omega0", "g", "length", "length_offset", "chi_squared", "budget", "corrections", "monte_carlo")
@@ -178,9 +179,10 @@ class Together:
         --------
         >>> from io import BytesIO
         >>> import libration
-        >>> table = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
+        >>> first = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
+        >>> second = [0.3, 0.7, 1.1, 1.5], [2.0181, 2.0683, 2.1684, 2.3321]
         >>> picture = BytesIO()
-        >>> libration.fit_together([table, table], quantity="swings").plot(picture, form="png")
+        >>> libration.fit_together([first, second], quantity="swings").plot(picture, form="png")
         """
         from ..plot._together import plot_together, together_axes
 
@@ -209,8 +211,9 @@ class Together:
         Examples
         --------
         >>> import libration
-        >>> table = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
-        >>> libration.fit_together([table, table], quantity="swings").report()[:15]
+        >>> first = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
+        >>> second = [0.3, 0.7, 1.1, 1.5], [2.0181, 2.0683, 2.1684, 2.3321]
+        >>> libration.fit_together([first, second], quantity="swings").report()[:15]
         '<!doctype html>'
         """
         from ._report import page_together
@@ -227,8 +230,9 @@ class Together:
         Examples
         --------
         >>> import libration
-        >>> table = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
-        >>> libration.fit_together([table, table], quantity="swings").sentence()[:7]
+        >>> first = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
+        >>> second = [0.3, 0.7, 1.1, 1.5], [2.0181, 2.0683, 2.1684, 2.3321]
+        >>> libration.fit_together([first, second], quantity="swings").sentence()[:7]
         'omega0 '
         """
         from ._together_text import sentence

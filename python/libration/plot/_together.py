@@ -48,8 +48,9 @@ def plot_together(
     >>> from io import BytesIO
     >>> import libration
     >>> from libration.plot import plot_together
-    >>> table = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
-    >>> found = libration.fit_together([table, table], quantity="swings")
+    >>> first = [0.2, 0.6, 1.0, 1.4], [2.0112, 2.0521, 2.1387, 2.2847]
+    >>> second = [0.3, 0.7, 1.1, 1.5], [2.0181, 2.0683, 2.1684, 2.3321]
+    >>> found = libration.fit_together([first, second], quantity="swings")
     >>> picture = BytesIO()
     >>> plot_together(found, picture, form="png", lang="es")
     >>> picture.getvalue()[1:4]
