@@ -44,6 +44,8 @@ export class App {
     for (const kind of ['keydown', 'pointerdown', 'click', 'input', 'change'])
       window.addEventListener(kind, () => this.#scheduled && this.#draw(), { capture: true })
     window.addEventListener('keydown', (event) => onKey(event, this.page(), views))
+    // Before a hand touches anything, a hidden g is not to be read in the address.
+    if (opened.state.hide) this.#remember()
     this.schedule()
   }
 

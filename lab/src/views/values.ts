@@ -1,8 +1,10 @@
 // The numbers of the state as values of the page: their fields, sliders, and what is wrong with what is typed.
 
-import type { TemplateResult } from 'lit-html'
+import { html, type TemplateResult } from 'lit-html'
 import { type ValueSpec, value } from '../controls/value'
-import { plain } from '../language/rich'
+import { icon } from '../draw/icons'
+import { isLocked } from '../embedding'
+import { plain, rich } from '../language/rich'
 import { degrees, parseQuantity, radians } from '../number'
 import { inRange, RANGES, type RangeName } from '../state'
 import { type Page, quantityText, setNumber } from './page'
@@ -68,6 +70,12 @@ export function fieldFault(page: Page, name: RangeName, draft: string | undefine
   })
 }
 
+/** A value of which nothing is said but that it is there. */
+function hidden({ words }: Page, name: string): TemplateResult {
+  const { embedding } = words.say
+  return html`<div class="value" data-value="hidden" title=${embedding.hiddenTitle}><span>${rich(name)}</span><span class="field locked">${embedding.hidden}${icon('lock')}</span></div>`
+}
+
 /** A value of the state by its name. The motion follows while what is typed is valid. */
 export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' | 'gravity'): TemplateResult {
   const { words, state, store, session } = page
@@ -77,6 +85,8 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
   const shown = angle ? degrees(number) : number
   const said = words.say.values[name]
   const draft = session.drafts[name]
+  const locked = isLocked(state, name)
+  if (state.hide && name === 'gravity') return hidden(page, `${said.label} ${said.symbol}`)
   const spec: ValueSpec = {
     key: name,
     label: said.label,
@@ -89,6 +99,7 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
     spoken: quantityText(words, name, number),
     draft,
     fault: fieldFault(page, name, draft),
+    ...(locked ? { locked, title: words.say.embedding.locked } : {}),
     onText: (text) => {
       store.draft(name, text)
       setNumber(store, name, readField(name, text))
