@@ -2,27 +2,7 @@
 //
 // A hidden g is written as its bits in another order of signs. That keeps it from the eye and from nobody who wants to know it.
 
-import { type State, VIEWS, type ViewName } from './state'
-
-/** Parts of the Lab that can be shown alone. */
-export const SECTIONS = [
-  'pendulum',
-  'values',
-  'facts',
-  'motion',
-  'error',
-  'energy',
-  'curves',
-  'portrait',
-  'play',
-] as const
-export const SHOWN = [...VIEWS, ...SECTIONS] as const
-export type Shown = (typeof SHOWN)[number]
-
-/** What can be locked, by its key in a link, and what it is in the state. */
-const LOCKED = { th0: 'theta0', w0: 'velocity0', L: 'length', g: 'gravity', curves: 'curves' } as const
-export type Lock = keyof typeof LOCKED
-export const LOCKS = Object.keys(LOCKED) as Lock[]
+import { LOCKED, SECTIONS, type State, VIEWS, type ViewName } from './state'
 
 /** Views in which nothing says g, nor a time or a velocity that is as good as it. */
 const WITHOUT_GRAVITY: readonly ViewName[] = ['lab', 'data']

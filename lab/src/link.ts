@@ -4,7 +4,7 @@
 // what makes the picture. Keys that are not known are reported, and kept in the link that is written next.
 
 import { type Curve, curveKey, isCurveName, kindOf, usualCurve } from './curves'
-import { coded, fromCode, LOCKS, SHOWN, shownViews } from './embedding'
+import { coded, fromCode, shownViews } from './embedding'
 import { angleText, parseNumber, parseQuantity, type Unit } from './number'
 import { baseOf, readPeriod } from './periods'
 import {
@@ -16,11 +16,13 @@ import {
   inRange,
   LANGUAGES,
   LETTERS,
+  LOCKS,
   MOST_CURVES,
   MOST_ORBITS,
   PAPERS,
   RANGES,
   type RangeName,
+  SHOWN,
   type Start,
   type State,
   THEMES,

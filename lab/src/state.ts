@@ -3,7 +3,6 @@
 // Everything that a link carries stands here and nothing else; what passes with the visit is the session's (store.ts).
 
 import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
-import type { Lock, Shown } from './embedding'
 import { radians } from './number'
 
 export const VIEWS = ['lab', 'phase', 'period', 'functions', 'data', 'handouts'] as const
@@ -16,6 +15,24 @@ export const HANDOUTS = ['worksheet', 'code', 'embed'] as const
 export const PAPERS = ['A4', 'Letter'] as const
 export const CODES = ['scipy', 'mpmath', 'libration', 'octave', 'r', 'mathematica'] as const
 export type Code = (typeof CODES)[number]
+/** Parts of the Lab that can be shown alone. */
+export const SECTIONS = [
+  'pendulum',
+  'values',
+  'facts',
+  'motion',
+  'error',
+  'energy',
+  'curves',
+  'portrait',
+  'play',
+] as const
+export const SHOWN = [...VIEWS, ...SECTIONS] as const
+export type Shown = (typeof SHOWN)[number]
+/** What can be locked, by its key in a link, and what it is in the state. */
+export const LOCKED = { th0: 'theta0', w0: 'velocity0', L: 'length', g: 'gravity', curves: 'curves' } as const
+export type Lock = keyof typeof LOCKED
+export const LOCKS = Object.keys(LOCKED) as Lock[]
 
 /** Where a motion begins. */
 export interface Start {

@@ -151,11 +151,12 @@ function stepping(page: Live): TemplateResult | typeof nothing {
 
 export function compareList(page: Live, study: Study): TemplateResult {
   const { compare, embedding } = page.words.say
+  const list = html`<ul class="rows"><li class="row exact">${sample('c-exact', false)}<span class="name">${compare.exact}<small>${compare.exactBy}</small></span><span class="result">0</span></li>
+    ${study.rows.map((each) => row(page, study, each))}</ul>
+    <div class="foot">${addMenu(page)}${examples(page)}</div>`
   const locked = isLocked(page.state, 'curves')
   return html`<section class="compare" aria-labelledby="compare-title"><div class="head"><h2 id="compare-title">${compare.title}</h2>${stepping(page)}</div>
     ${heading(page, study)}
-    <fieldset ?disabled=${locked} title=${locked ? embedding.locked : nothing}><ul class="rows"><li class="row exact">${sample('c-exact', false)}<span class="name">${compare.exact}<small>${compare.exactBy}</small></span><span class="result">0</span></li>
-    ${study.rows.map((each) => row(page, study, each))}</ul>
-    <div class="foot">${addMenu(page)}${examples(page)}</div></fieldset>
+    ${locked ? html`<fieldset disabled title=${embedding.locked}>${list}</fieldset>` : list}
   </section>`
 }
