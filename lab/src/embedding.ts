@@ -48,3 +48,8 @@ export function fromCode(text: string): number {
   for (const letter of text.slice(1)) bits = 36n * bits + BigInt(Number.parseInt(letter, 36))
   return new Float64Array(BigUint64Array.of(bits ^ MASK).buffer)[0] as number
 }
+
+/** The code that puts a link of the page into another page. */
+export function embedCode(link: string, width: number, height: number): string {
+  return `<iframe src="${link.replaceAll('&', '&amp;')}" width="${width}" height="${height}" style="border:0" title="libration"></iframe>`
+}

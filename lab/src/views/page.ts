@@ -41,3 +41,17 @@ export function setNumber(store: Store, name: RangeName, value: number): boolean
   store.set({ [name]: value })
   return true
 }
+
+/** Copies a text and says so; where the browser forbids it the text is selected instead. */
+export async function copyText({ store }: Pick<Page, 'store'>, text: string, place: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text)
+    store.setSession({ copied: true, copyFailed: false })
+    setTimeout(() => store.setSession({ copied: false }), 2000)
+  } catch {
+    store.setSession({ copyFailed: true })
+    const shown = document.querySelector(place)
+    if (shown instanceof HTMLTextAreaElement) shown.select()
+    else if (shown) getSelection()?.selectAllChildren(shown)
+  }
+}
