@@ -1,5 +1,5 @@
 // The texts of code: those of tests/snippets.json are what the page gives, so that who runs them (python/tests/test_snippets.py)
-// runs the page's own. `npx vitest run -u tests/code.test.ts` writes the file again.
+// runs the page's own. `npx vitest run tests/code.test.ts -u` writes the file again.
 
 import { beforeAll, describe, expect, it } from 'vitest'
 import { codeText, losesDigits, TIMES } from '../src/handouts/code'
@@ -27,7 +27,7 @@ const STARTS = [
   { theta0: 0, velocity0: 7.5, length: 1, gravity: 9.81 },
   { theta0: -2, velocity0: -9, length: 0.5, gravity: 9.81 },
   { theta0: 0, velocity0: 2, length: 1, gravity: 1 },
-  { theta0: radians(90), velocity0: -1.4142135623730951, length: 1, gravity: 1 },
+  { theta0: radians(90), velocity0: -Math.SQRT2, length: 1, gravity: 1 },
   { theta0: 0, velocity0: 0, length: 1, gravity: 9.81 },
   { theta0: Math.PI, velocity0: 0, length: 1, gravity: 9.81 },
 ] as const
@@ -73,7 +73,10 @@ describe('Mathematica, which nobody runs here', () => {
     const KNOWN =
       /^(Sqrt|Sin|ArcSin|ArcTan|ArcSinh|Tan|Sinh|Cosh|Abs|Infinity|Print|Do|Degree|EllipticK|EllipticF|JacobiSN|JacobiCN|JacobiDN|JacobiAmplitude)$/
     for (const { texts: all } of texts(enHandouts)) {
-      const code = all.mathematica.join('\n').replace(/\(\*.*?\*\)/gs, '').replace(/"[^"]*"/g, '')
+      const code = all.mathematica
+        .join('\n')
+        .replace(/\(\*.*?\*\)/gs, '')
+        .replace(/"[^"]*"/g, '')
       let open = ''
       for (const mark of code.match(/[()[\]{}]/g) ?? []) {
         if ('([{'.includes(mark)) open += mark

@@ -15,9 +15,9 @@ export function octave(given: Given): string {
   const energy = [
     '',
     `% ${say.energy}`,
-    'm = sin(theta0/2)^2 + (velocity0/(2*omega0))^2;',
-    `% ${say.complement}`,
-    'mc = (cos(theta0/2) - velocity0/(2*omega0))*(cos(theta0/2) + velocity0/(2*omega0));',
+    's = sin(theta0/2); c = cos(theta0/2); v = velocity0/(2*omega0);',
+    'm = s^2 + v^2;',
+    `mc = (c - v)*(c + v);  % ${say.complement}`,
   ]
   // tan(φ' − φ) = (b/a) tan φ on the branch next to φ; after eight means a = b to the last digit.
   const incomplete = [
@@ -48,7 +48,7 @@ export function octave(given: Given): string {
         ...energy,
         '',
         'period = 4*ellipke(m)/omega0;',
-        'phi = atan2(sin(theta0/2), velocity0/(2*omega0)); a = 1; b = sqrt(mc);',
+        'phi = atan2(s, v); a = 1; b = sqrt(mc);',
         ...incomplete,
         '[sn, cn, dn] = ellipj(omega0*t + u0, m);',
         'theta = 2*asin(sqrt(m)*sn);',

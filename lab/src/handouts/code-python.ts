@@ -17,9 +17,9 @@ export function scipy(given: Given): string {
   const energy = [
     '',
     `# ${say.energy}`,
-    'm = np.sin(theta0 / 2) ** 2 + (velocity0 / (2 * omega0)) ** 2',
-    `# ${say.complement}`,
-    'mc = (np.cos(theta0 / 2) - velocity0 / (2 * omega0)) * (np.cos(theta0 / 2) + velocity0 / (2 * omega0))',
+    's, c, v = np.sin(theta0 / 2), np.cos(theta0 / 2), velocity0 / (2 * omega0)',
+    'm = s**2 + v**2',
+    `mc = (c - v) * (c + v)  # ${say.complement}`,
   ]
   const shown = (period: string) => [
     '',
@@ -41,7 +41,7 @@ export function scipy(given: Given): string {
         ...energy,
         '',
         'period = 4 * ellipkm1(mc) / omega0  # 4 K(m) / omega0',
-        'u0 = ellipkinc(np.arctan2(np.sin(theta0 / 2), velocity0 / (2 * omega0)), m)',
+        'u0 = ellipkinc(np.arctan2(s, v), m)',
         'sn, cn, dn, am = ellipj(omega0 * t + u0, m)',
         'theta = 2 * np.arcsin(np.sqrt(m) * sn)',
         'velocity = 2 * omega0 * np.sqrt(m) * cn',
@@ -101,7 +101,7 @@ export function mpmath(given: Given): string {
     `length, gravity = mp.mpf(${length}), mp.mpf(${gravity})  # m, m/s^2`,
     'omega0 = mp.sqrt(gravity / length)',
   ]
-  const energy = ['', `# ${say.energy}`, 'm = mp.sin(theta0 / 2) ** 2 + (velocity0 / (2 * omega0)) ** 2', '']
+  const energy = ['', `# ${say.energy}`, 's, v = mp.sin(theta0 / 2), velocity0 / (2 * omega0)', 'm = s**2 + v**2', '']
   const shown = (period: string) => [
     '',
     ...(period === '' ? [] : [`print("period", ${period})`]),
@@ -120,7 +120,7 @@ export function mpmath(given: Given): string {
         ...start,
         ...energy,
         'period = 4 * mp.ellipk(m) / omega0',
-        'u0 = mp.ellipf(mp.atan2(mp.sin(theta0 / 2), velocity0 / (2 * omega0)), m)',
+        'u0 = mp.ellipf(mp.atan2(s, v), m)',
         '',
         '',
         'def motion(t):',

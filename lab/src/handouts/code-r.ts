@@ -14,9 +14,9 @@ export function r(given: Given): string {
   ]
   const energy = [
     `# ${say.energy}`,
-    'm <- sin(theta0 / 2)^2 + (velocity0 / (2 * omega0))^2',
-    `# ${say.complement}`,
-    'mc <- (cos(theta0 / 2) - velocity0 / (2 * omega0)) * (cos(theta0 / 2) + velocity0 / (2 * omega0))',
+    's <- sin(theta0 / 2); c <- cos(theta0 / 2); v <- velocity0 / (2 * omega0)',
+    'm <- s^2 + v^2',
+    `mc <- (c - v) * (c + v)  # ${say.complement}`,
     '',
   ]
   const functions = [
@@ -57,7 +57,7 @@ export function r(given: Given): string {
         ...start,
         ...energy,
         'period <- 4 * elliptic_k(mc) / omega0',
-        'u0 <- elliptic_f(atan2(sin(theta0 / 2), velocity0 / (2 * omega0)), mc)',
+        'u0 <- elliptic_f(atan2(s, v), mc)',
         'am <- jacobi_am(omega0 * t + u0, mc)',
         'theta <- 2 * asin(sqrt(m) * sin(am))',
         'velocity <- 2 * omega0 * sqrt(m) * cos(am)',

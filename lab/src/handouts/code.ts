@@ -12,6 +12,15 @@ import { octave } from './code-octave'
 import { libration, mpmath, scipy } from './code-python'
 import { r } from './code-r'
 
+export const CODE_NAMES: Readonly<Record<Code, string>> = {
+  scipy: 'Python, SciPy',
+  mpmath: 'Python, mpmath',
+  libration: 'Python, libration',
+  octave: 'Octave, MATLAB',
+  r: 'R',
+  mathematica: 'Mathematica',
+}
+
 /** In s. */
 export const TIMES = [0, 0.5, 1, 2, 5]
 

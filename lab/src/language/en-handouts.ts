@@ -67,14 +67,6 @@ export const enHandouts = {
   potential: 'potential energy',
 
   languages: 'Language of the code',
-  codes: {
-    scipy: 'Python, SciPy',
-    mpmath: 'Python, mpmath',
-    libration: 'Python, libration',
-    octave: 'Octave, MATLAB',
-    r: 'R',
-    mathematica: 'Mathematica',
-  },
   codeFor: {
     libration: 'For the start of this page, which swings. Another start that swings needs only other numbers.',
     rotation: 'For the start of this page, which turns over. A start that swings has another text.',

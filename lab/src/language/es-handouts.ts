@@ -10,7 +10,7 @@ export const esHandouts: HandoutsCatalogue = {
   copyFailed: 'Esta página no puede copiar. El texto está seleccionado: cópielo con las teclas.',
 
   worksheetSentence: 'Una hoja de ejercicios con *números propios*, para imprimir.',
-  codeSentence: 'Código para *este péndulo*: su período y su ángulo, en su lenguaje.',
+  codeSentence: 'Código para *este péndulo*: su periodo y su ángulo, en su lenguaje.',
   embedSentence: 'Una parte de esta página *en su página*: un curso, una diapositiva, un blog.',
 
   seed: 'Número de la hoja',
@@ -29,10 +29,10 @@ export const esHandouts: HandoutsCatalogue = {
   name: 'Nombre',
   date: 'Fecha',
   course: 'Clase',
-  take: 'Tome _g_ = {g} donde no se diga otra cosa. El péndulo es un punto en una varilla sin masa; no hay fricción. _T_{0} es el período de las oscilaciones pequeñas.',
+  take: 'Tome _g_ = {g} donde no se diga otra cosa. El péndulo es un punto en una varilla sin masa; no hay fricción. _T_{0} es el periodo de las oscilaciones pequeñas.',
   exercises: {
-    small: 'Un péndulo de {length} oscila hasta {angle} a cada lado. Halle su período con _T_{0} = 2π√(_L_/_g_).',
-    large: 'El mismo péndulo se suelta a {angle}. Lea _T_/_T_{0} en la primera gráfica y halle su período.',
+    small: 'Un péndulo de {length} oscila hasta {angle} a cada lado. Halle su periodo con _T_{0} = 2π√(_L_/_g_).',
+    large: 'El mismo péndulo se suelta a {angle}. Lea _T_/_T_{0} en la primera gráfica y halle su periodo.',
     error:
       'Para una oscilación de {angle} a cada lado: ¿en qué porcentaje es _T_{0} demasiado corto? ¿Cuánto queda con _T_ = _T_{0}(1 + _θ_{0}²/16), _θ_{0} en radianes?',
     measured:
@@ -43,11 +43,11 @@ export const esHandouts: HandoutsCatalogue = {
     energy:
       'Un péndulo de {length} se suelta a {angle}. A {at}: ¿cuánto vale su energía potencial, en por ciento de la que tiene arriba, y cuánto su velocidad angular?',
     reading:
-      'La tercera gráfica muestra el movimiento exacto de un péndulo (continua) y el de la ecuación lineal con la misma partida (discontinua). Lea la amplitud y el período del exacto. ¿Cuánto mide el péndulo?',
+      'La tercera gráfica muestra el movimiento exacto de un péndulo (continua) y el de la ecuación lineal con la misma partida (discontinua). Lea la amplitud y el periodo del exacto. ¿Cuánto mide el péndulo?',
   },
   answer: 'Respuesta',
   ratioChart: '_T_/_T_{0} según la amplitud en grados',
-  ratioCaption: 'El período sobre el de las oscilaciones pequeñas según la amplitud, de 0° a 170°.',
+  ratioCaption: 'El periodo sobre el de las oscilaciones pequeñas según la amplitud, de 0° a 170°.',
   portraitChart: "_θ'_ en rad/s según _θ_ en grados",
   portraitCaption: 'Retrato de fases con los puntos P, Q y R.',
   motionChart: '_θ_ en grados según _t_ en s',
@@ -67,21 +67,13 @@ export const esHandouts: HandoutsCatalogue = {
   potential: 'energía potencial',
 
   languages: 'Lenguaje del código',
-  codes: {
-    scipy: 'Python, SciPy',
-    mpmath: 'Python, mpmath',
-    libration: 'Python, libration',
-    octave: 'Octave, MATLAB',
-    r: 'R',
-    mathematica: 'Mathematica',
-  },
   codeFor: {
     libration: 'Para la partida de esta página, que oscila. Otra partida que oscila solo pide otros números.',
     rotation: 'Para la partida de esta página, que da vueltas. Una partida que oscila tiene otro texto.',
     separatrix: 'Para la partida de esta página, que está en la separatriz. Cualquier otra partida tiene otro texto.',
     rest: 'Para la partida de esta página, que está en reposo.',
   },
-  prints: 'Escribe el período, y luego filas de tiempo, ángulo y velocidad angular.',
+  prints: 'Escribe el periodo, y luego filas de tiempo, ángulo y velocidad angular.',
   near: 'Tan cerca de la separatriz estas funciones pierden cifras. Use el texto con mpmath o con libration.',
   comments: {
     equation: "Movimiento exacto del péndulo theta'' + (g/L) sen(theta) = 0.",
@@ -106,8 +98,8 @@ export const esHandouts: HandoutsCatalogue = {
   },
   labels: { k: 'módulo k', m: 'parámetro m', alpha: 'ángulo modular', theta0: 'ángulo inicial' },
   modulusFault: '{name}: {value} no es un número de {least} a {most}.',
-  givenK: '_k_ dado a una función que recibe _m_: el período sale *{error}*.',
-  givenM: '_m_ dado a una función que recibe _k_: el período sale *{error}*.',
+  givenK: '_k_ dado a una función que recibe _m_: el periodo sale *{error}*.',
+  givenM: '_m_ dado a una función que recibe _k_: el periodo sale *{error}*.',
   takeM: 'Reciben _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Reciben _k_: C++17, Boost, GSL, Maple.',
 
@@ -116,7 +108,7 @@ export const esHandouts: HandoutsCatalogue = {
   parts: {
     pendulum: 'péndulo',
     values: 'valores',
-    facts: 'período y parámetro',
+    facts: 'periodo y parámetro',
     motion: 'gráfica del ángulo',
     error: 'gráfica de los errores',
     energy: 'gráfica de la energía',

@@ -67,14 +67,6 @@ export const ptBRHandouts: HandoutsCatalogue = {
   potential: 'energia potencial',
 
   languages: 'Linguagem do código',
-  codes: {
-    scipy: 'Python, SciPy',
-    mpmath: 'Python, mpmath',
-    libration: 'Python, libration',
-    octave: 'Octave, MATLAB',
-    r: 'R',
-    mathematica: 'Mathematica',
-  },
   codeFor: {
     libration: 'Para a partida desta página, que oscila. Outra partida que oscila pede só outros números.',
     rotation: 'Para a partida desta página, que dá voltas. Uma partida que oscila tem outro texto.',

@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
 import { icon } from '../draw/icons'
-import { codeText, losesDigits } from '../handouts/code'
+import { CODE_NAMES, codeText, losesDigits } from '../handouts/code'
 import { MODULUS_MOST, MODULUS_NAMES, type Modulus, type ModulusName, mistakes, modulusOf } from '../handouts/modulus'
 import { plain, rich } from '../language/rich'
 import { degrees, parseQuantity } from '../number'
@@ -16,7 +16,7 @@ function texts(page: Live): TemplateResult {
   const text = codeText(state.code, motion, handouts.comments)
   return html`<div class="column code-column"><div class="head">${switches(
     handouts.languages,
-    CODES.map((value) => ({ value, text: handouts.codes[value] })),
+    CODES.map((value) => ({ value, text: CODE_NAMES[value] })),
     state.code,
     (code) => store.set({ code }),
     'codes',
@@ -25,7 +25,7 @@ function texts(page: Live): TemplateResult {
       <button type="button" class="button primary" id="copy-code" @click=${() => copyText(page, text, '#code-text')}>${session.copied ? handouts.copied : handouts.copy}</button></div>
     ${losesDigits(state.code, motion) ? html`<p class="refusal" id="near">${icon('warn')}<span>${handouts.near}</span></p>` : nothing}
     ${session.copyFailed ? html`<p class="soft small" role="status">${handouts.copyFailed}</p>` : nothing}
-    <pre class="code" id="code-text" tabindex="0" role="region" aria-label=${handouts.codes[state.code]}><code lang="zxx" translate="no">${text}</code></pre>
+    <pre class="code" id="code-text" tabindex="0" role="region" aria-label=${CODE_NAMES[state.code]}><code lang="zxx" translate="no">${text}</code></pre>
     <span class="unseen" role="status">${session.copied ? handouts.copied : ''}</span></div>`
 }
 

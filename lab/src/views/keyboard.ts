@@ -46,13 +46,11 @@ export function onKey(event: KeyboardEvent, page: Page, views: readonly View[]):
         return true
       case 's':
       case 'S':
-        // What stands in another page has no bar, and what is in the bar has no key.
-        if (page.state.embed) return false
-        openDialog(page, 'share')
-        return true
       case '?':
       case '/':
-        openDialog(page, 'keys')
+        // What stands in another page has no bar, and what is in the bar has no key.
+        if (page.state.embed) return false
+        openDialog(page, /s/i.test(key) ? 'share' : 'keys')
         return true
       case 't':
       case 'T': {

@@ -47,14 +47,14 @@ const AMPLITUDES = Float64Array.from({ length: 171 }, (_, i) => i)
 export function ratioChart(page: Live): TemplateResult {
   const { words, model } = page
   const { handouts } = words.say
-  const frame = { width: 620, height: 230, rem: REM }
+  const frame = { width: 620, height: 300, rem: REM }
   const { x, y } = ratioCurve(model)
   const drawing = plot(
     {
       ...frame,
       sx: linearScale([0, 170], [0, frame.width]),
       sy: linearScale([1, 2.5], [frame.height, 0]),
-      xs: ticks(0, 170, 10, (value) => `${words.given(value)}°`),
+      xs: ticks(0, 170, 10, (value) => (value % 20 === 0 ? `${words.given(value)}°` : '')),
       ys: ticks(1, 2.5, 0.1, (value) => (Math.round(10 * value) % 2 === 0 ? words.fixed(value, 1) : '')),
       xLabels: true,
       lines: [{ x, y, clothes: 'c-exact' }],
@@ -81,8 +81,8 @@ export function portraitSheet(page: Live, exercises: Exercises): TemplateResult 
   const values = roundTicks(-reach, reach, 9)
   const decimals = tickDecimals(values)
   const labels: Label[] = exercises.portrait.points.map(({ name, angle, velocity }) => ({
-    x: sx(angle) + 9,
-    y: sy(velocity / 10) + 4,
+    x: sx(angle) + 5,
+    y: sy(velocity / 10) - 5,
     text: `*${name}*`,
     ink: true,
     anchor: 'start',
