@@ -27,7 +27,8 @@ function slideOf(page: Page, name: RangeName): Slide {
       return { least: -180, most: 180, step: 1, grain: 1, origin: 0, ticks: [-180, -90, 0, 90, 180] }
     case 'velocity0': {
       const top = page.motion?.separatrixVelocity(page.state.theta0) ?? 0
-      const ticks = top > 0 && top < 10 ? [-top, 0, top] : [0]
+      // Where g is hidden this velocity is for the reader to find.
+      const ticks = top > 0 && top < 10 && !page.state.hide ? [-top, 0, top] : [0]
       return { least: -10, most: 10, step: 0.1, grain: 0.05, origin: 0, ticks }
     }
     case 'length':

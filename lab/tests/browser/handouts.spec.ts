@@ -7,6 +7,7 @@ import type { Frame, Page } from '@playwright/test'
 import { readLink } from '../../src/link'
 import { CODES, type Code } from '../../src/state'
 import { address, csvOf, drawn, expect, opened, show, test } from './lab'
+import { layoutFaults } from './layout'
 import { DIST } from './server'
 
 const LANGUAGES = ['en', 'pt-BR', 'es'] as const
@@ -260,6 +261,27 @@ test('story 11: parts of the Lab alone, and each thing that can be locked', asyn
     '.portrait',
   ])
     await expect(lab.locator(part)).toBeHidden()
+  for (const [width, height] of [
+    [360, 640],
+    [800, 600],
+    [1280, 720],
+  ] as const) {
+    await lab.setViewportSize({ width, height })
+    for (const shown of [
+      'show=phase',
+      'show=pendulum,motion,play',
+      'show=values,facts,curves',
+      'show=lab,period&hide=g',
+      'show=portrait,error,energy',
+    ]) {
+      for (const language of LANGUAGES) {
+        await show(lab, `embed=1&lock=g,L&${shown}&th0=150deg&t=0.4s&lang=${language}`)
+        await drawn(lab)
+        expect(await layoutFaults(lab), `${shown} ${language} ${width}`).toEqual([])
+      }
+    }
+  }
+  await lab.setViewportSize({ width: 1280, height: 720 })
   await show(lab, 'embed=1&lock=th0,w0,L,g,curves&show=lab&th0=150deg&t=0s&lang=en')
   for (const name of ['theta0', 'velocity0', 'length', 'gravity'])
     await expect(lab.locator(`#field-${name}`)).toBeDisabled()
@@ -321,6 +343,8 @@ test('story 11: on planet X nothing gives g: not the page, its titles and tables
       expect(near(await numbersOf(lab), telling), `${start} ${language}`).toEqual([])
     }
     await expect(lab.locator('[data-value=hidden]')).toHaveCount(1)
+    // The mark of the velocity that just reaches the top.
+    await expect(lab.locator('[data-value=velocity0] .notch')).toHaveCount(1)
     await expect(lab.locator('#field-gravity, .facts, [data-chart=energy]')).toHaveCount(0)
     await expect(lab.locator('.tabs button')).toHaveCount(2)
   }
