@@ -1,6 +1,6 @@
 // The three charts of the worksheet, drawn for paper: lines alone, black, told apart by dashes; scaled with the sheet.
 
-import { html, type nothing, svg, type TemplateResult } from 'lit-html'
+import { html, svg, type TemplateResult } from 'lit-html'
 import { type Label, type Line, type PlotSpec, plot } from '../draw/plot'
 import { linearScale, roundTicks, type Tick, tickDecimals } from '../draw/scale'
 import { type Exercises, motionsOf } from '../handouts/exercises'
@@ -149,6 +149,6 @@ const timeCurves = remember((motion: Motion, until: number): Line[] => {
 })
 
 /** A line where an answer is written. */
-export function blank(): TemplateResult | typeof nothing {
+export function blank(): TemplateResult {
   return html`<span class="blank" aria-hidden="true"></span>`
 }
