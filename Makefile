@@ -149,6 +149,13 @@ chromium:
 	@test -n "$$CHROMIUM" || command -v chromium >/dev/null || command -v google-chrome >/dev/null || { \
 	  echo "installing Debian's chromium"; sudo=; test $$(id -u) = 0 || sudo=sudo; $$sudo apt-get -qq update && $$sudo apt-get -qq -y install chromium >/dev/null; }
 
+# Debian's Octave and R, for the texts of code (70 s). After the browser: two installations at once do not go.
+.PHONY: octave-and-r
+octave-and-r: chromium
+	@command -v octave >/dev/null && command -v Rscript >/dev/null || { \
+	  echo "installing Debian's octave and r-base-core"; sudo=; test $$(id -u) = 0 || sudo=sudo; \
+	  $$sudo apt-get -qq update && $$sudo apt-get -qq -y install --no-install-recommends octave r-base-core >/dev/null; }
+
 lab/node_modules/.needed: lab/package-lock.json
 	@cd lab && npm ci --silent --no-audit --no-fund
 	@touch $@
@@ -178,7 +185,7 @@ clean: ## remove what the targets above have made
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab clean-install
+STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab snippets clean-install
 
 test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
 	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
@@ -224,6 +231,10 @@ test/rust: kernels
 # The page: its lint, its tests without a browser and in one; its types are checked by its build, its budgets by `npm run weigh`.
 test/lab: chromium page
 	$(call step,cd lab && npm run --silent lint && npm run --silent weigh && npm test --silent && npm run --silent stories)
+
+# The texts of code that the page gives, run by Octave and R; those in Python are in test/python.
+test/snippets: $(TOOLS) $(VENV)/.built octave-and-r
+	$(call step,pytest $(QUIET) python/tests/octave_and_r.py)
 
 # The same tests and those inside the files with checks of overflow and of every assertion, on one instruction set.
 test/rust-checked:

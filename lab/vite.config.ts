@@ -25,7 +25,12 @@ export default defineConfig(({ mode, command }) => {
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
-      rolldownOptions: { output: offline ? { format: 'iife', codeSplitting: false } : {} },
+      // What the first load needs is one file, however many views share parts of it.
+      rolldownOptions: {
+        output: offline
+          ? { format: 'iife', codeSplitting: false }
+          : { codeSplitting: { groups: [{ name: 'first', test: /src\/main\.ts$/ }] } },
+      },
     },
     test: { include: ['tests/**/*.test.ts'] },
   }

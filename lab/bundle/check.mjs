@@ -40,7 +40,7 @@ const cores = all.filter(({ name }) => /libration-(simd|scalar)[^/]*\.wasm$/.tes
 const of = (/** @type {string} */ kind) =>
   cores.find(({ name }) => name.includes(`libration-${kind}`))?.gzipped ?? Number.NaN
 // The views behind the other tabs are parts of their own, with their style: asked for by the script and waited for by nothing.
-const later = all.filter(({ name }) => /assets[/](?!index-)[^/]*\.(js|css)$/.test(name))
+const later = all.filter(({ name }) => /assets[/](?!first-)[^/]*\.(js|css)$/.test(name))
 const first = all.filter(
   (each) => each.name !== 'offline.html' && !each.name.endsWith('.wasm') && !later.includes(each),
 )
@@ -52,6 +52,8 @@ for (const { name, bytes, gzipped } of all)
 console.log(`first load ${load} bytes gzipped of ${FIRST_LOAD}: core ${of('simd')}, the rest ${others}`)
 console.log(`first load of a browser without vectors ${others + of('scalar')}`)
 console.log(`then ${later.reduce((sum, { gzipped }) => sum + gzipped, 0)} for the other views`)
+if (first.filter(({ name }) => name.endsWith('.js')).length !== 2)
+  failures.push('the first load has other scripts than its own and the service worker')
 if (!later.some(({ name }) => name.includes('later-'))) failures.push('the part with the first views is not there')
 if (cores.length !== 2) failures.push(`two modules of the core are expected, there are ${cores.length}`)
 if (bounds && !(load <= FIRST_LOAD)) failures.push(`the first load is ${load} bytes gzipped, allowed are ${FIRST_LOAD}`)

@@ -44,6 +44,8 @@ export class App {
     for (const kind of ['keydown', 'pointerdown', 'click', 'input', 'change'])
       window.addEventListener(kind, () => this.#scheduled && this.#draw(), { capture: true })
     window.addEventListener('keydown', (event) => onKey(event, this.page(), views))
+    // Before a hand touches anything, a hidden g is not to be read in the address.
+    if (opened.state.hide) this.#remember()
     this.schedule()
   }
 
@@ -92,7 +94,17 @@ export class App {
     const page = this.page()
     this.#writeDocument(page.words, page.state.theme)
     render(shell(page, this.views, this.dialogs, this.#waiting, this.#spoken), this.root)
+    this.#showTab(page.state.view)
   }
+
+  /** On a phone the row of tabs is longer than the screen. */
+  readonly #showTab = remember((_: State['view']): void => {
+    const tab = document.querySelector('.tabs .on')
+    const row = tab?.parentElement
+    if (!tab || !row) return
+    const [at, within] = [tab.getBoundingClientRect(), row.getBoundingClientRect()]
+    row.scrollLeft += Math.max(0, at.right - within.right) + Math.min(0, at.left - within.left)
+  })
 
   /** What stands outside of what is rendered; written when it changes, since each writing makes the browser look at all styles. */
   readonly #writeDocument = remember((words: Words, theme: State['theme']): void => {

@@ -4,19 +4,25 @@
 // what makes the picture. Keys that are not known are reported, and kept in the link that is written next.
 
 import { type Curve, curveKey, isCurveName, kindOf, usualCurve } from './curves'
+import { coded, fromCode, shownViews } from './embedding'
 import { angleText, parseNumber, parseQuantity, type Unit } from './number'
 import { baseOf, readPeriod } from './periods'
 import {
+  CODES,
   curveFault,
   DEFAULTS,
   type Fault,
+  HANDOUTS,
   inRange,
   LANGUAGES,
   LETTERS,
+  LOCKS,
   MOST_CURVES,
   MOST_ORBITS,
+  PAPERS,
   RANGES,
   type RangeName,
+  SHOWN,
   type Start,
   type State,
   THEMES,
@@ -38,7 +44,7 @@ type Value<K extends keyof State> = State[K] | Fault
 interface Key<K extends keyof State> {
   readonly of: K
   readonly read: (text: string, name: string) => Value<K>
-  readonly write: (value: State[K]) => string
+  readonly write: (value: State[K], state: State) => string
   /** Written even if it is the default. */
   readonly always?: boolean
 }
@@ -60,6 +66,45 @@ function choice<K extends keyof State, const V extends string>(of: K, allowed: r
     return found ?? { kind: 'not-one-of', name, value: text, allowed }
   }
   return { of, read, write: (value: unknown) => String(value) }
+}
+
+/** Yes or no, as 1 or 0, or as a word that stands for yes. */
+function flag<K extends keyof State>(of: K, yes = '1') {
+  const read = (text: string, name: string): boolean | Fault => {
+    const found = [yes, '0'].indexOf(text)
+    return found < 0 ? { kind: 'not-one-of', name, value: text, allowed: [yes, '0'] } : found === 0
+  }
+  return { of, read, write: (value: unknown) => (value ? yes : '0') }
+}
+
+/** Names, by commas. */
+function names<K extends keyof State, const V extends string>(of: K, allowed: readonly V[]) {
+  const read = (text: string, name: string): readonly V[] | Fault => {
+    const parts = text.split(',').filter((each) => each !== '')
+    const wrong = parts.find((each) => !allowed.includes(each as V))
+    return wrong === undefined
+      ? allowed.filter((each) => parts.includes(each))
+      : { kind: 'not-one-of', name, value: wrong, allowed }
+  }
+  return { of, read, write: (value: unknown) => String(value) }
+}
+
+/** The quantity of the first plot stands among the views and parts that are shown. */
+const QUANTITIES = ['angle', 'velocity'] as const
+const writeShow = (value: State['show'], { quantity }: State): string =>
+  [...(quantity === 'velocity' ? [quantity] : []), ...value].join(',')
+
+/** Gravity, in words or not to be read at a glance. */
+function readGravity(text: string, name: string): number | Fault {
+  const value = text.startsWith('~') ? fromCode(text) : Number.NaN
+  return inRange('gravity', value) ? value : quantity('gravity', String).read(text, name)
+}
+
+function readSeed(text: string, name: string): number | Fault {
+  const value = parseNumber(text)
+  if (Number.isNaN(value)) return { kind: 'not-a-number', name, value: text }
+  if (!inRange('seed', value)) return { kind: 'out-of-range', name: 'seed', value: text }
+  return Number.isInteger(value) ? value : { kind: 'not-whole', name, value: text }
 }
 
 /** A curve as it is written, or what is wrong with it. */
@@ -138,12 +183,17 @@ const KEYS = {
   th0: quantity('theta0', angleText, true),
   w0: quantity('velocity0', String),
   L: quantity('length', (value) => `${value}m`, true),
-  g: quantity('gravity', String, true),
+  g: {
+    of: 'gravity',
+    read: readGravity,
+    write: (value: number, { hide }: State) => (hide ? coded(value) : String(value)),
+    always: true,
+  },
   curves: { of: 'curves', read: readCurves, write: writeCurves, always: true },
   t: quantity('t', (value) => `${value}s`),
   span: { of: 'span', read: readSpan, write: (value: State['span']) => (value === 'T' ? 'T' : `${value}s`) },
   speed: quantity('speed', String),
-  show: choice('quantity', ['angle', 'velocity']),
+  show: { of: 'show', read: names('show', [...QUANTITIES, ...SHOWN]).read, write: writeShow },
   error: choice('errorAxis', ['auto', 'log', 'linear']),
   unit: choice('errorUnit', ['percent', 'degrees']),
   energy: choice('energy', ['auto', 'total', 'parts']),
@@ -158,6 +208,14 @@ const KEYS = {
   sort: choice('periodOrder', ['registry', 'error']),
   lang: choice('language', ['auto', ...LANGUAGES]),
   theme: choice('theme', THEMES),
+  handout: choice('handout', HANDOUTS),
+  seed: { of: 'seed', read: readSeed, write: String },
+  key: flag('key'),
+  paper: choice('paper', PAPERS),
+  code: choice('code', CODES),
+  embed: flag('embed'),
+  lock: names('lock', LOCKS),
+  hide: flag('hide', 'g'),
 } as const
 
 export type KeyName = keyof typeof KEYS
@@ -197,7 +255,32 @@ export function readLink(hash: string): Opened {
       }
     }
   }
-  return { state: { ...DEFAULTS, ...values } as State, faults, kept, given }
+  const show = (values.show ?? []) as readonly string[]
+  if (show.includes('velocity')) values.quantity = 'velocity'
+  values.show = SHOWN.filter((each) => show.includes(each))
+  // Where g is not to be read, it is hidden.
+  if (/[#&]g=~/.test(hash)) values.hide ||= given.has('g')
+  return { state: agreed({ ...DEFAULTS, ...values } as State, faults, given), faults, kept, given }
+}
+
+/** The state with what its view and span may be where parts are shown or g is hidden. */
+function agreed(state: State, faults: Fault[], given: ReadonlySet<string>): State {
+  const views = shownViews(state)
+  const [first] = views
+  if (!first) {
+    faults.push({
+      kind: 'not-one-of',
+      name: 'show',
+      value: String(state.show),
+      allowed: shownViews({ ...state, show: [] }),
+    })
+    return agreed({ ...state, show: [] }, faults, given)
+  }
+  const view = views.includes(state.view) ? state.view : first
+  if (view !== state.view && given.has('view'))
+    faults.push({ kind: 'not-one-of', name: 'view', value: state.view, allowed: views })
+  // The plot of one period would be as good as its number.
+  return { ...state, view, span: state.hide && state.span === 'T' ? DEFAULTS.span : state.span }
 }
 
 /** The hash of a state; what is not ours is put behind it as it was. */
@@ -205,8 +288,8 @@ export function writeLink(state: State, kept: Opened['kept'] = []): string {
   const pairs: [string, string][] = [['v', VERSION]]
   for (const name of KEY_NAMES) {
     const key = keyOf(name)
-    const text = key.write(state[key.of])
-    if (key.always || text !== key.write(DEFAULTS[key.of])) pairs.push([name, text])
+    const text = key.write(state[key.of], state)
+    if (key.always || text !== key.write(DEFAULTS[key.of], DEFAULTS)) pairs.push([name, text])
   }
   return `#${[...pairs, ...kept].map(([name, text]) => `${encoded(name)}=${encoded(text)}`).join('&')}`
 }

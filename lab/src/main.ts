@@ -44,7 +44,7 @@ async function begin(): Promise<void> {
     const { state, faults } = readLink(new URL(newURL).hash)
     app.store.clock.pause()
     app.store.dismiss('link')
-    app.store.set(state)
+    app.store.open(state)
     // What was being typed was for the state before.
     app.store.setSession({ drafts: {}, ...(faults.length > 0 && { messages: [{ key: 'link', faults }] }) })
   })

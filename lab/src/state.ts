@@ -5,12 +5,34 @@
 import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
 import { radians } from './number'
 
-export const VIEWS = ['lab', 'phase', 'period', 'functions', 'data'] as const
+export const VIEWS = ['lab', 'phase', 'period', 'functions', 'data', 'handouts'] as const
 export type ViewName = (typeof VIEWS)[number]
 export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 export type Language = (typeof LANGUAGES)[number]
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type Theme = (typeof THEMES)[number]
+export const HANDOUTS = ['worksheet', 'code', 'embed'] as const
+export const PAPERS = ['A4', 'Letter'] as const
+export const CODES = ['scipy', 'mpmath', 'libration', 'octave', 'r', 'mathematica'] as const
+export type Code = (typeof CODES)[number]
+/** Parts of the Lab that can be shown alone. */
+export const SECTIONS = [
+  'pendulum',
+  'values',
+  'facts',
+  'motion',
+  'error',
+  'energy',
+  'curves',
+  'portrait',
+  'play',
+] as const
+export const SHOWN = [...VIEWS, ...SECTIONS] as const
+export type Shown = (typeof SHOWN)[number]
+/** What can be locked, by its key in a link, and what it is in the state. */
+export const LOCKED = { th0: 'theta0', w0: 'velocity0', L: 'length', g: 'gravity', curves: 'curves' } as const
+export type Lock = keyof typeof LOCKED
+export const LOCKS = Object.keys(LOCKED) as Lock[]
 
 /** Where a motion begins. */
 export interface Start {
@@ -43,6 +65,21 @@ export interface State extends Start {
   readonly periodOrder: 'registry' | 'error'
   readonly language: Language | 'auto'
   readonly theme: Theme
+  readonly handout: (typeof HANDOUTS)[number]
+  /** Of the numbers of the worksheet. */
+  readonly seed: number
+  /** Whether the worksheet has its answers. */
+  readonly key: boolean
+  readonly paper: (typeof PAPERS)[number]
+  readonly code: Code
+  /** In a page of others: without the bar. */
+  readonly embed: boolean
+  /** Values that stay as the sender set them. */
+  readonly lock: readonly Lock[]
+  /** Views and parts that are shown; none named is all. */
+  readonly show: readonly Shown[]
+  /** Whether gravity is hidden. */
+  readonly hide: boolean
 }
 
 export const DEFAULTS: State = {
@@ -74,6 +111,15 @@ export const DEFAULTS: State = {
   periodOrder: 'registry',
   language: 'auto',
   theme: 'auto',
+  handout: 'worksheet',
+  seed: 1,
+  key: false,
+  paper: 'A4',
+  code: 'scipy',
+  embed: false,
+  lock: [],
+  show: [],
+  hide: false,
 }
 
 export const SPEEDS = [0.25, 0.5, 1, 2] as const
@@ -98,6 +144,7 @@ export const RANGES = {
   t: { unit: 's', least: 0, most: 100_000 },
   speed: { unit: '', least: 0.01, most: 10 },
   span: { unit: 's', least: 0.1, most: 600 },
+  seed: { unit: '', least: 1, most: 999_999 },
 } as const satisfies Record<string, Range>
 
 export type RangeName = keyof typeof RANGES
@@ -109,6 +156,7 @@ export type Fault =
   | { readonly kind: 'not-one-of'; readonly name: string; readonly value: string; readonly allowed: readonly string[] }
   | { readonly kind: 'argument'; readonly value: string; readonly least: number; readonly most: number }
   | { readonly kind: 'too-many'; readonly name: 'curves' | 'orbits'; readonly value: string; readonly most: number }
+  | { readonly kind: 'not-whole'; readonly name: string; readonly value: string }
   | { readonly kind: 'unknown'; readonly name: string; readonly value: string }
   | { readonly kind: 'twice'; readonly name: string; readonly value: string }
 

@@ -1,6 +1,7 @@
 // The one state of the page, what passes with the visit, and the redrawing of the page when either changes.
 
 import { Clock } from './clock'
+import { isRefused } from './embedding'
 import type { Opened } from './link'
 import type { Fault, State } from './state'
 
@@ -80,7 +81,13 @@ export class Store {
     return { ...this.#state, t: Number(this.clock.t.toFixed(3)), speed: this.clock.speed }
   }
 
+  /** Nothing changes where the sender of the page has locked a part of it. */
   set(patch: Partial<State>): void {
+    if (!isRefused(this.#state, patch)) this.open(patch)
+  }
+
+  /** What a link says, whatever is locked. */
+  open(patch: Partial<State>): void {
     this.#state = { ...this.#state, ...patch }
     if (patch.t !== undefined) this.clock.seek(patch.t)
     if (patch.speed !== undefined) this.clock.speed = patch.speed
@@ -94,6 +101,7 @@ export class Store {
 
   /** Another picture, with one line to go back. */
   replace(state: State, message: Message): void {
+    if (isRefused(this.#state, state)) return
     const undo = this.moment
     const messages = [...this.#session.messages.filter((each) => each.key !== message.key), { ...message, undo }]
     this.#session = { ...this.#session, drafts: {}, messages }

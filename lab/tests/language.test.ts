@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { nearestLanguage, Words } from '../src/language'
 import '../src/language/later'
 import '../src/language/data'
+import '../src/language/handouts'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 
@@ -25,6 +26,7 @@ const placeholders = (text: string) =>
 // Symbols, names, numbers, and words that are the same in both languages.
 const SAME = new Set([
   'Total',
+  'amplitude',
   'log',
   'Taylor',
   'RK45',

@@ -25,6 +25,11 @@ const plainStates: Partial<State>[] = [
   { orbit: 2, view: 'phase' },
   { periodOrder: 'error', periods: ['agm:3', 'salas-28'], view: 'period' },
   { language: 'pt-BR', theme: 'dark' },
+  { view: 'handouts', handout: 'code', code: 'octave' },
+  { view: 'handouts', seed: 999_999, key: true, paper: 'Letter' },
+  { view: 'phase', embed: true, lock: ['L', 'g'], show: ['phase'] },
+  { embed: true, lock: ['th0', 'w0', 'curves'], show: ['pendulum', 'motion', 'play'], quantity: 'velocity' },
+  { hide: true, gravity: 3.71, show: ['lab', 'data'] },
 ]
 
 describe('a state', () => {
@@ -127,6 +132,20 @@ describe('a bad value', () => {
     ['periods=linear:2', 'not-one-of', 'periods'],
     ['periods=agm:1,agm:2', 'twice', 'periods'],
     ['span=0', 'out-of-range', 'span'],
+    ['seed=0', 'out-of-range', 'seed'],
+    ['seed=1000000', 'out-of-range', 'seed'],
+    ['seed=1.5', 'not-whole', 'seed'],
+    ['seed=one', 'not-a-number', 'seed'],
+    ['key=2', 'not-one-of', 'key'],
+    ['embed=yes', 'not-one-of', 'embed'],
+    ['lock=g,mass', 'not-one-of', 'lock'],
+    ['show=phase,moon', 'not-one-of', 'show'],
+    ['hide=L', 'not-one-of', 'hide'],
+    ['handout=poster', 'not-one-of', 'handout'],
+    ['paper=A5', 'not-one-of', 'paper'],
+    ['code=fortran', 'not-one-of', 'code'],
+    ['g=~', 'not-a-number', 'gravity'],
+    ['g=~zzzzzzzzzzzzzzzz', 'not-a-number', 'gravity'],
   ])('%s is named and replaced by the usual one', (pair, kind, name) => {
     const { state, faults } = readLink(`#v=1&${pair}&L=0.5m`.replace('&L=0.5m', pair.startsWith('L=') ? '' : '&L=0.5m'))
     expect(faults.map((fault) => fault.kind)).toEqual([kind])
@@ -164,6 +183,52 @@ describe('a bad value', () => {
     const { state, faults } = readLink('#L=2m&L=3m')
     expect(state.length).toBe(2)
     expect(faults).toEqual([{ kind: 'twice', name: 'L', value: '3m' }])
+  })
+})
+
+describe('what is shown, locked and hidden', () => {
+  it('is the first view that is named', () => {
+    expect(readLink('#embed=1&lock=g,L&show=phase').state).toMatchObject({
+      embed: true,
+      view: 'phase',
+      lock: ['L', 'g'],
+      show: ['phase'],
+    })
+    expect(readLink('#show=functions,period').state.view).toBe('period')
+    expect(readLink('#show=pendulum,motion').state.view).toBe('lab')
+    expect(readLink('#show=pendulum,phase&view=phase').state.view).toBe('phase')
+  })
+
+  it('is said where the view is not among them', () => {
+    const { faults, state } = readLink('#view=period&show=phase')
+    expect(faults).toEqual([{ kind: 'not-one-of', name: 'view', value: 'period', allowed: ['phase'] }])
+    expect(state.view).toBe('phase')
+  })
+
+  it('is the velocity of earlier links, too', () => {
+    expect(readLink('#show=velocity').state).toMatchObject({ quantity: 'velocity', show: [], view: 'lab' })
+    expect(writeLink({ ...DEFAULTS, quantity: 'velocity' })).toContain('&show=velocity')
+  })
+
+  it('has g in no link, in no digit of it, and the same g to the last bit', () => {
+    for (const gravity of [3.71, 1.62, 9.81, 24.79, 0.001, 1000, 274.13]) {
+      const link = writeLink({ ...DEFAULTS, gravity, hide: true })
+      expect(link).toMatch(/&g=~[0-9a-z]+&.*&hide=g$/)
+      expect(link).not.toContain(String(gravity))
+      expect(readLink(link)).toMatchObject({ state: { gravity, hide: true }, faults: [] })
+      // Taking the word away does not show it.
+      expect(readLink(link.replace('&hide=g', '')).state).toMatchObject({ gravity, hide: true })
+    }
+    expect(readLink('#hide=g&g=3.71').state).toMatchObject({ gravity: 3.71, hide: true })
+  })
+
+  it('keeps to views and spans that do not say g', () => {
+    const { state, faults } = readLink('#hide=g&g=3.71&view=period&span=T')
+    expect(faults).toEqual([{ kind: 'not-one-of', name: 'view', value: 'period', allowed: ['lab', 'data'] }])
+    expect(state).toMatchObject({ view: 'lab', span: DEFAULTS.span })
+    const closed = readLink('#hide=g&g=3.71&show=functions')
+    expect(closed.faults.map(({ kind }) => kind)).toEqual(['not-one-of'])
+    expect(closed.state).toMatchObject({ view: 'lab', show: [], hide: true })
   })
 })
 

@@ -27,6 +27,8 @@ export interface ValueSpec {
   readonly draft: string | undefined
   readonly fault: string | null
   readonly locked?: boolean
+  /** What is said of it where the pointer is. */
+  readonly title?: string
   /** Rounds what a drag gives. */
   readonly grain: number
   /** Field only. */
@@ -94,7 +96,7 @@ function slider(spec: ValueSpec): TemplateResult {
 }
 
 export function value(spec: ValueSpec): TemplateResult {
-  return html`<div class="value" data-value=${spec.key}>
+  return html`<div class="value" data-value=${spec.key} title=${spec.title ?? nothing}>
     <span>${spec.label} ${rich(spec.symbol)}</span>${field(spec, spec.label)}${slider(spec)}
     ${spec.fault ? html`<p class="fault" id="field-${spec.key}-fault" role="alert">${icon('warn')}<span>${spec.fault}</span></p>` : nothing}
   </div>`

@@ -75,11 +75,19 @@ export const en = {
     'not-one-of': '*{name}={value}* is not one of {allowed}. {kept} is shown instead.',
     argument: '*{value}* needs a number from {least} to {most}. The usual curves are shown instead.',
     'too-many': '*{name}*: {value} are too many; {most} can be drawn. {kept} is shown instead.',
+    'not-whole': '*{name}={value}* is not a whole number. {kept} is shown instead.',
     unknown: '*{name}={value}* is not known here. It is left as it is in the link.',
     'unknown-curve': '*{value}* is not a curve that is known here. The usual curves are shown instead.',
     twice: '*{name}* stands there twice; *{value}* is not used.',
     usual: 'The usual value',
     kept: 'The rest of the link holds.',
+  },
+
+  embedding: {
+    locked: 'Locked by the sender.',
+    hidden: 'hidden',
+    hiddenTitle: 'Hidden by the sender: measure it.',
+    sentence: '*_g_* is hidden here. Measure it with the pendulum.',
   },
 
   drawing: {

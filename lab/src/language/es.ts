@@ -77,11 +77,19 @@ export const es: FirstCatalogue = {
     'not-one-of': '*{name}={value}* no es uno de {allowed}. Se muestra {kept}.',
     argument: '*{value}* necesita un número de {least} a {most}. Se muestran las curvas usuales.',
     'too-many': '*{name}*: {value} son demasiados; caben {most}. Se muestra {kept}.',
+    'not-whole': '*{name}={value}* no es un número entero. {kept} se muestra en su lugar.',
     unknown: '*{name}={value}* no se conoce aquí. Queda en el enlace como está.',
     'unknown-curve': '*{value}* no es una curva conocida aquí. Se muestran las curvas usuales.',
     twice: '*{name}* está dos veces; *{value}* no se usa.',
     usual: 'el valor usual',
     kept: 'El resto del enlace vale.',
+  },
+
+  embedding: {
+    locked: 'Bloqueado por quien lo envía.',
+    hidden: 'oculta',
+    hiddenTitle: 'Oculta por quien la envía: mídala.',
+    sentence: '*_g_* está oculta aquí. Mídala con el péndulo.',
   },
 
   drawing: {

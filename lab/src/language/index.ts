@@ -6,11 +6,12 @@ import type { DataWords } from './data'
 import { en, type FirstCatalogue } from './en'
 import type { LaterCatalogue } from './en-later'
 import { es } from './es'
+import type { HandoutsWords } from './handouts'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
 
 /** What comes with the later views. */
-type Added = LaterCatalogue & { readonly data: DataWords }
+type Added = LaterCatalogue & { readonly data: DataWords; readonly handouts: HandoutsWords }
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }

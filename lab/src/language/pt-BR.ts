@@ -77,11 +77,19 @@ export const ptBR: FirstCatalogue = {
     'not-one-of': '*{name}={value}* não é um de {allowed}. Mostra-se {kept}.',
     argument: '*{value}* precisa de um número de {least} a {most}. Mostram-se as curvas usuais.',
     'too-many': '*{name}*: {value} são demais; cabem {most}. Mostra-se {kept}.',
+    'not-whole': '*{name}={value}* não é um número inteiro. {kept} é mostrado em seu lugar.',
     unknown: '*{name}={value}* não é conhecido aqui. Fica no link como está.',
     'unknown-curve': '*{value}* não é uma curva conhecida aqui. Mostram-se as curvas usuais.',
     twice: '*{name}* aparece duas vezes; *{value}* não é usado.',
     usual: 'o valor usual',
     kept: 'O resto do link vale.',
+  },
+
+  embedding: {
+    locked: 'Bloqueado por quem enviou.',
+    hidden: 'oculta',
+    hiddenTitle: 'Oculta por quem enviou: meça-a.',
+    sentence: '*_g_* está oculta aqui. Meça-a com o pêndulo.',
   },
 
   drawing: {

@@ -1,9 +1,10 @@
 // The left column of a view: the drawn pendulum, the values one can set, and the facts of the motion.
 
-import { html, nothing, type TemplateResult } from 'lit-html'
+import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { hint } from '../controls/parts'
 import { afterKey, dragging } from '../controls/slide'
 import { angleAt, BOX, type Ghost, pendulum, spot } from '../draw/pendulum'
+import { isLocked } from '../embedding'
 import { rich } from '../language/rich'
 import { degrees, radians } from '../number'
 import type { Live } from './page'
@@ -45,9 +46,10 @@ function bob(page: Live, angle: number): TemplateResult {
     event.stopPropagation()
     hold(page, radians(next))
   }
-  return html`<svg class="bob-drawing" viewBox="0 0 ${BOX.width} ${BOX.height}"><g class="bob-handle" role="slider" tabindex="0" aria-label=${words.say.drawing.bob} aria-valuemin="-180" aria-valuemax="180"
+  const locked = isLocked(state, 'theta0')
+  return html`<svg class="bob-drawing" viewBox="0 0 ${BOX.width} ${BOX.height}"><g class="bob-handle" role="slider" tabindex=${locked ? -1 : 0} aria-disabled=${locked ? 'true' : nothing} aria-label=${words.say.drawing.bob} aria-valuemin="-180" aria-valuemax="180"
     aria-valuenow=${release} aria-valuetext=${words.fill(words.say.drawing.bobText, { angle: words.typed(release) })} data-exact=${String(angle)} transform="translate(${at.x.toFixed(2)} ${at.y.toFixed(2)})"
-    @pointerdown=${drag} @keydown=${keys}><circle class="reach-target" r="16"/><circle class="bob" r="10"/></g></svg>`
+    @pointerdown=${locked ? nothing : drag} @keydown=${locked ? nothing : keys}>${locked ? svg`<title>${words.say.embedding.locked}</title>` : nothing}<circle class="reach-target" r="16"/><circle class="bob" r="10"/></g></svg>`
 }
 
 /** The pendulum at the time shown, with the bobs of other curves. */
@@ -57,7 +59,8 @@ export function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateRes
   const velocity = motion.velocity(t)
   const { kinetic, potential } = motion.energyAt(angle, velocity)
   const say = words.say.drawing
-  const percent = (part: number) => words.with(words.fixed(100 * part, 0), '%')
+  // The energy over that at the top has g in it.
+  const percent = (part: number) => (state.hide ? '–' : words.with(words.fixed(100 * part, 0), '%'))
   const speed = words.with(words.fixed(velocity, 2), words.say.units['rad/s'])
   const caption = words.fill(say.caption, {
     t: words.with(words.fixed(t, 2), words.say.units.s),
@@ -84,8 +87,9 @@ export function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateRes
   </figure>`
 }
 
-export function facts(page: Live): TemplateResult {
+export function facts(page: Live): TemplateResult | typeof nothing {
   const { motion, words, session, store, state } = page
+  if (state.hide) return nothing
   const say = words.say.facts
   const { period, smallPeriod, regime } = motion
   const seconds = (value: number, digits = 4) =>
@@ -121,6 +125,7 @@ export function bench(page: Live, ghosts: readonly Ghost[]): TemplateResult {
 /** The first sentence of the page, by kind of motion. */
 export function motionSentence({ motion, state, words }: Live): string {
   const say = words.say.sentence
+  if (state.hide) return words.say.embedding.sentence
   const { regime, period, smallPeriod, thetaMax } = motion
   const angle = words.shortAngle(state.theta0)
   const velocity = words.with(words.given(Number(state.velocity0.toPrecision(5))), words.say.units['rad/s'])

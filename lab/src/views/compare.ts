@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { menu } from '../controls/parts'
 import { type Curve, type CurveName, curveKey, kindOf, usualCurve } from '../curves'
 import { icon } from '../draw/icons'
+import { isLocked } from '../embedding'
 import { plain, rich } from '../language/rich'
 import { curveFault, MOST_CURVES, missingCurves, withCurve } from '../state'
 import { errorFactor, inPercent, type Row, type Study } from '../study'
@@ -144,16 +145,18 @@ function heading({ words, state }: Live, { window, motion }: Study): TemplateRes
 
 /** The way to the errors against the step, once a curve goes step by step. */
 function stepping(page: Live): TemplateResult | typeof nothing {
-  if (!page.state.curves.some(({ name }) => kindOf(name).numerical)) return nothing
+  if (page.state.hide || !page.state.curves.some(({ name }) => kindOf(name).numerical)) return nothing
   return html`<button type="button" class="text-button" id="convergence" @click=${() => openDialog(page, 'convergence')}>${page.words.say.compare.convergence}</button>`
 }
 
 export function compareList(page: Live, study: Study): TemplateResult {
-  const { compare } = page.words.say
+  const { compare, embedding } = page.words.say
+  const list = html`<ul class="rows"><li class="row exact">${sample('c-exact', false)}<span class="name">${compare.exact}<small>${compare.exactBy}</small></span><span class="result">0</span></li>
+    ${study.rows.map((each) => row(page, study, each))}</ul>
+    <div class="foot">${addMenu(page)}${examples(page)}</div>`
+  const locked = isLocked(page.state, 'curves')
   return html`<section class="compare" aria-labelledby="compare-title"><div class="head"><h2 id="compare-title">${compare.title}</h2>${stepping(page)}</div>
     ${heading(page, study)}
-    <ul class="rows"><li class="row exact">${sample('c-exact', false)}<span class="name">${compare.exact}<small>${compare.exactBy}</small></span><span class="result">0</span></li>
-    ${study.rows.map((each) => row(page, study, each))}</ul>
-    <div class="foot">${addMenu(page)}${examples(page)}</div>
+    ${locked ? html`<fieldset disabled title=${embedding.locked}>${list}</fieldset>` : list}
   </section>`
 }

@@ -2,29 +2,15 @@
 
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { encode } from 'uqr'
+import { embedCode } from '../embedding'
 import { writeLink } from '../link'
 import { convergenceDialog } from './convergence'
 import { dialog } from './dialogs'
-import { isLive, type Page } from './page'
+import { copyText, isLive, type Page } from './page'
 
 /** Of the page as it is: all of the picture is in it. */
 function linkOf({ store }: Pick<Page, 'store'>): string {
   return location.href.replace(/#.*$/, '') + writeLink(store.moment, store.kept)
-}
-
-function embedCode(link: string): string {
-  return `<iframe src="${link.replaceAll('&', '&amp;')}" width="800" height="600" style="border:0" title="libration"></iframe>`
-}
-
-async function copy({ store }: Page, text: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(text)
-    store.setSession({ copied: true, copyFailed: false })
-    setTimeout(() => store.setSession({ copied: false }), 2000)
-  } catch {
-    store.setSession({ copyFailed: true })
-    document.querySelector<HTMLTextAreaElement>('#share-link')?.select()
-  }
 }
 
 function qr(text: string, name: string): TemplateResult {
@@ -47,8 +33,8 @@ function share(page: Page): TemplateResult {
       <textarea id="share-link" class="link" readonly rows="4" aria-label=${say.link} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()} .value=${link}></textarea>
       <p class="soft small">${words.fill(say.about, { count: link.length })}</p></div></div>
     ${session.copyFailed ? html`<p class="soft small" role="status">${say.failed}</p>` : nothing}
-    <div class="foot"><button type="button" class="button primary" @click=${() => copy(page, link)}>${session.copied ? say.copied : say.copy}</button>
-    <button type="button" class="button" @click=${() => copy(page, embedCode(link))}>${say.embed}</button></div>
+    <div class="foot"><button type="button" class="button primary" @click=${() => copyText(page, link, '#share-link')}>${session.copied ? say.copied : say.copy}</button>
+    <button type="button" class="button" @click=${() => copyText(page, embedCode(link, 800, 600), '#share-link')}>${say.embed}</button></div>
     <span class="unseen" role="status">${session.copied ? say.copied : ''}</span>`
   return dialog(page, 'share', say.title, body)
 }

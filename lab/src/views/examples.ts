@@ -3,6 +3,7 @@
 import { html, type TemplateResult } from 'lit-html'
 import { menu } from '../controls/parts'
 import { icon } from '../draw/icons'
+import { isRefused } from '../embedding'
 import { readLink } from '../link'
 import { DEFAULTS, type State } from '../state'
 import type { Page } from './page'
@@ -21,9 +22,9 @@ export const EXAMPLES = {
 
 export type ExampleName = keyof typeof EXAMPLES
 
-/** The state of an example; language and theme stay the reader's. */
-export function exampleState(name: ExampleName, { language, theme }: Pick<State, 'language' | 'theme'>): State {
-  return { ...DEFAULTS, ...readLink(EXAMPLES[name]).state, language, theme }
+/** The state of an example as it stands in this page; language and theme stay the reader's. */
+export function exampleState(name: ExampleName, { language, theme, embed, lock, show, hide }: State): State {
+  return { ...DEFAULTS, ...readLink(EXAMPLES[name]).state, language, theme, embed, lock, show, hide }
 }
 
 export function examples(page: Page): TemplateResult {
@@ -39,6 +40,7 @@ export function examples(page: Page): TemplateResult {
     up: state.curves.length > 4,
     items: names.map((name) => ({
       text: words.say.examples[name],
+      disabled: isRefused(state, exampleState(name, state)),
       act: () => {
         const said = words.fill(words.say.shell.replaced, { name: words.say.examples[name] })
         store.replace(exampleState(name, state), { key: 'example', text: said })

@@ -22,6 +22,7 @@ export interface Part {
 /** The parts by their views, in the order in which they are asked for once the page works. */
 const PARTS = {
   data: () => import('./data'),
+  handouts: () => import('./handouts'),
 } satisfies Partial<Record<ViewName, () => Promise<{ readonly part: Part }>>>
 type PartName = keyof typeof PARTS
 const parts: Partial<Record<PartName, Part>> = {}
@@ -80,6 +81,7 @@ export const VIEWS: readonly View[] = [
   view('period'),
   view('functions'),
   part('data'),
+  part('handouts'),
 ]
 
 /** The dialog that is open; where its part did not come it says so. */

@@ -1,5 +1,6 @@
 // The keys of the page. Single letters work only while no field has the focus, and can be switched off.
 
+import { shownViews } from '../embedding'
 import { toggleTable } from './chart'
 import { openDialog } from './dialogs'
 import type { Page } from './page'
@@ -45,11 +46,11 @@ export function onKey(event: KeyboardEvent, page: Page, views: readonly View[]):
         return true
       case 's':
       case 'S':
-        openDialog(page, 'share')
-        return true
       case '?':
       case '/':
-        openDialog(page, 'keys')
+        // What stands in another page has no bar, and what is in the bar has no key.
+        if (page.state.embed) return false
+        openDialog(page, /s/i.test(key) ? 'share' : 'keys')
         return true
       case 't':
       case 'T': {
@@ -64,7 +65,8 @@ export function onKey(event: KeyboardEvent, page: Page, views: readonly View[]):
         return button !== null
       }
       default: {
-        const view = views[Number(key) - 1]
+        const shown = shownViews(page.state)
+        const view = views.filter(({ name }) => shown.includes(name))[Number(key) - 1]
         if (!/^[1-9]$/.test(key) || !view) return false
         store.set({ view: view.name })
         return true

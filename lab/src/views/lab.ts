@@ -1,6 +1,6 @@
 // The Lab: pendulum and values, angle, error and energy over one axis of time, and the list of curves beside them.
 
-import { html, type TemplateResult } from 'lit-html'
+import { html, nothing, type TemplateResult } from 'lit-html'
 import { rememberedStudy, type Study, spanOf, windowOf } from '../study'
 import { alarmText, angleChart } from './angle'
 import { bench } from './bench'
@@ -29,14 +29,14 @@ function crowding(rows: number): string {
 
 export function lab(page: Live): TemplateResult {
   const study = studyOf(page)
-  const { t, session } = page
+  const { t, session, state } = page
   const ghosts = study.shown.map(({ clothes, key, solution }) => ({
     clothes,
     angle: solution.theta(t),
     faded: session.pointed !== null && session.pointed !== key,
   }))
   return html`<div class="columns lab-columns">${bench(page, ghosts)}
-    <div class="column middle">${angleChart(page, study)}${errorChart(page, study)}${energyChart(page, study)}${player(page, study.window, periodMarks(study), spanSwitch(page))}</div>
+    <div class="column middle">${angleChart(page, study)}${errorChart(page, study)}${state.hide ? nothing : energyChart(page, study)}${player(page, study.window, state.hide ? [] : periodMarks(study), spanSwitch(page))}</div>
     <div class="column right ${crowding(study.rows.length)}">${compareList(page, study)}${portraitChart(page)}</div>
   </div>`
 }

@@ -41,3 +41,20 @@ export function setNumber(store: Store, name: RangeName, value: number): boolean
   store.set({ [name]: value })
   return true
 }
+
+let said: ReturnType<typeof setTimeout> | undefined
+
+/** Copies a text and says so; where the browser forbids it the text is selected instead. */
+export async function copyText({ store }: Pick<Page, 'store'>, text: string, place: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text)
+    store.setSession({ copied: true, copyFailed: false })
+    clearTimeout(said)
+    said = setTimeout(() => store.setSession({ copied: false }), 2000)
+  } catch {
+    store.setSession({ copyFailed: true })
+    const shown = document.querySelector(place)
+    if (shown instanceof HTMLTextAreaElement) shown.select()
+    else if (shown) getSelection()?.selectAllChildren(shown)
+  }
+}

@@ -5,6 +5,7 @@
 import { html, type TemplateResult } from 'lit-html'
 import { plot } from '../draw/plot'
 import { linearScale, roundTicks, type Scale, tickDecimals } from '../draw/scale'
+import { isLocked } from '../embedding'
 import { remember } from '../memory'
 import type { Model, Motion } from '../model'
 import { degrees, radians } from '../number'
@@ -264,7 +265,7 @@ function portrait(page: Live): TemplateResult {
     xLabels: true,
     draw: (size) => draw(page, size),
     caption: `${phase.caption} ${orbits.join('; ')}.`,
-    cursor: startCursor(page),
+    ...(isLocked(page.state, 'theta0') || isLocked(page.state, 'velocity0') ? {} : { cursor: startCursor(page) }),
     table: () => tableOf(page),
     sound: () => {
       const span = spanOf({ span: 'T' }, motion)

@@ -71,7 +71,7 @@ function speedSwitch({ store, words }: Page): TemplateResult {
 export function spanSwitch(page: Page): TemplateResult {
   const { store, words, state, session } = page
   const usual: { value: State['span']; text: string }[] = [
-    { value: 'T', text: words.say.play.period },
+    ...(state.hide ? [] : [{ value: 'T' as const, text: words.say.play.period }]),
     { value: 8, text: words.with('8', words.say.units.s) },
     { value: 60, text: words.with('60', words.say.units.s) },
   ]

@@ -7,6 +7,7 @@ import { dragging } from '../controls/slide'
 import { pathOf } from '../draw/curve'
 import { plot } from '../draw/plot'
 import { linearScale, roundTicks, type Scale } from '../draw/scale'
+import { isLocked, shownViews } from '../embedding'
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Motion } from '../model'
@@ -157,12 +158,13 @@ function draw(page: Live, width: number, height: number): TemplateResult {
 }
 
 export function portraitChart(page: Live): TemplateResult {
-  const { words, store } = page
+  const { words, store, state } = page
   const { portrait } = words.say
   const size = sizeOf('portrait')
+  const locked = isLocked(state, 'theta0') || isLocked(state, 'velocity0')
   return html`<figure class="chart portrait" aria-label=${portrait.title}>
-    <div class="head"><h2>${portrait.title} <span class="unit">${rich(portrait.unit)}</span></h2>${iconButton(portrait.open, 'open', () => store.set({ view: 'phase' }))}</div>
-    <div class="plot with-x" style="--plot-height:12.5rem" ${measured('portrait')} @pointerdown=${size ? starting(page, size.width, size.height) : nothing}>${size && size.width > 0 ? draw(page, size.width, size.height) : ''}</div>
+    <div class="head"><h2>${portrait.title} <span class="unit">${rich(portrait.unit)}</span></h2>${shownViews(state).includes('phase') ? iconButton(portrait.open, 'open', () => store.set({ view: 'phase' })) : nothing}</div>
+    <div class="plot with-x" style="--plot-height:12.5rem" ${measured('portrait')} title=${locked ? words.say.embedding.locked : nothing} @pointerdown=${size && !locked ? starting(page, size.width, size.height) : nothing}>${size && size.width > 0 ? draw(page, size.width, size.height) : ''}</div>
     <figcaption class="unseen">${plain(portrait.caption)}</figcaption>
   </figure>`
 }

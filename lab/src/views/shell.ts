@@ -3,7 +3,8 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { iconButton, menu, message, switches } from '../controls/parts'
 import { icon, mark } from '../draw/icons'
-import { LANGUAGE_NAMES, languageNote } from '../language'
+import { shownSections, shownViews } from '../embedding'
+import { LANGUAGE_NAMES, languageNote, type Words } from '../language'
 import { plain, rich } from '../language/rich'
 import { LANGUAGES, type Language, type State, type Theme, type ViewName } from '../state'
 import type { Message } from '../store'
@@ -22,10 +23,11 @@ export interface View {
 
 function tabs(page: Page, views: readonly View[]): TemplateResult {
   const { words, state, store } = page
-  return html`<nav class="tabs" aria-label=${words.say.shell.views}>${views.map(
-    ({
-      name,
-    }) => html`<button type="button" class=${state.view === name ? 'on' : ''} aria-current=${state.view === name ? 'page' : nothing} data-view=${name}
+  const shown = shownViews(state)
+  return html`<nav class="tabs" aria-label=${words.say.shell.views}>${views.flatMap(({ name }) =>
+    !shown.includes(name)
+      ? []
+      : html`<button type="button" class=${state.view === name ? 'on' : ''} aria-current=${state.view === name ? 'page' : nothing} data-view=${name}
       @click=${() => store.set({ view: name })}><span class="long">${words.say.views[name]}</span><span class="short-name">${words.say.viewsShort[name]}</span></button>`,
   )}</nav>`
 }
@@ -139,6 +141,14 @@ function waitingBody(page: Page, waiting: Waiting): TemplateResult {
   return message(html`<p>${linked}</p>`, messages.close, null)
 }
 
+function skip(words: Words): TemplateResult {
+  return html`<a class="skip" href="#main" @click=${(event: Event) => {
+    event.preventDefault()
+    const first = document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main')
+    first?.focus()
+  }}>${words.say.shell.skip}</a>`
+}
+
 /** The dialog of a page, if one is open. */
 export type Dialogs = (page: Page) => TemplateResult | typeof nothing
 
@@ -154,14 +164,10 @@ export function shell(
   const live = isLive(page) && view ? page : null
   const sentence = live && view ? view.sentence(live) : words.say.sentence.waiting
   return html`<svg class="definitions" aria-hidden="true"><defs><pattern id="hatch" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V8" stroke="var(--edge)" stroke-width="1" opacity="0.8"/></pattern></defs></svg>
-    <a class="skip" href="#main" @click=${(event: Event) => {
-      event.preventDefault()
-      const first = document.querySelector<HTMLElement>('.bob-handle') ?? document.getElementById('main')
-      first?.focus()
-    }}>${words.say.shell.skip}</a>
-    ${header(page, views)}
+    ${state.embed ? nothing : skip(words)}
+    ${state.embed ? (shownViews(state).length > 1 ? html`<header class="top">${tabs(page, views)}</header>` : nothing) : header(page, views)}
     <div class="messages">${session.messages.map((one) => bar(page, one))}</div>
-    <main id="main" tabindex="-1" class="view view-${view?.name ?? 'lab'}">
+    <main id="main" tabindex="-1" class="view view-${view?.name ?? 'lab'} ${state.embed ? 'embedded' : ''}" data-parts=${shownSections(state) ?? nothing}>
       <h1 class="sentence">${rich(sentence)}</h1>
       ${live && view ? view.body(live) : waitingBody(page, waiting)}
     </main>

@@ -27,11 +27,12 @@ export function timeTicks(words: Words, { from, to }: Window, { width, rem }: Pl
 }
 
 export function periodVerticals(
-  { words }: Page,
+  { words, state }: Page,
   { motion }: Study,
   marks: readonly number[],
 ): { x: number; text: string }[] {
-  return marks.map((x) => {
+  // Where g is hidden the period is for the reader to find.
+  return (state.hide ? [] : marks).map((x) => {
     const n = Math.round(x / motion.period)
     return { x, text: n === 1 ? '_T_' : `${words.given(n)}_T_` }
   })

@@ -1,8 +1,10 @@
 // The numbers of the state as values of the page: their fields, sliders, and what is wrong with what is typed.
 
-import type { TemplateResult } from 'lit-html'
+import { html, type TemplateResult } from 'lit-html'
 import { type ValueSpec, value } from '../controls/value'
-import { plain } from '../language/rich'
+import { icon } from '../draw/icons'
+import { isLocked } from '../embedding'
+import { plain, rich } from '../language/rich'
 import { degrees, parseQuantity, radians } from '../number'
 import { inRange, RANGES, type RangeName } from '../state'
 import { type Page, quantityText, setNumber } from './page'
@@ -25,7 +27,8 @@ function slideOf(page: Page, name: RangeName): Slide {
       return { least: -180, most: 180, step: 1, grain: 1, origin: 0, ticks: [-180, -90, 0, 90, 180] }
     case 'velocity0': {
       const top = page.motion?.separatrixVelocity(page.state.theta0) ?? 0
-      const ticks = top > 0 && top < 10 ? [-top, 0, top] : [0]
+      // Where g is hidden this velocity is for the reader to find.
+      const ticks = top > 0 && top < 10 && !page.state.hide ? [-top, 0, top] : [0]
       return { least: -10, most: 10, step: 0.1, grain: 0.05, origin: 0, ticks }
     }
     case 'length':
@@ -68,6 +71,12 @@ export function fieldFault(page: Page, name: RangeName, draft: string | undefine
   })
 }
 
+/** A value of which nothing is said but that it is there. */
+function hidden({ words }: Page, name: string): TemplateResult {
+  const { embedding } = words.say
+  return html`<div class="value" data-value="hidden" title=${embedding.hiddenTitle}><span>${rich(name)}</span><span class="field locked">${embedding.hidden}${icon('lock')}</span></div>`
+}
+
 /** A value of the state by its name. The motion follows while what is typed is valid. */
 export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' | 'gravity'): TemplateResult {
   const { words, state, store, session } = page
@@ -77,6 +86,8 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
   const shown = angle ? degrees(number) : number
   const said = words.say.values[name]
   const draft = session.drafts[name]
+  const locked = isLocked(state, name)
+  if (state.hide && name === 'gravity') return hidden(page, `${said.label} ${said.symbol}`)
   const spec: ValueSpec = {
     key: name,
     label: said.label,
@@ -89,6 +100,7 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
     spoken: quantityText(words, name, number),
     draft,
     fault: fieldFault(page, name, draft),
+    ...(locked ? { locked, title: words.say.embedding.locked } : {}),
     onText: (text) => {
       store.draft(name, text)
       setNumber(store, name, readField(name, text))

@@ -5,7 +5,17 @@ import type { Page } from '@playwright/test'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
 import { layoutFaults, lengthen, SCREENS } from './layout'
 
-const VIEWS = ['lab', 'phase', 'period', 'functions', 'data'] as const
+/** As the link says them: a view, and which part of it. */
+const VIEWS = [
+  'lab',
+  'phase',
+  'period',
+  'functions',
+  'data',
+  'handouts',
+  'handouts&handout=code',
+  'handouts&handout=embed',
+] as const
 const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
 const LINK = 'th0=150deg&L=1m&g=9.81&t=1.3s'
@@ -23,6 +33,15 @@ for (const theme of ['light', 'dark'] as const) {
         await expect(lab.locator('html')).toHaveAttribute('lang', language)
         expect(await violations(lab), `${view} ${language} ${theme}`).toEqual([])
       }
+    }
+    for (const part of [
+      'show=phase&lock=th0,L,g',
+      'show=lab&lock=th0,w0,L,g,curves',
+      'show=pendulum,motion,play',
+      'hide=g',
+    ]) {
+      await show(lab, `embed=1&${part}&${LINK}&theme=${theme}`)
+      expect(await violations(lab), `${part} ${theme}`).toEqual([])
     }
     await show(lab, LINK)
   })
@@ -52,7 +71,7 @@ test('axe finds nothing with tables, messages, menus and dialogs open', async ({
 test('what a screen reader has of every view', async ({ lab }) => {
   for (const view of VIEWS) {
     await show(lab, `view=${view}&${LINK}&lang=en`)
-    await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: `${view}.aria.yml` })
+    await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: `${view.replace('&handout=', '-')}.aria.yml` })
   }
 })
 
@@ -85,7 +104,7 @@ test('story 14: words 40 % longer break no layout at 360 pixels', async ({ brows
     expect(before).toContain('ë')
     faults.push(...(await layoutFaults(page)).map((each) => `${view}: ${each}`))
     await page.reload()
-    await expect(page.locator('main .plot-drawing, main .drop').first()).toBeVisible()
+    await expect(page.locator('main .plot-drawing, main .drop, main .code, #embed-code').first()).toBeVisible()
   }
   await page.context().close()
   expect(faults).toEqual([])

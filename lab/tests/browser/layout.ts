@@ -30,7 +30,7 @@ export function layoutFaults(page: Page, oneScreen = false): Promise<string[]> {
         [...element.childNodes].some((node) => node.nodeType === 3 && (node.textContent ?? '').trim() !== '') &&
         shown(element),
     )
-    const scrolls = (element: Element) => element.closest('.tabs, .table-box, [role=menu]') !== null
+    const scrolls = (element: Element) => element.closest('.tabs, .table-box, .code, [role=menu]') !== null
     // The lines of an element's own words, each as high as its letters: lines may stand close.
     const lines = all.map((element) =>
       [...element.childNodes].flatMap((node) => {

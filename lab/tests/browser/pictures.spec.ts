@@ -12,6 +12,7 @@ const VIEWS = {
   phase: 'view=phase&th0=150deg&L=1m&g=9.81&orbits=60deg,0deg;7.5&t=0.9s',
   period: 'view=period&th0=150deg&L=1m&g=9.81&t=0s',
   functions: 'view=functions&th0=150deg&L=1m&g=9.81&t=0.75s',
+  handouts: 'view=handouts&seed=7&t=0s',
 } as const
 const SIZES = {
   '1280-light': [1280, 720],
@@ -35,7 +36,7 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
       await expect(page.locator('main .plot-drawing').first()).toBeVisible()
       // A phone's page at its whole height, so that its play bar stands at the end.
       const tall = await page.evaluate(() => document.documentElement.scrollHeight)
-      await page.setViewportSize({ width, height: width === 360 ? tall : height })
+      await page.setViewportSize({ width, height: width === 360 && view !== 'handouts' ? tall : height })
       await drawn(page)
       await page.mouse.move(0, 0)
       await picture(page, `${view}-${size}`)
@@ -61,6 +62,15 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
     await page.context().close()
   })
 }
+
+test('pictures of code and of the form of a frame', async ({ browser }) => {
+  const page = await opened(browser, 't=0s&theme=light')
+  for (const part of ['code', 'embed']) {
+    await show(page, `view=handouts&handout=${part}&th0=150deg&t=0s&theme=light&lang=en`)
+    await picture(page, `handouts-${part}-1280-light`)
+  }
+  await page.context().close()
+})
 
 test('pictures of the errors a link may have', async ({ browser }) => {
   const page = await opened(browser, 'th0=200deg&L=1m&curves=magic&t=0s&theme=light')

@@ -21,7 +21,9 @@ export default async function serve(): Promise<() => Promise<void>> {
     try {
       const bytes = await readFile(join(DIST, path === '/' ? 'index.html' : path))
       const type = TYPES[extname(path === '/' ? '.html' : path) || '.html'] ?? 'application/octet-stream'
-      response.writeHead(200, { 'content-type': type, 'cache-control': 'max-age=3600' }).end(bytes)
+      // A frame without an address of its own may have the files only where the server says so, as those of static pages do.
+      const headers = { 'content-type': type, 'cache-control': 'max-age=3600', 'access-control-allow-origin': '*' }
+      response.writeHead(200, headers).end(bytes)
     } catch {
       response.writeHead(404).end()
     }

@@ -41,7 +41,7 @@ test('story 10: every kept link opens with its state', async ({ lab }) => {
   for (const { link, state } of keptLinks()) {
     await show(lab, link)
     await expect(lab.locator('.message')).toHaveCount(0)
-    await expect(lab.locator('main .plot-drawing').first()).toBeVisible()
+    await expect(lab.locator('main').locator('.plot-drawing, .code').first()).toBeVisible()
     const back = readLink((await linkOf(lab)).replace(/^.*#/, '')).state
     expect(back, link).toMatchObject(state)
   }
@@ -183,7 +183,7 @@ test('where no script of the page runs, or modules are blocked, the page says wh
 
 /** Every view, a drag, a table, another language: nothing of it needs a network. */
 async function useAll(page: Page): Promise<void> {
-  for (const view of ['phase', 'period', 'functions', 'lab']) {
+  for (const view of ['phase', 'period', 'functions', 'handouts', 'lab']) {
     await page.locator(`[data-view=${view}]`).click()
     await expect(page.locator('main .plot-drawing').first()).toBeVisible()
   }
