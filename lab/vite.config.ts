@@ -4,6 +4,7 @@ import { createRequire } from 'node:module'
 import { dirname } from 'node:path'
 import { defineConfig } from 'vitest/config'
 import { browserCore } from './bundle/browser-core.ts'
+import { firstLoad, isFirst } from './bundle/first-load.ts'
 import { oneFile } from './bundle/one-file.ts'
 import { stillPage } from './bundle/still.ts'
 
@@ -17,7 +18,12 @@ export default defineConfig(({ mode, command }) => {
     publicDir: offline ? false : 'public',
     resolve: { alias: [{ find: /^libration\/(.*\.wasm)/, replacement: `${core}/$1` }] },
     server: { fs: { allow: ['..'] } },
-    plugins: [browserCore(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
+    plugins: [
+      browserCore(),
+      firstLoad(),
+      stillPage(command === 'build'),
+      ...(offline ? [oneFile('offline.html')] : []),
+    ],
     build: {
       target: 'es2022',
       modulePreload: false,
@@ -25,7 +31,11 @@ export default defineConfig(({ mode, command }) => {
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
-      rolldownOptions: { output: offline ? { format: 'iife', codeSplitting: false } : {} },
+      rolldownOptions: {
+        output: offline
+          ? { format: 'iife', codeSplitting: false }
+          : { codeSplitting: { groups: [{ name: 'index', test: isFirst }] } },
+      },
     },
     test: { include: ['tests/**/*.test.ts'] },
   }

@@ -2,15 +2,10 @@
 
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { encode } from 'uqr'
-import { writeLink } from '../link'
 import { convergenceDialog } from './convergence'
 import { dialog } from './dialogs'
 import { isLive, type Page } from './page'
-
-/** Of the page as it is: all of the picture is in it. */
-function linkOf({ store }: Pick<Page, 'store'>): string {
-  return location.href.replace(/#.*$/, '') + writeLink(store.moment, store.kept)
-}
+import { linkOf } from './table'
 
 function embedCode(link: string): string {
   return `<iframe src="${link.replaceAll('&', '&amp;')}" width="800" height="600" style="border:0" title="libration"></iframe>`
