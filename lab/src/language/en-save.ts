@@ -27,7 +27,7 @@ export const enSave = {
   width: 'Width, pixels',
   rate: 'Frames in a second',
   speed: 'Speed',
-  facts: '{frames} frames of {width} × {height} pixels, {seconds} at {speed} times the true speed.',
+  facts: '{frames} frames of {width} × {height} pixels: {seconds} at speed {speed}.',
   repeats: 'The frame after the last is the first: it repeats without a seam.',
   once: 'It ends elsewhere than it begins.',
   delays: 'A GIF counts hundredths of a second: a round takes {seconds} and not {true}.',

@@ -27,7 +27,7 @@ export const esSave: SaveCatalogue = {
   width: 'Ancho, píxeles',
   rate: 'Cuadros por segundo',
   speed: 'Velocidad',
-  facts: '{frames} cuadros de {width} × {height} píxeles, {seconds} a {speed} veces la velocidad real.',
+  facts: '{frames} cuadros de {width} × {height} píxeles: {seconds} a la velocidad {speed}.',
   repeats: 'El cuadro que sigue al último es el primero: se repite sin costura.',
   once: 'No termina donde empieza.',
   delays: 'Un GIF cuenta centésimas de segundo: una vuelta dura {seconds}, y no {true}.',

@@ -27,7 +27,7 @@ export const ptBRSave: SaveCatalogue = {
   width: 'Largura, pixels',
   rate: 'Quadros por segundo',
   speed: 'Velocidade',
-  facts: '{frames} quadros de {width} × {height} pixels, {seconds} a {speed} vezes a velocidade real.',
+  facts: '{frames} quadros de {width} × {height} pixels: {seconds} na velocidade {speed}.',
   repeats: 'O quadro depois do último é o primeiro: repete-se sem emenda.',
   once: 'Não termina onde começa.',
   delays: 'Um GIF conta centésimos de segundo: uma rodada dura {seconds}, e não {true}.',

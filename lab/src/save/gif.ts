@@ -25,7 +25,12 @@ async function paletteOf(
     await painted(Math.floor((i * count) / SAMPLES))
     all.set(read(canvas), i * size)
   }
-  return [[255, 255, 255], ...quantize(all, COLOURS - 1)]
+  return [[255, 255, 255], ...quantize(all, COLOURS - 2)]
+}
+
+/** What is as in the frame before is left to it: such stretches take next to no room. */
+function changes(now: Uint8Array, before: Uint8Array | null, clear: number): Uint8Array {
+  return before === null ? now : now.map((each, i) => (each === before[i] ? clear : each))
 }
 
 export async function gifSink(
@@ -35,16 +40,24 @@ export async function gifSink(
 ): Promise<Sink> {
   const palette = await paletteOf(film, canvas, painted)
   const delays = delaysOf(film)
+  const clear = palette.length
   const gif = GIFEncoder()
+  let before: Uint8Array | null = null
   return {
     ending: 'gif',
     type: 'image/gif',
     add: async (from, frame) => {
       const delay = 10 * (delays[frame] as number)
-      gif.writeFrame(applyPalette(read(from), palette), from.width, from.height, {
+      const now = applyPalette(read(from), palette)
+      gif.writeFrame(changes(now, before, clear), from.width, from.height, {
         delay,
-        ...(frame === 0 ? { palette, repeat: 0 } : {}),
+        // Each frame is drawn over the one before.
+        dispose: 1,
+        ...(frame === 0
+          ? { palette: [...palette, [0, 0, 0]], repeat: 0 }
+          : { transparent: true, transparentIndex: clear }),
       })
+      before = now
     },
     finish: async () => {
       gif.finish()

@@ -60,6 +60,31 @@ function written(name: string, style: CSSStyleDeclaration, scale: number): strin
   }
 }
 
+const SVG = 'http://www.w3.org/2000/svg'
+
+/** A letter that stands over a plot in the page, as text in it. */
+function letter(from: HTMLElement, style: CSSStyleDeclaration): SVGTextElement {
+  const size = Number.parseFloat(style.fontSize)
+  const text = document.createElementNS(SVG, 'text')
+  text.textContent = from.textContent
+  const attributes = {
+    x: number(Number.parseFloat(from.style.left)),
+    y: number(Number.parseFloat(from.style.top) + 0.35 * size),
+    'text-anchor': 'middle',
+    fill: colour(style.color),
+    // As the paper around it in the page.
+    stroke: colour(style.backgroundColor),
+    'stroke-width': '4',
+    'stroke-linejoin': 'round',
+    'paint-order': 'stroke',
+    'font-family': FONTS.sans,
+    'font-size': number(size),
+    'font-weight': style.fontWeight,
+  }
+  for (const [name, value] of Object.entries(attributes)) text.setAttribute(name, value)
+  return text
+}
+
 function scaleOf(element: Element): number {
   return Number(/scale\(([\d.]+)\)/.exec(element.getAttribute('transform') ?? '')?.[1] ?? 1)
 }
@@ -68,7 +93,13 @@ function scaleOf(element: Element): number {
 function inline(from: Element, to: Element, outer: number): void {
   const scale = outer * scaleOf(from)
   const style = getComputedStyle(from)
-  if (style.display === 'none' || to.namespaceURI !== 'http://www.w3.org/2000/svg') {
+  if (from.classList.contains('letter-mark')) {
+    to.replaceWith(letter(from as HTMLElement, style))
+    return
+  }
+  // What stands over a drawing without a letter is at the time shown.
+  const empty = to.localName === 'text' && to.textContent === ''
+  if (empty || style.display === 'none' || to.namespaceURI !== SVG) {
     to.remove()
     return
   }
@@ -94,7 +125,7 @@ function inline(from: Element, to: Element, outer: number): void {
 /** The plot as a group: in other programs a drawing inside a drawing is cut off at its edges, with the numbers at the axes. */
 function opened(drawing: Element): void {
   for (const nested of drawing.querySelectorAll('svg[viewBox]')) {
-    const group = document.createElementNS('http://www.w3.org/2000/svg', 'g')
+    const group = document.createElementNS(SVG, 'g')
     group.append(...nested.childNodes)
     nested.replaceWith(group)
   }

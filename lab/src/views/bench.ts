@@ -93,7 +93,7 @@ export function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateRes
     <div class="drawing-box"><svg viewBox="0 0 ${BOX.width} ${BOX.height}" aria-hidden="true">${pendulum(spec)}</svg>${bob(page, angle)}</div>
     <div class="reading reading-top" aria-hidden="true"><i>θ</i> = <b class="number">${words.angle(angle, 1)}</b></div>
     <div class="reading reading-bottom" aria-hidden="true"><i class="dotted">θ</i> = <b class="number">${speed}</b></div>
-    ${saveMenu(page, { key: 'pendulum', name: say.name, items: (menus) => menus.pendulumItems(page, ghosts), className: 'in-corner', up: true })}
+    ${saveMenu(page, { key: 'pendulum', name: say.name, items: (menus) => menus.pendulumItems(page, ghosts), className: 'in-corner' })}
     <figcaption class="unseen">${page.store.clock.playing ? nothing : caption}</figcaption>
   </figure>`
 }

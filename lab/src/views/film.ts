@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { version } from '../../package.json'
 import { switches } from '../controls/parts'
+import { plain } from '../language/rich'
 import { retried } from '../retry'
 import { saveFile } from '../save/file'
 import { type Film, type FilmRefusal, filmOf, MOST, makeFilm, RATES, type Sink, WIDTHS } from '../save/film'
@@ -131,7 +132,7 @@ function options(page: Live, speed: number): TemplateResult {
   ]
   return html`<dl class="film-options">
     ${option(page, 'of', say.shows, [
-      { value: 'period', text: first },
+      { value: 'period', text: plain(first) },
       { value: 'shown', text: span },
     ])}
     ${option(page, 'format', say.format, formats, written ? choices.format : 'gif')}

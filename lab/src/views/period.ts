@@ -217,8 +217,9 @@ function signedStated(stated: Float64Array, error: Float64Array): Float64Array {
 function ratioTable(page: Live): TableSpec {
   const { model, words } = page
   const { period, table, compare } = words.say
-  const column = (title: string, key: string, about: string) => ({
+  const column = (title: string, key: string, clothes: string, about: string) => ({
     title,
+    clothes,
     about,
     values: periodCurve(model, key).ratio,
     factor: 1,
@@ -229,8 +230,10 @@ function ratioTable(page: Live): TableSpec {
     file: 'period',
     first: { title: period.amplitudeColumn, values: AMPLITUDES, factor: 1, decimals: 0 },
     columns: [
-      column(compare.exact, 'exact', period.exactBy),
-      ...shownRows(page).map(({ key, name }) => column(formulaName(page, name, key), key, formulaShort(page, name))),
+      column(compare.exact, 'exact', 'c-exact', period.exactBy),
+      ...shownRows(page).map(({ key, name }) =>
+        column(formulaName(page, name, key), key, periodKind(name).clothes, formulaShort(page, name)),
+      ),
     ],
     some: TABLE_ROWS,
   }
@@ -245,6 +248,7 @@ function errorTable(page: Live): TableSpec {
     first: { title: period.amplitudeColumn, values: AMPLITUDES, factor: 1, decimals: 0 },
     columns: shownRows(page).map(({ key, name }) => ({
       title: formulaName(page, name, key),
+      clothes: periodKind(name).clothes,
       about: formulaShort(page, name),
       values: periodCurve(model, key).error,
       factor: 100,

@@ -8,10 +8,12 @@ import type { ChartSpec } from './chart'
 
 /** Units around the plot: 640 wide in all, which is 160 mm. */
 const WIDTH = 640
-const EDGE = { left: 60, right: 24, top: 38, bottom: 32 } as const
+const EDGE = { left: 72, right: 24, top: 38, bottom: 32 } as const
 const ROW = 22
 /** The line of a key, and what is before and after it. */
-const SAMPLE = { width: 40, gap: 8, after: 22 } as const
+const SAMPLE = { width: 40, gap: 8, after: 18 } as const
+/** Room for a wider font: a machine may not have ours. */
+const WIDER = 1.2
 /** Around the box of the pendulum, where names of angles stand. */
 const ROUND = { x: 14, y: 6 } as const
 
@@ -40,7 +42,7 @@ function keyOf(spec: ChartSpec): Keyed[] {
   return (spec.table?.().columns ?? []).flatMap(({ title, clothes }) => {
     if (clothes === undefined) return []
     const text = plain(title)
-    const width = SAMPLE.width + SAMPLE.gap + textWidth(text)
+    const width = SAMPLE.width + SAMPLE.gap + WIDER * textWidth(text)
     if (x > 0 && x + width > WIDTH - EDGE.left - EDGE.right) [x, row] = [0, row + 1]
     const placed = { text, clothes, x, row }
     x += width + SAMPLE.after

@@ -28,12 +28,11 @@ export interface SaveSpec {
   readonly name: string
   readonly items: (menus: Menus) => readonly MenuItem[]
   readonly className?: string
-  readonly up?: boolean
 }
 
 export function saveMenu(
   { words, session, store }: Page,
-  { key, name, items, className = '', up = false }: SaveSpec,
+  { key, name, items, className = '' }: SaveSpec,
 ): TemplateResult {
   const { save, loadingView, failedView } = words.say.plots
   const menuKey = `save-${key}`
@@ -47,6 +46,5 @@ export function saveMenu(
     toggle: (isOpen) => store.setSession({ menu: isOpen ? menuKey : null }),
     items: !open ? [] : menus ? items(menus) : waiting,
     className: `save right ${className}`,
-    up,
   })
 }
