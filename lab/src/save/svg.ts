@@ -169,16 +169,20 @@ export class Studio {
   }
 }
 
-/** One picture, drawn while 1 rem is 16 pixels: the same file from every screen. */
+/** One picture, drawn while the page is light and 1 rem is 16 pixels: the same file from every screen. Nothing of it is seen. */
 export function svgFile(className: string, template: TemplateResult): string {
   const studio = new Studio(className)
-  const { style } = document.documentElement
-  const before = style.fontSize
+  const { style, dataset } = document.documentElement
+  const { fontSize } = style
+  const { theme } = dataset
   try {
     style.fontSize = `${REM}px`
+    dataset.theme = 'light'
     return studio.draw(template)
   } finally {
-    style.fontSize = before
+    style.fontSize = fontSize
+    if (theme === undefined) delete dataset.theme
+    else dataset.theme = theme
     studio.close()
   }
 }
