@@ -185,6 +185,15 @@ test('story 15: every chart is an SVG of its own, with text as text, the same fr
 })
 
 test('story 15: a PNG has 300 dots per inch at its width, and the font of the page', async ({ lab }) => {
+  // What is given to be drawn, beside its drawing.
+  await lab.evaluate(() => {
+    const { createObjectURL } = URL
+    const kept = window as unknown as { svg: Promise<string> }
+    URL.createObjectURL = (of: Blob) => {
+      if (of.type === 'image/svg+xml') kept.svg = of.text()
+      return createObjectURL(of)
+    }
+  })
   for (const [chart, mm, file] of [
     ['angle', 160, 'angle.png'],
     ['pendulum', 77, 'pendulum.png'],
@@ -192,6 +201,8 @@ test('story 15: a PNG has 300 dots per inch at its width, and the font of the pa
     await show(lab, `${LINK}&theme=dark`)
     const { bytes, name } = await saved(lab, chart, /^PNG/)
     expect(name).toBe(file)
+    const drawing = await lab.evaluate(() => (window as unknown as { svg: Promise<string> }).svg)
+    expect(drawing.match(/@font-face[^}]*"Libration (Sans|Math)"[^}]*data:font\/woff2;base64,\w/g)).toHaveLength(2)
     expect(bytes.subarray(0, 8)).toEqual(Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]))
     expect(bytes.readUInt32BE(16)).toBe(Math.round((mm / 25.4) * 300))
     // The chunk behind the header.
