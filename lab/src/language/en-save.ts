@@ -12,7 +12,7 @@ export const enSave = {
   point: 'decimal point',
   comma: 'decimal comma',
   motionNote: 'as *libration solve* writes it',
-  command: 'motion.csv is saved. This command writes the same table: {command}',
+  command: 'motion.csv is saved. This command writes the same table, last digits apart: {command}',
   film: 'Film: MP4 or GIF',
   filmNote: 'one exact period, frame by frame',
   picture: 'The pendulum at {t}',

@@ -12,7 +12,7 @@ export const esSave: SaveCatalogue = {
   point: 'punto decimal',
   comma: 'coma decimal',
   motionNote: 'como lo escribe *libration solve*',
-  command: 'motion.csv está guardado. Esta orden escribe la misma tabla: {command}',
+  command: 'motion.csv está guardado. Esta orden escribe la misma tabla, salvo las últimas cifras: {command}',
   film: 'Película: MP4 o GIF',
   filmNote: 'un periodo exacto, cuadro por cuadro',
   picture: 'El péndulo en {t}',

@@ -12,7 +12,7 @@ export const ptBRSave: SaveCatalogue = {
   point: 'ponto decimal',
   comma: 'vírgula decimal',
   motionNote: 'como o comando *libration solve* escreve',
-  command: 'motion.csv foi salvo. Este comando escreve a mesma tabela: {command}',
+  command: 'motion.csv foi salvo. Este comando escreve a mesma tabela, salvo os últimos dígitos: {command}',
   film: 'Filme: MP4 ou GIF',
   filmNote: 'um período exato, quadro a quadro',
   picture: 'O pêndulo em {t}',

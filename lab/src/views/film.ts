@@ -198,9 +198,12 @@ export function filmDialog(page: Page): TemplateResult | typeof nothing {
   const refused = 'refused' in film
   const making = work.kind === 'making'
   const missing = written === null ? say.noVideo : written === 'webm' ? say.noMp4 : null
-  const button = making
-    ? html`<button type="button" class="button" id="film-cancel" @click=${() => work.kind === 'making' && work.cancel()}>${say.cancel}</button>`
-    : html`<button type="button" class="button primary" id="film-make" ?disabled=${refused} @click=${() => !refused && void make(page, film)}>${say.make}</button>`
+  const act = () => {
+    if (work.kind === 'making') work.cancel()
+    else if (!refused) void make(page, film)
+  }
+  // One button, so that the focus stays on it.
+  const button = html`<button type="button" class="button ${making ? '' : 'primary'}" id=${making ? 'film-cancel' : 'film-make'} ?disabled=${refused && !making} @click=${act}>${making ? say.cancel : say.make}</button>`
   const body = html`<div class="film">${making ? nothing : options(page, speed)}
     ${refused ? html`<p role="status" class="refusal">${refusalText(page, film)}</p>` : making ? nothing : facts(page, film, speed)}
     ${missing && !making ? html`<p class="soft">${missing}</p>` : nothing}

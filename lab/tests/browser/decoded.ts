@@ -1,6 +1,8 @@
 // Films as a browser shows them: where the bob is in some frames, by its colour; and the boxes of an MP4.
 
 import type { Page } from '@playwright/test'
+import { BOX, spot } from '../../src/draw/pendulum'
+import { expect } from './lab'
 
 export interface Place {
   readonly x: number
@@ -148,4 +150,22 @@ export function boxAt(bytes: Buffer, ...path: readonly string[]): Buffer {
     if (!found) throw new Error(`no ${wanted}: ${boxes(inside).map(({ type }) => type)}`)
     return found.body
   }, bytes)
+}
+
+/** Where the bob of an angle is in a film so large: the drawing in its middle, as large as fits. */
+export function place(theta: number, width: number, height: number): Place {
+  const [wide, high] = [BOX.width + 28, BOX.height + 12]
+  const scale = Math.min(width / wide, height / high)
+  const { x, y } = spot(theta)
+  return {
+    x: (x + 14) * scale + (width - wide * scale) / 2,
+    y: (y + 6) * scale + (height - high * scale) / 2,
+  }
+}
+
+export function expectBobs(bobs: readonly Place[], wanted: readonly Place[]): void {
+  bobs.forEach((bob, i) => {
+    const at = wanted[i] as Place
+    expect([i, Math.hypot(bob.x - at.x, bob.y - at.y)].map((each) => Math.floor(each))).toEqual([i, 0])
+  })
 }
