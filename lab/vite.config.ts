@@ -4,6 +4,8 @@ import { createRequire } from 'node:module'
 import { dirname } from 'node:path'
 import { defineConfig } from 'vitest/config'
 import { browserCore } from './bundle/browser-core.ts'
+import { firstLoad, isFirst } from './bundle/first-load.ts'
+import { licences } from './bundle/licences.ts'
 import { oneFile } from './bundle/one-file.ts'
 import { stillPage } from './bundle/still.ts'
 
@@ -17,7 +19,12 @@ export default defineConfig(({ mode, command }) => {
     publicDir: offline ? false : 'public',
     resolve: { alias: [{ find: /^libration\/(.*\.wasm)/, replacement: `${core}/$1` }] },
     server: { fs: { allow: ['..'] } },
-    plugins: [browserCore(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
+    plugins: [
+      browserCore(),
+      firstLoad(),
+      stillPage(command === 'build'),
+      ...(offline ? [oneFile('offline.html')] : [licences()]),
+    ],
     build: {
       target: 'es2022',
       modulePreload: false,
@@ -25,11 +32,10 @@ export default defineConfig(({ mode, command }) => {
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
-      // What the first load needs is one file, however many views share parts of it.
       rolldownOptions: {
         output: offline
           ? { format: 'iife', codeSplitting: false }
-          : { codeSplitting: { groups: [{ name: 'first', test: /src\/main\.ts$/ }] } },
+          : { codeSplitting: { groups: [{ name: 'index', test: isFirst }] } },
       },
     },
     test: { include: ['tests/**/*.test.ts'] },

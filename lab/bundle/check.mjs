@@ -40,10 +40,8 @@ const cores = all.filter(({ name }) => /libration-(simd|scalar)[^/]*\.wasm$/.tes
 const of = (/** @type {string} */ kind) =>
   cores.find(({ name }) => name.includes(`libration-${kind}`))?.gzipped ?? Number.NaN
 // The views behind the other tabs are parts of their own, with their style: asked for by the script and waited for by nothing.
-const later = all.filter(({ name }) => /assets[/](?!first-)[^/]*\.(js|css)$/.test(name))
-const first = all.filter(
-  (each) => each.name !== 'offline.html' && !each.name.endsWith('.wasm') && !later.includes(each),
-)
+const later = all.filter(({ name }) => /assets[/](?!index-)[^/]*\.(js|css)$/.test(name))
+const first = all.filter((each) => !/^offline\.html$|\.wasm$|\.txt$/.test(each.name) && !later.includes(each))
 const others = first.reduce((sum, { gzipped }) => sum + gzipped, 0)
 const load = others + of('simd')
 console.log(`${'file'.padEnd(48)} ${'bytes'.padStart(8)} ${'gzipped'.padStart(8)}`)
@@ -55,6 +53,7 @@ console.log(`then ${later.reduce((sum, { gzipped }) => sum + gzipped, 0)} for th
 if (first.filter(({ name }) => name.endsWith('.js')).length !== 2)
   failures.push('the first load has other scripts than its own and the service worker')
 if (!later.some(({ name }) => name.includes('later-'))) failures.push('the part with the first views is not there')
+if (!all.some(({ name }) => name === 'licences.txt')) failures.push('the licences of the libraries are not there')
 if (cores.length !== 2) failures.push(`two modules of the core are expected, there are ${cores.length}`)
 if (bounds && !(load <= FIRST_LOAD)) failures.push(`the first load is ${load} bytes gzipped, allowed are ${FIRST_LOAD}`)
 

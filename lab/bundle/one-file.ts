@@ -23,9 +23,9 @@ export function oneFile(name: string): Plugin {
     enforce: 'pre',
     // The fit is half as long as all the rest: in its place the view says, in words of its own, that it is not there.
     resolveId(source, importer) {
-      return source === './data' && importer?.endsWith('/views/index.ts')
-        ? importer.replace('index.ts', 'data-absent.ts')
-        : null
+      if (source === './data' && importer?.endsWith('/views/index.ts'))
+        return importer.replace('index.ts', 'data-absent.ts')
+      return source === './webm' ? (importer?.replace('video.ts', 'webm-absent.ts') ?? null) : null
     },
     load(id) {
       if (!id.endsWith('.wasm?url')) return null

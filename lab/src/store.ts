@@ -14,7 +14,7 @@ export interface Message {
   readonly undo?: State
 }
 
-export type DialogName = 'share' | 'keys' | 'convergence'
+export type DialogName = 'share' | 'keys' | 'convergence' | 'film'
 
 /** What is not in a link: drafts of fields, what is open, what is held. */
 export interface Session {

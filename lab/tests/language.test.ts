@@ -5,6 +5,7 @@ import { nearestLanguage, Words } from '../src/language'
 import '../src/language/later'
 import '../src/language/data'
 import '../src/language/handouts'
+import '../src/language/save'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 

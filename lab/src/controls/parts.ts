@@ -66,7 +66,7 @@ export function menu(spec: MenuSpec): TemplateResult {
     const list = (event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>('[role^=menuitem]:not([disabled])')
     const all = [...list]
     const at = all.indexOf(document.activeElement as HTMLElement)
-    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: all.length - 1 }[event.key]
+    const to = { ArrowDown: at + 1, ArrowUp: Math.max(at, 0) - 1, Home: 0, End: all.length - 1 }[event.key]
     if (event.key === 'Escape') {
       spec.toggle(false)
       document.getElementById(`menu-${key}`)?.focus()

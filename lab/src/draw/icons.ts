@@ -12,6 +12,7 @@ const ICONS = {
   plus: svg`<path d="M10 4v12M4 10h12"/>`,
   open: svg`<path d="M8 4H4v12h12v-4M11 4h5v5M16 4l-7 7"/>`,
   share: svg`<path d="M10 12V3M6.5 6L10 2.5 13.500 6M5 9H4v8h12V9h-1"/>`,
+  save: svg`<path d="M10 3v9M6.5 8.5l3.5 3.5 3.5-3.5M4 13v4h12v-4"/>`,
   sun: svg`<circle cx="10" cy="10" r="3.5"/><path d="M10 2v2M10 16v2M2 10h2M16 10h2M4.3 4.3l1.4 1.4M14.3 14.3l1.4 1.4M4.3 15.7l1.4-1.4M14.3 5.7l1.4-1.4"/>`,
   moon: svg`<path d="M16 12.5A6.5 6.5 0 017.5 4 6.5 6.5 0 1016 12.5z"/>`,
   auto: svg`<circle cx="10" cy="10" r="6.5"/><path d="M10 3.5v13a6.5 6.5 0 000-13z" fill="currentColor"/>`,

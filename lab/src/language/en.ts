@@ -152,6 +152,7 @@ export const en = {
     table: 'Data table of {plot}',
     listen: 'Listen to {plot}',
     stop: 'Stop the sound of {plot}',
+    save: 'Save: {plot}',
     now: 'Time in the plot of {plot}',
     loading: 'Loading the exact core …',
     loadingView: 'Loading the view …',
@@ -254,6 +255,8 @@ export const en = {
     all: 'all {count} rows',
     some: 'fewer rows',
     time: '_t_, s',
+    decimalPoint: 'decimal point, columns separated by commas',
+    decimalComma: 'decimal comma, columns separated by semicolons',
     noValue: 'no value',
   },
 

@@ -154,6 +154,7 @@ export const es: FirstCatalogue = {
     table: 'Tabla de datos: {plot}',
     listen: 'Escuchar: {plot}',
     stop: 'Parar el sonido: {plot}',
+    save: 'Guardar: {plot}',
     now: 'Tiempo en la gráfica: {plot}',
     loading: 'Cargando el núcleo exacto …',
     loadingView: 'Cargando la vista …',
@@ -254,6 +255,8 @@ export const es: FirstCatalogue = {
     all: 'las {count} filas',
     some: 'menos filas',
     time: '_t_, s',
+    decimalPoint: 'punto decimal, columnas separadas por comas',
+    decimalComma: 'coma decimal, columnas separadas por punto y coma',
     noValue: 'sin valor',
   },
 

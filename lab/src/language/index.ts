@@ -9,16 +9,17 @@ import { es } from './es'
 import type { HandoutsWords } from './handouts'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
+import type { SaveWords } from './save'
 
 /** What comes with the later views. */
-type Added = LaterCatalogue & { readonly data: DataWords; readonly handouts: HandoutsWords }
+type Added = LaterCatalogue & { readonly data: DataWords; readonly handouts: HandoutsWords; readonly save: SaveWords }
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }
 /** Whole once the words of all parts have come; a part asks for none but its own and those that are there before it. */
 const CATALOGUES = FIRST as Readonly<Record<Language, Catalogue>>
 
-/** Adds the words of a part of the page that comes after the Lab (later.ts, data.ts). */
+/** Adds the words of a part of the page that comes after the Lab (later.ts, data.ts, save.ts). */
 export function addWords(words: Readonly<Record<Language, Partial<Added>>>): void {
   for (const language of LANGUAGES) Object.assign(CATALOGUES[language], words[language])
 }
@@ -100,7 +101,7 @@ export class Words {
     return shortest(value).replace('-', '−').replace('.', this.decimal)
   }
 
-  get decimal(): string {
+  get decimal(): '.' | ',' {
     return this.language === 'en' ? '.' : ','
   }
 

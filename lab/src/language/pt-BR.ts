@@ -154,6 +154,7 @@ export const ptBR: FirstCatalogue = {
     table: 'Tabela de dados: {plot}',
     listen: 'Ouvir: {plot}',
     stop: 'Parar o som: {plot}',
+    save: 'Salvar: {plot}',
     now: 'Tempo no gráfico: {plot}',
     loading: 'Carregando o núcleo exato …',
     loadingView: 'Carregando a vista …',
@@ -254,6 +255,8 @@ export const ptBR: FirstCatalogue = {
     all: 'todas as {count} linhas',
     some: 'menos linhas',
     time: '_t_, s',
+    decimalPoint: 'ponto decimal, colunas separadas por vírgulas',
+    decimalComma: 'vírgula decimal, colunas separadas por ponto e vírgula',
     noValue: 'sem valor',
   },
 

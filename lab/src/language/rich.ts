@@ -61,7 +61,8 @@ export function richSvg(text: string): TemplateResult {
       case 'symbol':
         return svg`<tspan class="symbol">${piece.text}</tspan>`
       case 'dotted':
-        return svg`<tspan class="symbol">${piece.text}\u0307</tspan>`
+        // A full stop, raised: a mark that combines is not where it belongs in every font.
+        return svg`<tspan class="symbol">${piece.text}</tspan><tspan class="symbol" dx="-0.3em" dy="-0.85em">.</tspan><tspan class="symbol" dx="0.06em" dy="0.85em">\u200b</tspan>`
       case 'index':
         return svg`<tspan dy="3" font-size="72%">${piece.text}</tspan><tspan dy="-3">\u200b</tspan>`
       case 'power':

@@ -9,7 +9,7 @@ import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Drawn, Study } from '../study'
 import { chart, type PlotSize } from './chart'
-import { curveName } from './compare'
+import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
 import type { TableSpec } from './table'
 import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
@@ -211,8 +211,8 @@ function tableOf(page: Live, study: Study): TableSpec {
     file: angle ? 'angle' : 'velocity',
     first: { title: words.say.table.time, values: study.times, factor: 1, decimals: 3 },
     columns: [
-      { title: words.say.compare.exact, values: angle ? study.exact.theta : study.exact.velocity, factor, decimals },
-      ...study.shown.map((drawn) => ({ title: curveName(page, drawn.curve), values: of(drawn), factor, decimals })),
+      { ...curveColumn(page), values: angle ? study.exact.theta : study.exact.velocity, factor, decimals },
+      ...study.shown.map((drawn) => ({ ...curveColumn(page, drawn), values: of(drawn), factor, decimals })),
     ],
   }
 }

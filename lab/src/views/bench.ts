@@ -3,11 +3,12 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { hint } from '../controls/parts'
 import { afterKey, dragging } from '../controls/slide'
-import { angleAt, BOX, type Ghost, pendulum, spot } from '../draw/pendulum'
+import { angleAt, BOX, type Ghost, type PendulumSpec, pendulum, spot } from '../draw/pendulum'
 import { isLocked } from '../embedding'
 import { rich } from '../language/rich'
 import { degrees, radians } from '../number'
 import type { Live } from './page'
+import { saveMenu } from './saving'
 import { fieldFault, stateValue } from './values'
 
 /** Shows a release angle from the beginning, at rest in time: what a hand on the bob does. */
@@ -52,37 +53,47 @@ function bob(page: Live, angle: number): TemplateResult {
     @pointerdown=${locked ? nothing : drag} @keydown=${locked ? nothing : keys}>${locked ? svg`<title>${words.say.embedding.locked}</title>` : nothing}<circle class="reach-target" r="16"/><circle class="bob" r="10"/></g></svg>`
 }
 
-/** The pendulum at the time shown, with the bobs of other curves. */
-export function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateResult {
-  const { motion, state, t, words } = page
-  const angle = motion.theta(t)
-  const velocity = motion.velocity(t)
+/** A part of the energy; that over the energy at the top has g in it. */
+const percentText = ({ state, words }: Live, part: number) =>
+  state.hide ? '–' : words.with(words.fixed(100 * part, 0), '%')
+
+/** What is drawn of the pendulum at an angle with a velocity; a film draws the same. */
+export function pendulumAt(page: Live, angle: number, velocity: number, ghosts: readonly Ghost[]): PendulumSpec {
+  const { motion, state, words } = page
   const { kinetic, potential } = motion.energyAt(angle, velocity)
   const say = words.say.drawing
-  // The energy over that at the top has g in it.
-  const percent = (part: number) => (state.hide ? '–' : words.with(words.fixed(100 * part, 0), '%'))
-  const speed = words.with(words.fixed(velocity, 2), words.say.units['rad/s'])
-  const caption = words.fill(say.caption, {
-    t: words.with(words.fixed(t, 2), words.say.units.s),
-    angle: words.angle(angle, 1),
-    velocity: speed,
-    kinetic: percent(kinetic),
-    potential: percent(potential),
-  })
-  const spec = {
+  return {
     angle,
     release: state.theta0,
     reach: motion.regime === 'libration' ? motion.thetaMax : motion.regime === 'rest' ? 0 : Math.PI,
     kinetic,
     potential,
     ghosts,
-    words: { ...say, more: words.fill(say.more, { percent: percent(kinetic + potential) }) },
+    words: { ...say, more: words.fill(say.more, { percent: percentText(page, kinetic + potential) }) },
     degree: (value: number) => `${words.typed(value)}°`,
   }
+}
+
+/** The pendulum at the time shown, with the bobs of other curves. */
+export function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateResult {
+  const { motion, t, words } = page
+  const angle = motion.theta(t)
+  const velocity = motion.velocity(t)
+  const spec = pendulumAt(page, angle, velocity, ghosts)
+  const say = words.say.drawing
+  const speed = words.with(words.fixed(velocity, 2), words.say.units['rad/s'])
+  const caption = words.fill(say.caption, {
+    t: words.with(words.fixed(t, 2), words.say.units.s),
+    angle: words.angle(angle, 1),
+    velocity: speed,
+    kinetic: percentText(page, spec.kinetic),
+    potential: percentText(page, spec.potential),
+  })
   return html`<figure class="drawing" aria-label=${say.name}>
     <div class="drawing-box"><svg viewBox="0 0 ${BOX.width} ${BOX.height}" aria-hidden="true">${pendulum(spec)}</svg>${bob(page, angle)}</div>
     <div class="reading reading-top" aria-hidden="true"><i>θ</i> = <b class="number">${words.angle(angle, 1)}</b></div>
     <div class="reading reading-bottom" aria-hidden="true"><i class="dotted">θ</i> = <b class="number">${speed}</b></div>
+    ${saveMenu(page, { key: 'pendulum', name: say.name, items: (menus) => menus.pendulumItems(page, ghosts), className: 'in-corner' })}
     <figcaption class="unseen">${page.store.clock.playing ? nothing : caption}</figcaption>
   </figure>`
 }

@@ -7,6 +7,7 @@ import { afterKey, type Drag, dragging, partAlong } from '../controls/slide'
 import { plain, rich } from '../language/rich'
 import type { Window } from '../study'
 import type { Page } from './page'
+import { saveMenu } from './saving'
 import { type TableSpec, table } from './table'
 import { type SoundSpec, toggleSound } from './trace'
 
@@ -82,7 +83,7 @@ function tools(page: Page, spec: ChartSpec): TemplateResult {
             sounding,
           )
         : nothing
-    }</span>`
+    }${spec.table ? saveMenu(page, { key: spec.key, name: spec.name, items: (menus) => menus.chartItems(page, spec) }) : nothing}</span>`
 }
 
 export function toggleTable({ store, session }: Page, key: string): void {

@@ -7,10 +7,11 @@ import { icon } from '../draw/icons'
 import { isLocked } from '../embedding'
 import { plain, rich } from '../language/rich'
 import { curveFault, MOST_CURVES, missingCurves, withCurve } from '../state'
-import { errorFactor, inPercent, type Row, type Study } from '../study'
+import { type Drawn, errorFactor, inPercent, type Row, type Study } from '../study'
 import { openDialog } from './dialogs'
 import { examples } from './examples'
 import type { Live } from './page'
+import type { Column } from './table'
 
 /** `Fourier 4`, `RK4, step 0.025 s`: a curve in words. */
 export function curveName({ words }: Pick<Live, 'words'>, curve: Curve): string {
@@ -20,6 +21,14 @@ export function curveName({ words }: Pick<Live, 'words'>, curve: Curve): string 
   const base = plain(name).replace(/ N$/, '')
   if (argument?.of === 'order') return `${base} ${curve.argument}`
   return `${base} ${words.with(words.given(curve.argument), words.say.units.s)}`
+}
+
+/** What the table of a plot says of a curve, and of the exact motion without one. */
+export function curveColumn(page: Pick<Live, 'words'>, drawn?: Drawn): Pick<Column, 'title' | 'clothes' | 'about'> {
+  const { compare, curves } = page.words.say
+  if (!drawn) return { title: compare.exact, clothes: 'c-exact', about: compare.exactBy }
+  const { curve, clothes } = drawn
+  return { title: curveName(page, curve), clothes, about: page.words.formula(curves[curve.name].what) }
 }
 
 function sample(clothes: string, framed: boolean): TemplateResult {

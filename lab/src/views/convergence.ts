@@ -76,6 +76,7 @@ function tableOf({ words }: Live, { steps, schemes }: Convergence): TableSpec {
     first: { title: say.step, values: steps, factor: 1, decimals: 6 },
     columns: schemes.map(({ name, errors }) => ({
       title: plain(words.say.curves[name].name),
+      about: words.say.curves[name].what,
       values: errors,
       factor: DEGREES,
       decimals: 0,

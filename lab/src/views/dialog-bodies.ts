@@ -3,15 +3,10 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { encode } from 'uqr'
 import { embedCode } from '../embedding'
-import { writeLink } from '../link'
 import { convergenceDialog } from './convergence'
 import { dialog } from './dialogs'
 import { copyText, isLive, type Page } from './page'
-
-/** Of the page as it is: all of the picture is in it. */
-function linkOf({ store }: Pick<Page, 'store'>): string {
-  return location.href.replace(/#.*$/, '') + writeLink(store.moment, store.kept)
-}
+import { linkOf } from './table'
 
 function qr(text: string, name: string): TemplateResult {
   const { size, data } = encode(text, { ecc: 'L', border: 0 })

@@ -7,7 +7,7 @@ import { type Line, plot } from '../draw/plot'
 import { linearScale, roundTicks, tickDecimals } from '../draw/scale'
 import { type Study, showsTotal } from '../study'
 import { chart, type PlotSize } from './chart'
-import { curveName } from './compare'
+import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
 import type { Column } from './table'
 import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
@@ -103,19 +103,20 @@ function draw(page: Live, study: Study, total: boolean, size: PlotSize): Templat
 
 function columns(page: Live, study: Study, total: boolean): Column[] {
   const { words } = page
-  const { plots, compare } = words.say
-  const column = (title: string, values: Float64Array): Column => ({ title, values, factor: FACTOR, decimals: 4 })
+  const { plots } = words.say
+  const numbers = { factor: FACTOR, decimals: 4 }
   if (!total) {
+    const { kinetic, potential } = study.parts()
     return [
-      column(plots.kinetic, study.parts().kinetic),
-      column(plots.potential, study.parts().potential),
-      column(plots.sum, study.total),
+      { title: plots.kinetic, clothes: 'c-kinetic', values: kinetic, ...numbers },
+      { title: plots.potential, clothes: 'c-potential', values: potential, ...numbers },
+      { title: plots.sum, clothes: 'c-exact', values: study.total, ...numbers },
     ]
   }
   const stepping = study.shown.filter(({ numerical }) => numerical)
   return [
-    column(compare.exact, study.total),
-    ...stepping.map((drawn) => column(curveName(page, drawn.curve), drawn.energy.y)),
+    { ...curveColumn(page), values: study.total, ...numbers },
+    ...stepping.map((drawn) => ({ ...curveColumn(page, drawn), values: drawn.energy.y, ...numbers })),
   ]
 }
 

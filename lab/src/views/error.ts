@@ -17,7 +17,7 @@ import type { Words } from '../language'
 import { degrees } from '../number'
 import { errorFactor, inPercent, isLog, type Study } from '../study'
 import { chart, type PlotSize } from './chart'
-import { curveName } from './compare'
+import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
 import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
 
@@ -200,7 +200,7 @@ export function errorChart(page: Live, study: Study): TemplateResult {
       file: 'error',
       first: { title: words.say.table.time, values: study.times, factor: 1, decimals: 3 },
       columns: study.shown.map((drawn) => ({
-        title: curveName(page, drawn.curve),
+        ...curveColumn(page, drawn),
         values: drawn.error,
         factor: axis.factor,
         decimals: 4,

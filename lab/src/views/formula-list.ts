@@ -44,7 +44,7 @@ export function formulaName({ words }: Pick<Live, 'words'>, name: PeriodName, ke
   return words.fill(formulas[name as 'linear' | 'series' | 'agm'], { n: key.split(':')[1] ?? '' })
 }
 
-function formulaShort({ words }: Pick<Live, 'words'>, name: PeriodName): string {
+export function formulaShort({ words }: Pick<Live, 'words'>, name: PeriodName): string {
   const { formulas } = words.say.period
   const own = SAID[name]?.[1]
   if (own) return words.formula(own)

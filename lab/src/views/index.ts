@@ -7,6 +7,7 @@ import { motionSentence } from './bench'
 import { dialog } from './dialogs'
 import { lab, labAlarm } from './lab'
 import type { Live, Page } from './page'
+import { fillMenus } from './saving'
 import type { View } from './shell'
 
 type Later = typeof import('./later')
@@ -51,6 +52,21 @@ export async function loadParts(first: ViewName, came: () => void): Promise<void
     parts[name] = (await retried(PARTS[name])).part
     came()
   }
+  await loadSaving()
+  came()
+}
+
+let saving: typeof import('./save-menus') | null = null
+
+/** Loads what is in the menus "Save", and with it all that makes a file. Never rejects: the page works without. */
+async function loadSaving(): Promise<void> {
+  try {
+    saving = await retried(() => import('./save-menus'))
+    await saving.prepared()
+    fillMenus(saving)
+  } catch {
+    fillMenus(null)
+  }
 }
 
 function part(name: PartName): View {
@@ -86,6 +102,7 @@ export const VIEWS: readonly View[] = [
 
 /** The dialog that is open; where its part did not come it says so. */
 export function dialogs(page: Page): TemplateResult | typeof nothing {
+  if (page.session.dialog === 'film') return saving?.filmDialog(page) ?? nothing
   if (later) return later.dialogs(page, VIEWS.length)
   if (!failed || page.session.dialog === null) return nothing
   const { shell, plots, compare } = page.words.say

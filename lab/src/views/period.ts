@@ -23,7 +23,7 @@ import {
 import { periodKind, periodRows } from '../periods'
 import { amplitudeOf, amplitudeValue, angleText, release } from './amplitude'
 import { type Cursor, chart, type PlotSize } from './chart'
-import { formulaList, formulaName, signedPercent } from './formula-list'
+import { formulaList, formulaName, formulaShort, signedPercent } from './formula-list'
 import type { Live } from './page'
 import type { TableSpec } from './table'
 
@@ -217,8 +217,10 @@ function signedStated(stated: Float64Array, error: Float64Array): Float64Array {
 function ratioTable(page: Live): TableSpec {
   const { model, words } = page
   const { period, table, compare } = words.say
-  const column = (title: string, key: string) => ({
+  const column = (title: string, key: string, clothes: string, about: string) => ({
     title,
+    clothes,
+    about,
     values: periodCurve(model, key).ratio,
     factor: 1,
     decimals: 6,
@@ -228,8 +230,10 @@ function ratioTable(page: Live): TableSpec {
     file: 'period',
     first: { title: period.amplitudeColumn, values: AMPLITUDES, factor: 1, decimals: 0 },
     columns: [
-      column(compare.exact, 'exact'),
-      ...shownRows(page).map(({ key, name }) => column(formulaName(page, name, key), key)),
+      column(compare.exact, 'exact', 'c-exact', period.exactBy),
+      ...shownRows(page).map(({ key, name }) =>
+        column(formulaName(page, name, key), key, periodKind(name).clothes, formulaShort(page, name)),
+      ),
     ],
     some: TABLE_ROWS,
   }
@@ -244,6 +248,8 @@ function errorTable(page: Live): TableSpec {
     first: { title: period.amplitudeColumn, values: AMPLITUDES, factor: 1, decimals: 0 },
     columns: shownRows(page).map(({ key, name }) => ({
       title: formulaName(page, name, key),
+      clothes: periodKind(name).clothes,
+      about: formulaShort(page, name),
       values: periodCurve(model, key).error,
       factor: 100,
       decimals: 4,

@@ -1,9 +1,10 @@
 // The data table behind a chart: the same numbers as are drawn, and all of them as CSV.
 
 import { html, type TemplateResult } from 'lit-html'
-import type { Words } from '../language'
 import { plain, rich } from '../language/rich'
 import { writeLink } from '../link'
+import { csv, type DecimalSign } from '../save/csv'
+import { saveFile } from '../save/file'
 import type { Page } from './page'
 
 export interface Column {
@@ -14,6 +15,10 @@ export interface Column {
   readonly decimals: number
   /** Significant ones instead, where sizes differ much. */
   readonly digits?: number
+  /** What its line in the plot wears: the picture that is saved has a key of these. */
+  readonly clothes?: string
+  /** Its formula, or what it is: for the header of a file. */
+  readonly about?: string
 }
 
 export interface TableSpec {
@@ -28,27 +33,14 @@ export interface TableSpec {
 
 const SOME = 8
 
-/** Text with every row; a comma between columns, or a semicolon where the comma is decimal. All digits of each number. */
-export function csv(words: Words, { caption, first, columns }: TableSpec, link: string): string {
-  const between = words.decimal === ',' ? ';' : ','
-  const number = (value: number) => (Number.isFinite(value) ? String(value).replace('.', words.decimal) : '')
-  const all = [first, ...columns]
-  // A title with a comma of its own stands in quotes (RFC 4180).
-  const quoted = (title: string) => (/[",;]/.test(title) ? `"${title.replaceAll('"', '""')}"` : title)
-  const head = all.map(({ title }) => quoted(plain(title))).join(between)
-  const rows = Array.from(first.values, (_, i) =>
-    all.map(({ values, factor }) => number((values[i] as number) * factor)).join(between),
-  )
-  return [`# ${plain(caption)}`, `# ${link}`, head, ...rows, ''].join('\r\n')
+/** Of the page as it is: all of the picture is in it. */
+export function linkOf({ store }: Pick<Page, 'store'>): string {
+  return location.href.replace(/#.*$/, '') + writeLink(store.moment, store.kept)
 }
 
-function save(text: string, name: string): void {
-  const url = URL.createObjectURL(new Blob(['\ufeff', text], { type: 'text/csv;charset=utf-8' }))
-  const link = document.createElement('a')
-  link.href = url
-  link.download = name
-  link.click()
-  setTimeout(() => URL.revokeObjectURL(url), 1000)
+/** A byte order mark tells a spreadsheet that the text is UTF-8. */
+export function saveCsv(page: Page, spec: TableSpec, sign?: DecimalSign): void {
+  saveFile(['\ufeff', csv(page.words, spec, linkOf(page), sign)], 'text/csv;charset=utf-8', `${spec.file}.csv`)
 }
 
 export function table(page: Page, key: string, spec: TableSpec): TemplateResult {
@@ -68,9 +60,8 @@ export function table(page: Page, key: string, spec: TableSpec): TemplateResult 
     store.setSession({
       wholeTables: whole ? session.wholeTables.filter((each) => each !== key) : [...session.wholeTables, key],
     })
-  const link = () => location.href.replace(/#.*$/, '') + writeLink(store.moment, store.kept)
   return html`<div class="table-box" tabindex="0" role="region" aria-label=${plain(spec.caption)}><table class="data">
-    <caption>${rich(spec.caption)} <button type="button" class="text-button" @click=${() => save(csv(words, spec, link()), `${spec.file}.csv`)}>${words.say.table.csv}</button> ·
+    <caption>${rich(spec.caption)} <button type="button" class="text-button" @click=${() => saveCsv(page, spec)}>${words.say.table.csv}</button> ·
       <button type="button" class="text-button" @click=${toggle}>${whole ? words.say.table.some : words.fill(words.say.table.all, { count })}</button></caption>
     <thead><tr><th scope="col">${rich(first.title)}</th>${columns.map(({ title }) => html`<th scope="col">${rich(title)}</th>`)}</tr></thead>
     <tbody>${rows.map((i) => html`<tr><th scope="row">${cell(first, i)}</th>${columns.map((column) => html`<td>${rich(cell(column, i))}</td>`)}</tr>`)}</tbody>

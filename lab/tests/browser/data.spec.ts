@@ -17,6 +17,8 @@ test.beforeAll(() => load())
 /** The view in a page of its own: what is measured stays with a visit. Keeps the addresses that it asks for. */
 async function opening(browser: import('@playwright/test').Browser, options = {}) {
   const page = await opened(browser, 't=0s&lang=en', options)
+  // All that comes with the page has come.
+  await page.waitForLoadState('networkidle')
   const asked: string[] = []
   page.on('request', (request) => asked.push(request.url()))
   await show(page, 'view=data&t=0s&lang=en')
