@@ -4,6 +4,7 @@ import { createRequire } from 'node:module'
 import { dirname } from 'node:path'
 import { defineConfig } from 'vitest/config'
 import { browserCore } from './bundle/browser-core.ts'
+import { formulas } from './bundle/formulas.ts'
 import { oneFile } from './bundle/one-file.ts'
 import { stillPage } from './bundle/still.ts'
 
@@ -17,10 +18,15 @@ export default defineConfig(({ mode, command }) => {
     publicDir: offline ? false : 'public',
     resolve: { alias: [{ find: /^libration\/(.*\.wasm)/, replacement: `${core}/$1` }] },
     server: { fs: { allow: ['..'] } },
-    plugins: [browserCore(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
+    plugins: [browserCore(), formulas(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
     build: {
       target: 'es2022',
-      modulePreload: false,
+      // What the first script imports is asked for beside it; of a part that comes later only its style.
+      modulePreload: {
+        polyfill: false,
+        resolveDependencies: (_, files, { hostType }) =>
+          hostType === 'html' ? files : files.filter((file) => file.endsWith('.css')),
+      },
       emptyOutDir: !offline,
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,

@@ -3,6 +3,7 @@
 import { degrees, shortest } from '../number'
 import { LANGUAGES, type Language } from '../state'
 import type { DataWords } from './data'
+import type { DerivationCatalogue } from './en-derivation'
 import { en, type FirstCatalogue } from './en'
 import type { LaterCatalogue } from './en-later'
 import { es } from './es'
@@ -10,7 +11,7 @@ import { ptBR } from './pt-BR'
 import { filled } from './rich'
 
 /** What comes with the later views. */
-type Added = LaterCatalogue & { readonly data: DataWords }
+type Added = LaterCatalogue & { readonly data: DataWords; readonly derivation: DerivationCatalogue }
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }

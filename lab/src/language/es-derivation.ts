@@ -1,0 +1,2 @@
+import { enDerivation } from './en-derivation'
+export const esDerivation = enDerivation
