@@ -5,10 +5,20 @@
 import temml from 'temml'
 import type { Plugin } from 'vite'
 
-/** One piece, without what a browser does not need: classes of a style sheet that the page has not. */
+const SPACE = '<mspace width="0.1667em"></mspace>'
+const twoSpaces = new RegExp(`(${SPACE}(?:<mrow>)*)${SPACE}`, 'g')
+
+/**
+ * One piece, without what a browser does not need: classes of a style sheet that the page has not. Dots and tildes are accents, and
+ * before the name of a function there is one thin space, whether it is written or not.
+ */
 function mathml(tex: string): string {
-  const made = temml.renderToString(tex, { displayMode: false, throwOnError: true, xml: false })
-  return made.replace(/ (?:class|style)="[^"]*"/g, '').replace('<math>', '<math displaystyle="true">')
+  return temml
+    .renderToString(tex, { displayMode: true, throwOnError: true, xml: false })
+    .replace(/ (?:class|style)="[^"]*"/g, '')
+    .replaceAll('<mover>', '<mover accent="true">')
+    .replace(twoSpaces, '$1')
+    .replace('<math display="block">', '<math displaystyle="true">')
 }
 
 export function formulasOf(source: string): Record<string, readonly string[]> {

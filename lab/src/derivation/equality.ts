@@ -32,7 +32,9 @@ export const LIMIT: readonly Regime[] = ['separatrix']
 export interface Sides {
   readonly left: number
   readonly right: number
-  /** Difference over the larger side or the size. */
+  /** What the difference is measured against: the larger side, or more where both pass through 0. */
+  readonly size: number
+  /** Difference over the size. */
   readonly apart: number
 }
 
@@ -42,10 +44,10 @@ export function sidesOf(equality: Equality, now: Moment): Sides | null {
   const left = equality.left(now)
   const right = equality.right(now)
   const size = Math.max(Math.abs(left), Math.abs(right), equality.size?.(now) ?? 0)
-  return { left, right, apart: left === right ? 0 : Math.abs(left - right) / size }
+  return { left, right, size, apart: left === right ? 0 : Math.abs(left - right) / size }
 }
 
 /** Digits in which the sides agree, as many as are shown at most. */
-export function digitsOf({ apart }: Sides, most: number): number {
+export function digitsOf(apart: number, most: number): number {
   return apart === 0 ? most : Math.max(0, Math.min(most, Math.floor(-Math.log10(apart))))
 }

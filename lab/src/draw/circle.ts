@@ -1,6 +1,7 @@
 // The circle of the energy: a point with the width x and the height s at the distance κ, the separatrix at 1, and the angle φ of a swing.
 
 import { nothing, svg, type TemplateResult } from 'lit-html'
+import { richSvg } from '../language/rich'
 
 export interface CircleSpec {
   readonly x: number
@@ -29,9 +30,9 @@ export function circle({ x, s, kappa, swings, width, height }: CircleSpec): Temp
   const end = { x: cx + 24 * Math.cos(phi), y: cy - 24 * Math.sin(phi) }
   const named = { x: cx + 36 * Math.cos(phi / 2), y: cy - 36 * Math.sin(phi / 2) }
   return svg`
-    <path class="zero-line" d="M${cx - RADIUS - 30} ${cy}H${cx + RADIUS + 30}M${cx} ${cy - RADIUS - 12}V${cy + RADIUS + 12}"/>
-    <text x=${cx + RADIUS + 26} y=${cy - 6} text-anchor="end" class="axis-name">${width}</text>
-    <text x=${cx + 6} y=${cy - RADIUS - 4} class="axis-name">${height}</text>
+    <path class="zero-line" d="M${cx - RADIUS - 20} ${cy}H${cx + RADIUS + 62}M${cx} ${cy - RADIUS - 12}V${cy + RADIUS + 12}"/>
+    <text x=${cx + RADIUS + 10} y=${cy - 6}>${richSvg(width)}</text>
+    <text x=${cx + 6} y=${cy - RADIUS - 6}>${richSvg(height)}</text>
     <circle class="unit-circle" cx=${cx} cy=${cy} r=${n(unit)}/>
     <circle class="reach" cx=${cx} cy=${cy} r=${n(unit * kappa)}/>
     ${

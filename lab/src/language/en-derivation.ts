@@ -3,7 +3,7 @@
 import type { Loose } from './en'
 
 export const enDerivation = {
-  sentence: 'From the *force* to *_θ_(_t_)*, with your numbers. Step *{step}* of {count}: *{title}*.',
+  sentence: 'From the *force* to _θ_(_t_), with your numbers. Step *{step}* of {count}: *{title}*.',
   entry: 'Written for',
   entries: { novice: 'Novices', lima: 'Readers of Lima', salas: 'Readers of Salas' },
   steps: 'Steps',
@@ -11,14 +11,14 @@ export const enDerivation = {
   back: 'Previous step',
   next: 'Next step',
   digits: '{count} digits agree',
-  sides: 'Both sides',
+  formula: 'Formula',
   not: {
     rest: 'This pendulum is at rest.',
-    libration: 'For swings: this motion is none.',
-    rotation: 'For turns over the top: this motion is none.',
-    separatrix: 'For the separatrix: this motion is not on it.',
+    libration: 'For swings, not for this motion.',
+    rotation: 'For turns over the top, not for this motion.',
+    separatrix: 'For the separatrix, not for this motion.',
     moving: 'This pendulum is at rest.',
-    both: 'For swings and turns: this motion is none.',
+    both: 'For swings and turns, not for this motion.',
     value: 'No value here: _u_ is infinite at 180°.',
     arcsine: 'No value here: the terms make the sine larger than 1.',
   },

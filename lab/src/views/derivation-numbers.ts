@@ -17,6 +17,9 @@ import type { Live } from './page'
 /** Digits shown of a side. */
 export const SHOWN = 12
 
+/** Letters of a piece that is too long for a line of a phone. */
+const LONG = 60
+
 const translated = new Map<string, string>()
 
 /** A formula with the functions as the language calls them, in pieces between which it may break. */
@@ -30,23 +33,26 @@ export function formula({ words }: Live, name: string): TemplateResult {
       text = words.formula(piece)
       translated.set(key, text)
     }
-    return html`<span class="piece">${unsafeHTML(text)}</span>`
+    // The longest is smaller on a phone; where it has no room even so, it can be scrolled, by keys too.
+    return piece.replace(/<[^>]*>/g, '').length > LONG
+      ? html`<span class="piece long" role="group" tabindex="0" aria-label=${words.say.derivation.formula}>${unsafeHTML(text)}</span>`
+      : html`<span class="piece">${unsafeHTML(text)}</span>`
   })}</div>`
 }
 
-/** A number of which the first digits are beyond doubt. */
-function withDigits({ words }: Live, value: number, sure: number): TemplateResult {
-  const text = words.significant(value, SHOWN)
-  const [mantissa = '', power] = text.split('\u00a0×')
-  let seen = 0
+/** Zeros in front of a number that stands beside one of another size. */
+const before = (value: number, size: number): number => Math.max(0, Math.floor(Math.log10(size / Math.abs(value))))
+
+/** A number to the digits that its size has room for; those of which it is not sure are marked. */
+function withDigits({ words }: Live, value: number, { size, apart }: Sides): TemplateResult {
+  const room = SHOWN - before(value, size)
+  if (value === 0 || room < 1) return html`<span class="side">0</span>`
+  const sure = digitsOf(apart, SHOWN) - before(value, size)
+  const [mantissa = '', power] = words.significant(value, room).split('\u00a0×')
   let at = 0
-  let leading = true
-  for (; at < mantissa.length && seen < sure; at++) {
+  for (let seen = 0; at < mantissa.length && seen < sure; at++) {
     const digit = mantissa[at] as string
-    if (!/\d/.test(digit)) continue
-    if (leading && digit === '0') continue
-    leading = false
-    seen++
+    if (/[1-9]/.test(digit) || (seen > 0 && digit === '0')) seen++
   }
   const rest = mantissa.slice(at)
   return html`<span class="side">${mantissa.slice(0, at)}${rest === '' ? nothing : html`<span class="doubt">${rest}</span>`}${power === undefined ? nothing : rich(`\u00a0×${power}`)}</span>`
@@ -66,8 +72,8 @@ function reason({ words }: Live, { of, id }: Equality, now: Moment): string {
 function numbers(page: Live, equality: Equality, sides: Sides): TemplateResult {
   const { words } = page
   const { derivation } = words.say
-  const sure = digitsOf(sides, SHOWN)
-  return html`<span class="both">${withDigits(page, sides.left, sure)}<span class="equals">=</span>${withDigits(page, sides.right, sure)}${unitText(equality.unit)}</span>
+  const sure = digitsOf(sides.apart, SHOWN)
+  return html`<span class="both">${withDigits(page, sides.left, sides)}<span class="equals">=</span>${withDigits(page, sides.right, sides)}${unitText(equality.unit)}</span>
     <span class="soft agree">${words.fill(derivation.digits, { count: sure })}</span>`
 }
 
@@ -122,7 +128,7 @@ function coefficients(page: Live, now: Moment): TemplateResult {
     sum += (i % 2 === 0 ? 1 : -1) * each
     return html`<tr><th scope="row">${i + 1}</th><td>${rich(words.significant(each, 6))}</td><td>${words.fixed(now.kappa * sum, 9)}</td></tr>`
   })
-  return html`<table class="data lesson-table"><caption>${say.name}</caption><thead><tr><th scope="col">${rich(say.order)}</th><th scope="col">${rich(say.value)}</th><th scope="col">${rich(say.sum)}</th></tr></thead>
+  return html`<table class="data lesson-table"><caption class="unseen">${say.name}</caption><thead><tr><th scope="col">${rich(say.order)}</th><th scope="col">${rich(say.value)}</th><th scope="col">${rich(say.sum)}</th></tr></thead>
     <tbody>${rows}<tr class="sum"><th scope="row" colspan="2">${rich(words.formula(say.goal))}</th><td>${words.fixed(now.kappa, 9)}</td></tr></tbody></table>`
 }
 
@@ -164,7 +170,7 @@ function errors(page: Live): TemplateResult {
     const text = error === null ? say.refused : Number.isNaN(error) ? say.noValue : rich(words.percent(100 * error))
     return html`<tr><th scope="row">${rich(words.formula(name))}</th><td>${text}</td></tr>`
   })
-  return html`<table class="data lesson-table"><caption>${say.name}</caption><thead><tr><th scope="col">${say.formula}</th><th scope="col">${rich(say.error)}</th></tr></thead><tbody>${rows}</tbody></table>`
+  return html`<table class="data lesson-table"><caption class="unseen">${say.name}</caption><thead><tr><th scope="col">${say.formula}</th><th scope="col">${rich(say.error)}</th></tr></thead><tbody>${rows}</tbody></table>`
 }
 
 export function shownTable(page: Live, name: TableName, now: Moment): TemplateResult {

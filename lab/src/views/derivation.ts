@@ -89,7 +89,7 @@ function values(page: Live, now: Moment): Record<string, string> {
   const swings = motion.regime === 'libration'
   const off = (name: string) =>
     swings
-      ? words.percent(100 * (core.periodError(name, Float64Array.of(motion.thetaMax))[0] ?? Number.NaN))
+      ? words.percent(100 * Math.abs(core.periodError(name, Float64Array.of(motion.thetaMax))[0] ?? Number.NaN))
       : '–'
   return {
     exact: words.angle(now.theta, 3),
@@ -116,7 +116,7 @@ function figure(page: Live, name: 'forces' | 'circle', now: Moment): TemplateRes
   if (name === 'circle') {
     const { x, s } = now.now
     const caption = words.fill(derivation.circle.caption, { x: fixed(x), s: fixed(s), kappa: fixed(now.kappa) })
-    const spec = { x, s, kappa: now.kappa, swings: now.regime === 'libration', width: 'θ̇/2ω₀', height: words.formula('sin θ/2') }
+    const spec = { x, s, kappa: now.kappa, swings: now.regime === 'libration', width: "_θ'_/2_ω_{0}", height: words.formula('sin _θ_/2') }
     return html`<figure class="lesson-figure drawing"><svg viewBox="0 0 ${CIRCLE_BOX.width} ${CIRCLE_BOX.height}" role="img" aria-label=${derivation.circle.name}>${circle(spec)}</svg>
       <figcaption class="soft small">${rich(words.formula(caption))}</figcaption></figure>`
   }
