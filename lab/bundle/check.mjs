@@ -46,7 +46,9 @@ const textOf = (name) => readFileSync(join(DIST, name), 'utf8')
 const atOnce = new Set(['index.html', 'service-worker.js'])
 for (const name of atOnce) {
   if (!/\.(html|js|css)$/.test(name)) continue
-  const named = name.endsWith('.js') ? /(?:from|import)\s*"\.\/([^"]+)"/g : /(?:src|href)="\.\/([^"]+)"|url\(\.\/([^)]+)\)/g
+  const named = name.endsWith('.js')
+    ? /(?:from|import)\s*"\.\/([^"]+)"/g
+    : /(?:src|href)="\.\/([^"]+)"|url\(\.\/([^)]+)\)/g
   for (const [, one, other] of textOf(name).matchAll(named)) {
     const found = all.find((each) => each.name.endsWith(`/${(one ?? other ?? '').replace(/^assets\//, '')}`))
     if (found) atOnce.add(found.name)

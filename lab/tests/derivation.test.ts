@@ -2,11 +2,16 @@
 
 import { beforeAll, describe, expect, it } from 'vitest'
 import { type Equality, sidesOf, TOLERANCE } from '../src/derivation/equality'
-import { EQUALITIES } from '../src/derivation/lessons'
+import { ERRATA } from '../src/derivation/errata'
+import FORMULAS from '../src/derivation/formulas.tex'
+import { EQUALITIES, LESSONS } from '../src/derivation/lessons'
 import { Moment } from '../src/derivation/moment'
-import { carlsonF, legendreF, mean, slope, around } from '../src/derivation/second-route'
+import { around, carlsonF, legendreF, mean, slope } from '../src/derivation/second-route'
+import { Words } from '../src/language'
+import '../src/language/derivation'
 import { completedModel, type Model, openModel, type Setup } from '../src/model'
 import { radians } from '../src/number'
+import { ENTRIES, LANGUAGES, MOST_STEPS } from '../src/state'
 
 let model: Model
 beforeAll(async () => {
@@ -39,7 +44,8 @@ function states(count: number): State[] {
     out.push({ setup: { theta0, velocity0, length, gravity }, t })
   for (const angle of [0, 1e-6, 1, 60, 90, 150, 171, 179, 179.999, 180, -1, -90, -150, -180])
     for (const t of [0, 0.7, 13.3]) put(radians(angle), 0, 1, 9.81, t)
-  for (const velocity of [-100, -7, -1e-6, 1e-6, 0.3, 6.264, 6.265, 7.5, 100]) for (const angle of [0, 1, -2.5, 3]) put(angle, velocity)
+  for (const velocity of [-100, -7, -1e-6, 1e-6, 0.3, 6.264, 6.265, 7.5, 100])
+    for (const angle of [0, 1, -2.5, 3]) put(angle, velocity)
   for (const [length, gravity] of [
     [0.001, 0.001],
     [0.001, 1000],
@@ -83,7 +89,9 @@ function wrong(equalities: readonly Equality[], all: readonly Moment[]): string[
     for (const equality of equalities) {
       const sides = sidesOf(equality, now)
       if (sides && !(sides.apart <= TOLERANCE))
-        lines.push(`${equality.id}: ${sides.left} ${sides.right} ${now.regime} ${JSON.stringify(now.motion.setup)} ${now.t}`)
+        lines.push(
+          `${equality.id}: ${sides.left} ${sides.right} ${now.regime} ${JSON.stringify(now.motion.setup)} ${now.t}`,
+        )
     }
   }
   return lines
@@ -121,6 +129,82 @@ describe('story 8: 1,000 pendulums', () => {
         }
         expect([equality.id, side, wrong([spoiled], some).length]).toEqual([equality.id, side, some.length])
       }
+    }
+  })
+})
+
+describe('errata', () => {
+  it('the printed line fails and the corrected one is the motion, in every pendulum that it is about', () => {
+    const all = states(1000).map(momentOf)
+    for (const { id, of } of ERRATA) {
+      let count = 0
+      let large = 0
+      let near = 0
+      for (const now of all) {
+        const reading = of(now)
+        if (!reading) continue
+        count++
+        if (now.kappa > 0.05) large++
+        const { printed, corrected, truth } = reading
+        const approximate = /salas-2[678]/.test(id)
+        const size = Math.max(Math.abs(truth), id === 'salas-10' ? now.omega0 ** 2 * (1 + now.m) : 0)
+        const terms = id === 'salas-9' ? (now.omega0 ** 2 / now.start.c ** 4) * (1 + now.m) : size
+        // A quotient of polynomials is near the period only where m is small; a quarter of it never is.
+        const bound = approximate ? (now.m < 0.3 ? 0.0012 * size : 0.9 * size) : 1e-9 * Math.max(size, terms, 1e-3)
+        expect([id, Math.abs(corrected - truth) <= bound, now.motion.setup, now.t]).toEqual([
+          id,
+          true,
+          now.motion.setup,
+          now.t,
+        ])
+        if (now.kappa > 0.05 && Math.abs(printed - truth) <= 1e-6 * size) near++
+      }
+      expect([id, count >= 100]).toEqual([id, true])
+      // It is nearly right for the smallest swings, and by chance.
+      expect([id, near < 0.1 * large]).toEqual([id, true])
+    }
+  })
+})
+
+describe('lessons', () => {
+  const steps = ENTRIES.flatMap((entry) => LESSONS[entry].map((step) => ({ entry, ...step })))
+
+  it('have a paragraph in every language where a step has one, and as many steps as a link may say', () => {
+    for (const { entry, name, blocks } of steps) {
+      const wanted = blocks.filter(({ kind }) => kind === 'p').length
+      for (const language of LANGUAGES) {
+        const lessons = new Words(language).say.derivation.lessons[entry] as Readonly<
+          Record<string, { readonly text: readonly string[] }>
+        >
+        expect([language, entry, name, lessons[name]?.text.length]).toEqual([language, entry, name, wanted])
+      }
+    }
+    expect(Math.max(...ENTRIES.map((entry) => LESSONS[entry].length))).toBe(MOST_STEPS)
+  })
+
+  it('show every equality and every erratum, and every formula of the file', () => {
+    const blocks = steps.flatMap((step) => step.blocks)
+    const equalities = new Set(blocks.flatMap((each) => (each.kind === 'equality' ? [each.equality.id] : [])))
+    expect([...equalities].sort()).toEqual(EQUALITIES.map(({ id }) => id).sort())
+    const errata = new Set(blocks.flatMap((each) => (each.kind === 'erratum' ? [each.name] : [])))
+    expect([...errata].sort()).toEqual(ERRATA.map(({ id }) => id).sort())
+    const used = [...equalities, ...ERRATA.flatMap(({ id }) => [`printed-${id}`, `corrected-${id}`])]
+    expect(Object.keys(FORMULAS).sort()).toEqual(used.sort())
+  })
+
+  it('have formulas in MathML, with the functions of the language', () => {
+    const all = Object.values(FORMULAS).flat()
+    expect(all.filter((each) => !/^<math displaystyle="true">.*<\/math>$/.test(each))).toEqual([])
+    expect(all.filter((each) => / class=| style=|<annotation|\\/.test(each))).toEqual([])
+    const tangent = FORMULAS['any-start']?.[1] ?? ''
+    for (const [language, sine, arctan] of [
+      ['en', 'sin', 'arctan'],
+      ['pt-BR', 'sen', 'arctg'],
+      ['es', 'sen', 'arctan'],
+    ] as const) {
+      const words = new Words(language)
+      expect(words.formula(FORMULAS.newton?.[1] ?? '')).toContain(`<mi>${sine}</mi>`)
+      expect(words.formula(tangent)).toContain(`<mi>${arctan}</mi>`)
     }
   })
 })

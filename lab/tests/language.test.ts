@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { nearestLanguage, Words } from '../src/language'
 import '../src/language/later'
 import '../src/language/data'
+import '../src/language/derivation'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 

@@ -52,7 +52,8 @@ export const LESSONS = {
     substitution: 'p sine cosine p phi-rate p turn-angle turn-rate',
     integral: 'p time p quarter period !salas-25 p mean p turn-time turn-period',
     inversion: 'p sn cn dn p ellipse chord p',
-    solution: 'p start-sine start-cosine p theta velocity !horsley-3 p turn-theta turn-velocity p limit-theta limit-velocity',
+    solution:
+      'p start-sine start-cosine p theta velocity !horsley-3 p turn-theta turn-velocity p limit-theta limit-velocity',
     small: 'p small-sn small-period p small-theta p',
     dropped: 'p ratio period-series p harmonic p table:errors p',
   }),

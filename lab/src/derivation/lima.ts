@@ -141,4 +141,3 @@ export const LIMA: readonly Equality[] = [
     right: ({ kappa, elliptic }) => (kappa * elliptic.quarter) / (2 * Math.PI),
   },
 ]
-

@@ -218,4 +218,3 @@ export class Moment {
     return left <= 0 ? { right: turned, last: left, side: -1 } : { right: turned, last: turned, side: 1 }
   }
 }
-

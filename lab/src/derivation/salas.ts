@@ -86,7 +86,8 @@ export const SALAS: readonly Equality[] = [
       const { u } = duffingOf(now.now, now.omega0)
       return -p * u - q * u ** 3
     },
-    size: ({ velocity, now, strongest }) => (strongest + (square(velocity) * Math.abs(now.s / now.c)) / 2) / square(now.c),
+    size: ({ velocity, now, strongest }) =>
+      (strongest + (square(velocity) * Math.abs(now.s / now.c)) / 2) / square(now.c),
     undefinedAt: atTop,
   },
   {
@@ -225,4 +226,3 @@ function duffingEnergy(now: Moment, half: Half): { readonly value: number; reado
   const [kinetic, linear, cubic] = [square(v), p * square(u), (q / 2) * u ** 4]
   return { value: kinetic + linear + cubic, size: kinetic + Math.abs(linear) + Math.abs(cubic) }
 }
-

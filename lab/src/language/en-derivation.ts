@@ -57,14 +57,13 @@ export const enDerivation = {
   circle: {
     name: 'The circle of the energy',
     caption:
-      'The point has the width _θ\'_/2_ω_{0} = {x} and the height sin(_θ_/2) = {s}. It stays at the distance _κ_ = {kappa}. Dashed: the separatrix, _κ_ = 1.',
+      "The point has the width _θ'_/2_ω_{0} = {x} and the height sin(_θ_/2) = {s}. It stays at the distance _κ_ = {kappa}. Dashed: the separatrix, _κ_ = 1.",
   },
   coefficients: {
     name: 'Coefficients of the series of sn',
     order: '_n_',
     value: '_b_{2n−1}',
     sum: '_k_ times the first terms, at the turning point',
-    goal: 'sin(_θ_{max}/2)',
   },
   errors: {
     name: 'Largest errors in one period',
@@ -90,7 +89,7 @@ export const enDerivation = {
         title: 'From acceleration to speed',
         text: [
           'The acceleration depends on the angle, and the angle is what we look for. A trick helps: multiply both sides by the velocity.',
-          'Now both sides are derivatives that we know: on the left of _θ\'_²/2, on the right of _ω_{0}² cos _θ_. So one sum never changes. It is the energy, counted from the bottom; now it is what it was at the start:',
+          "Now both sides are derivatives that we know: on the left of _θ'_²/2, on the right of _ω_{0}² cos _θ_. So one sum never changes. It is the energy, counted from the bottom; now it is what it was at the start:",
           'Half the angle makes a square of the second term:',
         ],
       },
@@ -98,13 +97,13 @@ export const enDerivation = {
         title: 'Three kinds of motion',
         text: [
           'Divide the energy by what it takes to stand on the top, 2_ω_{0}². Call the quotient _κ_². The start says how large it is, and it stays:',
-          '_θ\'_{top} is the velocity with which it would just reach the top from where it starts.',
+          "_θ'_{top} is the velocity with which it would just reach the top from where it starts.",
         ],
       },
       substitution: {
         title: 'An angle that goes round',
         text: [
-          'The last sum is a circle: its point has the height sin(_θ_/2) and the width _θ\'_/2_ω_{0}, and _κ_ is its radius. For a swing call the radius _k_, and the angle of the point _φ_. Where _θ_ turns back, _φ_ goes on:',
+          "The last sum is a circle: its point has the height sin(_θ_/2) and the width _θ'_/2_ω_{0}, and _κ_ is its radius. For a swing call the radius _k_, and the angle of the point _φ_. Where _θ_ turns back, _φ_ goes on:",
           'How fast does it go round? Take the derivative of the first line and put in the second. The cosine of _φ_ cancels, and cos(_θ_/2) is a root:',
           'If the pendulum turns over, _θ_ itself goes on. Then half of it is _φ_, with the sign of the turn, and _k_ is 1/_κ_:',
         ],
@@ -211,7 +210,7 @@ export const enDerivation = {
       motion: {
         title: 'Any start',
         text: [
-          'Given are an angle and a velocity, _φ_{0} and its derivative for Salas, _θ_{0} and _θ\'_{0} here. His _m_ in (23) is the energy ratio _κ_²:',
+          "Given are an angle and a velocity, _φ_{0} and its derivative for Salas, _θ_{0} and _θ'_{0} here. His _m_ in (23) is the energy ratio _κ_²:",
         ],
       },
       duffing: {

@@ -129,7 +129,7 @@ function coefficients(page: Live, now: Moment): TemplateResult {
     return html`<tr><th scope="row">${i + 1}</th><td>${rich(words.significant(each, 6))}</td><td>${words.fixed(now.kappa * sum, 9)}</td></tr>`
   })
   return html`<table class="data lesson-table"><caption class="unseen">${say.name}</caption><thead><tr><th scope="col">${rich(say.order)}</th><th scope="col">${rich(say.value)}</th><th scope="col">${rich(say.sum)}</th></tr></thead>
-    <tbody>${rows}<tr class="sum"><th scope="row" colspan="2">${rich(words.formula(say.goal))}</th><td>${words.fixed(now.kappa, 9)}</td></tr></tbody></table>`
+    <tbody>${rows}<tr class="sum"><th scope="row" colspan="2">${rich(words.formula('sin(_θ_{max}/2)'))}</th><td>${words.fixed(now.kappa, 9)}</td></tr></tbody></table>`
 }
 
 const fourier = (argument: number): Curve => ({ name: 'fourier', argument, on: true })

@@ -116,7 +116,14 @@ function figure(page: Live, name: 'forces' | 'circle', now: Moment): TemplateRes
   if (name === 'circle') {
     const { x, s } = now.now
     const caption = words.fill(derivation.circle.caption, { x: fixed(x), s: fixed(s), kappa: fixed(now.kappa) })
-    const spec = { x, s, kappa: now.kappa, swings: now.regime === 'libration', width: "_θ'_/2_ω_{0}", height: words.formula('sin _θ_/2') }
+    const spec = {
+      x,
+      s,
+      kappa: now.kappa,
+      swings: now.regime === 'libration',
+      width: "_θ'_/2_ω_{0}",
+      height: words.formula('sin _θ_/2'),
+    }
     return html`<figure class="lesson-figure drawing"><svg viewBox="0 0 ${CIRCLE_BOX.width} ${CIRCLE_BOX.height}" role="img" aria-label=${derivation.circle.name}>${circle(spec)}</svg>
       <figcaption class="soft small">${rich(words.formula(caption))}</figcaption></figure>`
   }
@@ -150,7 +157,13 @@ function shownBlock(page: Live, block: Block, now: Moment, paragraph: () => stri
   }
 }
 
-function shownStep(page: Live, { name, blocks }: Step, number: number, now: Moment, filled: Record<string, string>): TemplateResult {
+function shownStep(
+  page: Live,
+  { name, blocks }: Step,
+  number: number,
+  now: Moment,
+  filled: Record<string, string>,
+): TemplateResult {
   const { words, state } = page
   const { title, text } = wordsOf(page, state.entry, name)
   const on = stepAt(page) === number

@@ -12,6 +12,7 @@ const VIEWS = {
   phase: 'view=phase&th0=150deg&L=1m&g=9.81&orbits=60deg,0deg;7.5&t=0.9s',
   period: 'view=period&th0=150deg&L=1m&g=9.81&t=0s',
   functions: 'view=functions&th0=150deg&L=1m&g=9.81&t=0.75s',
+  derivation: 'view=derivation&th0=150deg&L=1m&g=9.81&t=0.4s&step=5',
 } as const
 const SIZES = {
   '1280-light': [1280, 720],
@@ -32,7 +33,7 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
     for (const [view, link] of Object.entries(VIEWS)) {
       await page.setViewportSize({ width, height })
       await show(page, `${link}&theme=${size.endsWith('dark') ? 'dark' : 'light'}`)
-      await expect(page.locator('main .plot-drawing').first()).toBeVisible()
+      await expect(page.locator('main .plot-drawing, main .step').first()).toBeVisible()
       // A phone's page at its whole height, so that its play bar stands at the end.
       const tall = await page.evaluate(() => document.documentElement.scrollHeight)
       await page.setViewportSize({ width, height: width === 360 ? tall : height })
