@@ -12,6 +12,8 @@ export interface Reading {
   readonly truth: number
   /** Argument of an arcsine that has no real value. */
   readonly argument?: number
+  /** The corrected formula where it is another one for this motion. */
+  readonly formula?: string
 }
 
 export type ErratumName =
@@ -86,21 +88,14 @@ export const ERRATA: readonly Erratum[] = [
     place: 'Salas (25)',
     symbol: '_T_',
     unit: 's',
-    of: ({ regime, elliptic, omega0, motion }) => {
-      if (regime === 'libration')
-        return {
-          printed: elliptic.quarter / omega0,
-          corrected: (4 * elliptic.quarter) / omega0,
-          truth: motion.period,
-        }
+    of: (now) => {
+      if (now.regime !== 'libration' && now.regime !== 'rotation') return null
+      const { quarter, k } = now.elliptic
+      const truth = now.motion.period
       // K has no real value beyond 1.
-      if (regime === 'rotation')
-        return {
-          printed: Number.NaN,
-          corrected: (2 * elliptic.k * elliptic.quarter) / omega0,
-          truth: motion.period,
-        }
-      return null
+      if (now.regime === 'rotation')
+        return { printed: Number.NaN, corrected: (2 * k * quarter) / now.omega0, truth, formula: 'salas-turn' }
+      return { printed: quarter / now.omega0, corrected: (4 * quarter) / now.omega0, truth }
     },
   },
   period('salas-26'),

@@ -3,11 +3,12 @@
 import type { Equality } from './equality'
 import type { ErratumName } from './errata'
 import { LIMA } from './lima'
+import { MOTION } from './motion'
 import { SALAS } from './salas'
 import { STEPS } from './steps'
 
 /** Every equality that is displayed somewhere. */
-export const EQUALITIES: readonly Equality[] = [...STEPS, ...LIMA, ...SALAS]
+export const EQUALITIES: readonly Equality[] = [...STEPS, ...MOTION, ...LIMA, ...SALAS]
 
 export type FigureName = 'forces' | 'circle'
 export type TableName = 'coefficients' | 'errors'

@@ -33,6 +33,8 @@ export interface Elliptic {
   /** sin φ and cos φ by the motion itself, not by the functions. */
   readonly sinPhi: number
   readonly cosPhi: number
+  /** √(1 − k² sin²φ) of the motion, without a difference. */
+  readonly delta: number
   /** F(φ), φ counted on, by the second route. */
   readonly integral: number
   readonly slopeOfPhi: number
@@ -189,6 +191,7 @@ export class Moment {
       ...functions,
       sinPhi,
       cosPhi,
+      delta: Math.sqrt(cosPhi * cosPhi + parameter.mc * sinPhi * sinPhi),
       integral,
       slopeOfPhi: this.slope(phi),
     }

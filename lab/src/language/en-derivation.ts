@@ -11,6 +11,8 @@ export const enDerivation = {
   back: 'Previous step',
   next: 'Next step',
   digits: '{count} digits agree',
+  before: 'before',
+  after: 'after',
   formula: 'Formula',
   not: {
     rest: 'This pendulum is at rest.',

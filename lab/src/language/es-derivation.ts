@@ -11,6 +11,8 @@ export const esDerivation: DerivationCatalogue = {
   back: 'Paso anterior',
   next: 'Paso siguiente',
   digits: '{count} cifras coinciden',
+  before: 'antes de',
+  after: 'después de',
   formula: 'Fórmula',
   not: {
     rest: 'Este péndulo está en reposo.',
@@ -32,10 +34,10 @@ export const esDerivation: DerivationCatalogue = {
   errata: {
     'salas-9': 'Los puntos, que indican velocidad, están en las letras equivocadas.',
     'salas-10': '_u_{0} y su velocidad están intercambiadas en toda la línea.',
-    'salas-25': '_K_/_ω_{0} es un cuarto del período. Para vueltas, _m_ > 1, no tiene valor real.',
-    'salas-26': 'El factor delante de la fracción la hace un cuarto del período.',
-    'salas-27': 'El factor delante de la fracción la hace un cuarto del período.',
-    'salas-28': 'El factor delante de la fracción la hace un cuarto del período.',
+    'salas-25': '_K_/_ω_{0} es un cuarto del periodo. Para vueltas, _m_ > 1, no tiene valor real.',
+    'salas-26': 'El factor delante de la fracción la hace un cuarto del periodo.',
+    'salas-27': 'El factor delante de la fracción la hace un cuarto del periodo.',
+    'salas-28': 'El factor delante de la fracción la hace un cuarto del periodo.',
     'lima-16': 'El sn de Jacobi se ha vuelto un seno. El tiempo cuenta desde el retorno a la derecha.',
     'horsley-3':
       'La raíz de _k_ pertenece al numerador, y sn se ha vuelto un seno. Aquí _k_ es sin²(_θ_{0}/2), _F_{0} la integral del inicio, _H_ el signo de la velocidad. Para _θ_{0} < 0 la línea corregida lleva el otro signo.',
@@ -67,7 +69,7 @@ export const esDerivation: DerivationCatalogue = {
     sum: '_k_ por los primeros términos, en el punto de retorno',
   },
   errors: {
-    name: 'Mayores errores en un período',
+    name: 'Mayores errores en un periodo',
     formula: 'fórmula',
     error: 'mayor error, % de _θ_{max}',
     noValue: 'sin valor en una parte de él',
@@ -113,7 +115,7 @@ export const esDerivation: DerivationCatalogue = {
         title: 'El tiempo como integral',
         text: [
           'Cada pequeño paso de _φ_ lleva un tiempo: el paso dividido por la rapidez. Todos juntos son el tiempo desde el inicio, donde _φ_ era _φ_{0}. Esta integral no es una función elemental. Tiene un nombre, la *integral elíptica de primera especie*, _F_:',
-          'Del punto más bajo al punto de retorno _φ_ crece en un ángulo recto. Eso lleva un cuarto del período:',
+          'Del punto más bajo al punto de retorno _φ_ crece en un ángulo recto. Eso lleva un cuarto del periodo:',
           'Nadie tiene que hacer la integral. Gauss la halló por medias: tome la media aritmética y la geométrica de dos números, luego las de estas, y así hasta que ambas sean un solo número, _M_. Entonces:',
           'En una vuelta _φ_ recorre dos ángulos rectos:',
         ],
@@ -146,9 +148,9 @@ export const esDerivation: DerivationCatalogue = {
       dropped: {
         title: 'Lo que dejan fuera las aproximaciones',
         text: [
-          'El movimiento lineal tiene el período _T_{0} en cualquier oscilación. El verdadero es 2_K_/π veces más largo. Como serie en el ángulo de retorno empieza con dos términos que todos usan; el resto se deja fuera:',
-          'Difieren en *{seriesError}* de la razón verdadera. Otra idea conserva el coseno y le da el período verdadero; _t_{m} es cuando se volvió por última vez a la derecha:',
-          'Cuánto yerran las fórmulas, como máximo, en un período de su péndulo:',
+          'El movimiento lineal tiene el periodo _T_{0} en cualquier oscilación. El verdadero es 2_K_/π veces más largo. Como serie en el ángulo de retorno empieza con dos términos que todos usan; el resto se deja fuera:',
+          'Difieren en *{seriesError}* de la razón verdadera. Otra idea conserva el coseno y le da el periodo verdadero; _t_{m} es cuando se volvió por última vez a la derecha:',
+          'Cuánto yerran las fórmulas, como máximo, en un periodo de su péndulo:',
           'De dónde vienen las dos últimas está escrito para los lectores de Lima y de Salas.',
         ],
       },
@@ -165,7 +167,7 @@ export const esDerivation: DerivationCatalogue = {
         title: 'La integral propia',
         text: [
           'La sustitución hace de la integral impropia una propia. _k_ es el *módulo*; muchos programas piden en su lugar el parámetro _m_ = _k_².',
-          'Un cuarto del período es la integral completa:',
+          'Un cuarto del periodo es la integral completa:',
         ],
       },
       inversion: {
@@ -184,25 +186,25 @@ export const esDerivation: DerivationCatalogue = {
         ],
       },
       harmonic: {
-        title: 'Un coseno con el período exacto',
+        title: 'Un coseno con el periodo exacto',
         text: [
-          'La primera aproximación conserva el período y abandona la forma. _t_{m} es cuando se volvió por última vez a la derecha, 0 en Lima:',
-          'Su mayor error en un período de su péndulo es *{harmonicError}* del ángulo de retorno.',
+          'La primera aproximación conserva el periodo y abandona la forma. _t_{m} es cuando se volvió por última vez a la derecha, 0 en Lima:',
+          'Su mayor error en un periodo de su péndulo es *{harmonicError}* del ángulo de retorno.',
         ],
       },
       series: {
         title: 'La serie de Fourier',
         text: [
-          'sn es impar y tiene el período 4_K_, luego es una suma de senos. El artículo hace la integral de los coeficientes en el plano complejo; aquí está junto a su valor, para el primero:',
+          'sn es impar y tiene el periodo 4_K_, luego es una suma de senos. El artículo hace la integral de los coeficientes en el plano complejo; aquí está junto a su valor, para el primero:',
           'Cuatro términos, puestos en el arco seno:',
-          'Donde los términos hacen el seno mayor que 1 no hay ángulo: un número impar de ellos lo hace en los puntos de retorno, un número par dentro de la oscilación. La serie del propio _θ_ no necesita arco seno; el Laboratorio la dibuja.',
+          'Donde los términos hacen el seno mayor que 1 no hay ángulo: un número impar de ellos lo hace en los puntos de retorno, un número par dentro de la oscilación. La serie del propio _θ_ no necesita arco seno; el Lab la dibuja.',
         ],
       },
       errors: {
         title: 'Lo que dejan fuera los términos',
         text: [
           'En los puntos de retorno todos los senos son ±1, y la suma entera es conocida:',
-          'Ningún número finito de términos la da, y por eso el movimiento no empieza del todo donde se soltó. Cuánto yerran las fórmulas, como máximo, en un período de su péndulo:',
+          'Ningún número finito de términos la da, y por eso el movimiento no empieza del todo donde se soltó. Cuánto yerran las fórmulas, como máximo, en un periodo de su péndulo:',
           'El artículo dice que esto es siempre en _t_ = 0 y _T_. Para un número par de términos y grandes oscilaciones es en el interior.',
         ],
       },
@@ -246,18 +248,18 @@ export const esDerivation: DerivationCatalogue = {
         ],
       },
       period: {
-        title: 'El período',
+        title: 'El periodo',
         text: [
           'Una oscilación lleva cuatro veces la integral completa. Para una vuelta el parámetro es mayor que 1, y su inverso toma su lugar:',
           'Tres cocientes hacen las veces de 2_K_/π, los aproximantes de Padé en _m_. Son correctos; el factor delante de ellos no:',
-          'En _m_ = 1 el período es infinito, y estos no lo son. Para su péndulo (28) difiere en *{salasError}* de la razón exacta.',
+          'En _m_ = 1 el periodo es infinito, y estos no lo son. Para su péndulo (28) difiere en *{salasError}* de la razón exacta.',
         ],
       },
       trigonometric: {
         title: 'Sin funciones elípticas',
         text: [
           'El seno se vuelve un polinomio de grado 5, y su movimiento un coseno sobre una raíz. El ángulo de retorno basta para _ν_ y _λ_. El tiempo cuenta desde el último retorno:',
-          'Cuánto yerran las fórmulas, como máximo, en un período de su péndulo:',
+          'Cuánto yerran las fórmulas, como máximo, en un periodo de su péndulo:',
         ],
       },
     },

@@ -11,6 +11,8 @@ export const ptBRDerivation: DerivationCatalogue = {
   back: 'Passo anterior',
   next: 'Passo seguinte',
   digits: '{count} dígitos coincidem',
+  before: 'antes de',
+  after: 'depois de',
   formula: 'Fórmula',
   not: {
     rest: 'Este pêndulo está em repouso.',
@@ -195,7 +197,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         text: [
           'sn é ímpar e tem o período 4_K_, logo é uma soma de senos. O artigo faz a integral dos coeficientes no plano complexo; aqui ela está ao lado do seu valor, para o primeiro:',
           'Quatro termos, postos no arco seno:',
-          'Onde os termos tornam o seno maior que 1 não há ângulo: um número ímpar deles o faz nos pontos de retorno, um número par dentro da oscilação. A série do próprio _θ_ não precisa de arco seno; o Laboratório a desenha.',
+          'Onde os termos tornam o seno maior que 1 não há ângulo: um número ímpar deles o faz nos pontos de retorno, um número par dentro da oscilação. A série do próprio _θ_ não precisa de arco seno; o Lab a desenha.',
         ],
       },
       errors: {

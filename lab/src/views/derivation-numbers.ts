@@ -77,12 +77,18 @@ function numbers(page: Live, equality: Equality, sides: Sides): TemplateResult {
     <span class="soft agree">${words.fill(derivation.digits, { count: sure })}</span>`
 }
 
+/** The equations of the papers; two words among them are the language's. */
+function tagText({ words }: Live, tag: string): string {
+  const { before, after } = words.say.derivation
+  return tag.replace(/\bbefore\b/g, before).replace(/\bafter\b/g, after)
+}
+
 export function shownEquality(page: Live, equality: Equality, now: Moment): TemplateResult {
   const sides = sidesOf(equality, now)
   const { id, tag } = equality
   return html`<div class="equality" data-equality=${id} data-left=${sides ? String(sides.left) : nothing} data-right=${sides ? String(sides.right) : nothing}
     data-apart=${sides ? String(sides.apart) : nothing}>
-    <div class="formula-line">${formula(page, id)}${tag === '' ? nothing : html`<span class="soft tag">${tag}</span>`}</div>
+    <div class="formula-line">${formula(page, id)}${tag === '' ? nothing : html`<span class="soft tag">${tagText(page, tag)}</span>`}</div>
     <div class="sides">${sides ? numbers(page, equality, sides) : html`<span class="soft">${rich(reason(page, equality, now))}</span>`}</div>
   </div>`
 }
@@ -103,7 +109,7 @@ export function shownErratum(page: Live, name: ErratumName, now: Moment): Templa
   if (!erratum) throw new Error(`no erratum ${name}`)
   const reading = erratum.of(now)
   const line = (key: 'printed' | 'corrected') =>
-    html`<dt>${derivation[key]}</dt><dd>${formula(page, `${key}-${name}`)}${
+    html`<dt>${derivation[key]}</dt><dd>${formula(page, (key === 'corrected' && reading?.formula) || `${key}-${name}`)}${
       reading
         ? html`<span class="reading-value" data-reading=${key} data-exact=${String(reading[key])}>${rich(erratum.symbol)} = <b>${value(page, reading, key, erratum.unit)}</b></span>`
         : nothing

@@ -49,6 +49,8 @@ function bringTo(step: number): void {
 /** Scrolls to the step of the state after it is drawn, unless the reader is in it already. */
 function follow(page: Live): void {
   const wanted = `${page.state.entry} ${stepAt(page)}`
+  // The view has just been opened.
+  if (!document.querySelector('.lesson')) brought = ''
   if (brought === wanted) return
   const first = brought === '' && stepAt(page) === 1
   brought = wanted
@@ -57,7 +59,10 @@ function follow(page: Live): void {
 
 function go({ store, state }: Live, step: number): void {
   const most = stepsOf(state.entry).length
-  if (step >= 1 && step <= most) store.set({ step })
+  if (step < 1 || step > most) return
+  // To the step that is current too, which the reader may have scrolled away from.
+  brought = 'elsewhere'
+  store.set({ step })
 }
 
 /** The reader has put the focus or the pointer into a step: it is the current one where it is. */
