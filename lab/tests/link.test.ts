@@ -23,6 +23,7 @@ const plainStates: Partial<State>[] = [
   { orbits: [], periods: [], periodAxis: 'linear' },
   { orbits: [{ theta0: radians(60), velocity0: -3.25 }], periods: ['bernoulli', 'series:4'] },
   { orbit: 2, view: 'phase' },
+  { entry: 'lima', step: 7, view: 'derivation' },
   { periodOrder: 'error', periods: ['agm:3', 'salas-28'], view: 'period' },
   { language: 'pt-BR', theme: 'dark' },
 ]
@@ -121,6 +122,9 @@ describe('a bad value', () => {
     ['orbits=1,2,3,4,5,6,7', 'too-many', 'orbits'],
     ['orbits=400', 'out-of-range', 'orbits'],
     ['orbit=G', 'not-one-of', 'orbit'],
+    ['entry=euler', 'not-one-of', 'entry'],
+    ['step=0', 'not-one-of', 'step'],
+    ['step=2.5', 'not-one-of', 'step'],
     ['periods=bernoulli,newton', 'not-one-of', 'periods'],
     ['periods=agm:9', 'argument', 'periods'],
     ['periods=series:3', 'argument', 'periods'],

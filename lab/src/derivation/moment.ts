@@ -113,6 +113,12 @@ export class Moment {
     return this.#acceleration
   }
 
+  /** The weight and its parts along and across the arc, in N for each kilogram. */
+  get forces(): { readonly weight: number; readonly along: number; readonly across: number } {
+    const { gravity } = this.motion.setup
+    return { weight: gravity, along: -gravity * Math.sin(this.theta), across: gravity * Math.cos(this.theta) }
+  }
+
   /** What an acceleration is measured against: its largest, or where it turns over the square of the velocity that it changes. */
   get strongest(): number {
     return this.omega0 ** 2 * this.kappa * Math.max(1, this.kappa)

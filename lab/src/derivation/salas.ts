@@ -2,6 +2,7 @@
 
 import { type Equality, MOVING, SWING } from './equality'
 import type { Half, Moment } from './moment'
+import { STEPS } from './steps'
 
 const square = (x: number): number => x * x
 
@@ -52,6 +53,13 @@ export function salas23(now: Moment): number {
   const { s, c, x } = now.start
   const { sn, cn, dn } = ownClock(now)
   return 2 * Math.atan2(s * c * cn + x * dn * sn, square(c * cn) + now.mc * square(sn))
+}
+
+/** An equality of the other ways in Salas's letters. */
+function again(id: string, name: string): Equality {
+  const found = STEPS.find((each) => each.id === id)
+  if (!found) throw new Error(`no equality ${id}`)
+  return { ...found, id: name, tag: 'Salas (25)' }
 }
 
 const rational = (name: string, of: (m: number) => number): Equality => ({
@@ -184,22 +192,8 @@ export const SALAS: readonly Equality[] = [
     right: (now) => beside(now.theta, salas23(now)),
     size: () => Math.PI,
   },
-  {
-    id: 'salas-period',
-    tag: 'Salas (25)',
-    unit: 's',
-    of: SWING,
-    left: ({ motion }) => motion.period,
-    right: ({ elliptic, omega0 }) => (4 * elliptic.quarter) / omega0,
-  },
-  {
-    id: 'salas-turn',
-    tag: 'Salas (25)',
-    unit: 's',
-    of: ['rotation'],
-    left: ({ motion }) => motion.period,
-    right: ({ elliptic, omega0, m }) => (2 * elliptic.quarter) / (omega0 * Math.sqrt(m)),
-  },
+  again('period', 'salas-period'),
+  again('turn-period', 'salas-turn'),
   rational('salas-26', RATIONAL['salas-26']),
   rational('salas-27', RATIONAL['salas-27']),
   rational('salas-28', RATIONAL['salas-28']),

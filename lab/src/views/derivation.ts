@@ -115,7 +115,7 @@ function kindOfMotion(page: Live, now: Moment): TemplateResult {
 }
 
 function figure(page: Live, name: 'forces' | 'circle', now: Moment): TemplateResult {
-  const { words, motion } = page
+  const { words } = page
   const { derivation } = words.say
   const fixed = (value: number) => words.fixed(value, 4)
   if (name === 'circle') {
@@ -133,12 +133,12 @@ function figure(page: Live, name: 'forces' | 'circle', now: Moment): TemplateRes
       <figcaption class="soft small">${rich(words.formula(caption))}</figcaption></figure>`
   }
   const newton = (value: number) => words.with(words.fixed(value, 3), 'N')
-  const { gravity } = motion.setup
+  const { weight, along, across } = now.forces
   const say = derivation.forces
   const caption = words.fill(say.caption, {
-    weight: newton(gravity),
-    along: newton(-gravity * Math.sin(now.theta)),
-    across: newton(gravity * Math.cos(now.theta)),
+    weight: newton(weight),
+    along: newton(along),
+    across: newton(across),
   })
   const spec = { ...say, along: words.formula(say.along) }
   return html`<figure class="lesson-figure drawing"><svg viewBox="0 0 ${FORCES_BOX.width} ${FORCES_BOX.height}" role="img" aria-label=${say.name}>${forces(spec)}</svg>

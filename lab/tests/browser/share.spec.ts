@@ -41,7 +41,7 @@ test('story 10: every kept link opens with its state', async ({ lab }) => {
   for (const { link, state } of keptLinks()) {
     await show(lab, link)
     await expect(lab.locator('.message')).toHaveCount(0)
-    await expect(lab.locator('main .plot-drawing').first()).toBeVisible()
+    await expect(lab.locator('main .plot-drawing, main .step').first()).toBeVisible()
     const back = readLink((await linkOf(lab)).replace(/^.*#/, '')).state
     expect(back, link).toMatchObject(state)
   }
