@@ -21,17 +21,17 @@ export default defineConfig(({ mode, command }) => {
     plugins: [browserCore(), formulas(), stillPage(command === 'build'), ...(offline ? [oneFile('offline.html')] : [])],
     build: {
       target: 'es2022',
-      // What the first script imports is asked for beside it; of a part that comes later only its style.
-      modulePreload: {
-        polyfill: false,
-        resolveDependencies: (_, files, { hostType }) =>
-          hostType === 'html' ? files : files.filter((file) => file.endsWith('.css')),
-      },
+      modulePreload: false,
       emptyOutDir: !offline,
       assetsInlineLimit: offline ? Number.MAX_SAFE_INTEGER : 0,
       cssCodeSplit: !offline,
       reportCompressedSize: false,
-      rolldownOptions: { output: offline ? { format: 'iife', codeSplitting: false } : {} },
+      // What the first load needs is one file, however many views share parts of it.
+      rolldownOptions: {
+        output: offline
+          ? { format: 'iife', codeSplitting: false }
+          : { codeSplitting: { groups: [{ name: 'first', test: /src\/main\.ts$/ }] } },
+      },
     },
     test: { include: ['tests/**/*.test.ts'] },
   }
