@@ -5,6 +5,7 @@ import { dirname } from 'node:path'
 import { defineConfig } from 'vitest/config'
 import { browserCore } from './bundle/browser-core.ts'
 import { firstLoad, isFirst } from './bundle/first-load.ts'
+import { formulas } from './bundle/formulas.ts'
 import { licences } from './bundle/licences.ts'
 import { oneFile } from './bundle/one-file.ts'
 import { stillPage } from './bundle/still.ts'
@@ -22,6 +23,7 @@ export default defineConfig(({ mode, command }) => {
     plugins: [
       browserCore(),
       firstLoad(),
+      formulas(),
       stillPage(command === 'build'),
       ...(offline ? [oneFile('offline.html')] : [licences()]),
     ],

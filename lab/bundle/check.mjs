@@ -39,9 +39,24 @@ const failures = []
 const cores = all.filter(({ name }) => /libration-(simd|scalar)[^/]*\.wasm$/.test(name))
 const of = (/** @type {string} */ kind) =>
   cores.find(({ name }) => name.includes(`libration-${kind}`))?.gzipped ?? Number.NaN
-// The views behind the other tabs are parts of their own, with their style: asked for by the script and waited for by nothing.
-const later = all.filter(({ name }) => /assets[/](?!index-)[^/]*\.(js|css)$/.test(name))
-const first = all.filter((each) => !/^offline\.html$|\.wasm$|\.txt$/.test(each.name) && !later.includes(each))
+/** A file of the page by its name. @param {string} name */
+const textOf = (name) => readFileSync(join(DIST, name), 'utf8')
+// What is loaded at once: the files that the page names, what their scripts import at once, and the fonts of their style. The views
+// behind the other tabs are parts of their own, with their style and fonts: asked for by the script and waited for by nothing.
+const atOnce = new Set(['index.html', 'service-worker.js'])
+for (const name of atOnce) {
+  if (!/\.(html|js|css)$/.test(name)) continue
+  const named = name.endsWith('.js')
+    ? /(?:from|import)\s*"\.\/([^"]+)"/g
+    : /(?:src|href)="\.\/([^"]+)"|url\(\.\/([^)]+)\)/g
+  for (const [, one, other] of textOf(name).matchAll(named)) {
+    const found = all.find((each) => each.name.endsWith(`/${(one ?? other ?? '').replace(/^assets\//, '')}`))
+    if (found) atOnce.add(found.name)
+  }
+}
+const parts = all.filter((each) => each.name !== 'offline.html' && !each.name.endsWith('.wasm'))
+const first = parts.filter(({ name }) => atOnce.has(name))
+const later = parts.filter(({ name }) => !atOnce.has(name))
 const others = first.reduce((sum, { gzipped }) => sum + gzipped, 0)
 const load = others + of('simd')
 console.log(`${'file'.padEnd(48)} ${'bytes'.padStart(8)} ${'gzipped'.padStart(8)}`)

@@ -11,6 +11,7 @@ import {
   CODES,
   curveFault,
   DEFAULTS,
+  ENTRIES,
   type Fault,
   HANDOUTS,
   inRange,
@@ -19,6 +20,7 @@ import {
   LOCKS,
   MOST_CURVES,
   MOST_ORBITS,
+  MOST_STEPS,
   PAPERS,
   RANGES,
   type RangeName,
@@ -160,6 +162,12 @@ function readLetter(text: string, name: string): number | Fault {
   return text.length === 1 && at >= 0 ? at : { kind: 'not-one-of', name, value: text, allowed: [...LETTERS] }
 }
 
+function readStep(text: string, name: string): number | Fault {
+  const value = parseNumber(text)
+  const allowed = Array.from({ length: MOST_STEPS }, (_, i) => String(i + 1))
+  return allowed.includes(String(value)) ? value : { kind: 'not-one-of', name, value: text, allowed }
+}
+
 function readPeriods(text: string): State['periods'] | Fault {
   const keys: string[] = []
   for (const part of text === 'none' ? [] : text.split(',').filter((each) => each !== '')) {
@@ -206,6 +214,8 @@ const KEYS = {
   },
   axis: choice('periodAxis', ['log', 'linear']),
   sort: choice('periodOrder', ['registry', 'error']),
+  entry: choice('entry', ENTRIES),
+  step: { of: 'step', read: readStep, write: String },
   lang: choice('language', ['auto', ...LANGUAGES]),
   theme: choice('theme', THEMES),
   handout: choice('handout', HANDOUTS),

@@ -5,8 +5,12 @@
 import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
 import { radians } from './number'
 
-export const VIEWS = ['lab', 'phase', 'period', 'functions', 'data', 'handouts'] as const
+export const VIEWS = ['lab', 'phase', 'period', 'functions', 'derivation', 'data', 'handouts'] as const
 export type ViewName = (typeof VIEWS)[number]
+/** Ways through the derivation, and most steps of one. */
+export const ENTRIES = ['novice', 'lima', 'salas'] as const
+export type EntryName = (typeof ENTRIES)[number]
+export const MOST_STEPS = 9
 export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 export type Language = (typeof LANGUAGES)[number]
 export const THEMES = ['auto', 'light', 'dark'] as const
@@ -63,6 +67,9 @@ export interface State extends Start {
   readonly periodAxis: 'log' | 'linear'
   /** How the list of formulas is sorted: as the registry, or by the error at the amplitude. */
   readonly periodOrder: 'registry' | 'error'
+  readonly entry: EntryName
+  /** Step of the derivation, from 1 on. */
+  readonly step: number
   readonly language: Language | 'auto'
   readonly theme: Theme
   readonly handout: (typeof HANDOUTS)[number]
@@ -109,6 +116,8 @@ export const DEFAULTS: State = {
   periods: null,
   periodAxis: 'log',
   periodOrder: 'registry',
+  entry: 'novice',
+  step: 1,
   language: 'auto',
   theme: 'auto',
   handout: 'worksheet',

@@ -6,6 +6,7 @@ import '../src/language/later'
 import '../src/language/data'
 import '../src/language/handouts'
 import '../src/language/save'
+import '../src/language/derivation'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 

@@ -169,6 +169,7 @@ export const enLater = {
       ['Page ↑ ↓', '10° or ten steps'],
       ['Home End', 'least, greatest'],
       ['1 … {views}', 'views'],
+      ['N P', 'next step, previous step of the derivation'],
       ['T', 'data table of the plot'],
       ['L', 'listen to the plot'],
       ['S', 'share'],

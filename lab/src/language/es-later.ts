@@ -170,6 +170,7 @@ export const esLater: LaterCatalogue = {
       ['Page ↑ ↓', '10° o diez pasos'],
       ['Home End', 'mínimo, máximo'],
       ['1 … {views}', 'vistas'],
+      ['N P', 'paso siguiente, paso anterior de la deducción'],
       ['T', 'tabla de datos de la gráfica'],
       ['L', 'escuchar la gráfica'],
       ['S', 'compartir'],

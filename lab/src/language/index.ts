@@ -4,6 +4,7 @@ import { degrees, shortest } from '../number'
 import { LANGUAGES, type Language } from '../state'
 import type { DataWords } from './data'
 import { en, type FirstCatalogue } from './en'
+import type { DerivationCatalogue } from './en-derivation'
 import type { LaterCatalogue } from './en-later'
 import { es } from './es'
 import type { HandoutsWords } from './handouts'
@@ -12,7 +13,12 @@ import { filled } from './rich'
 import type { SaveWords } from './save'
 
 /** What comes with the later views. */
-type Added = LaterCatalogue & { readonly data: DataWords; readonly handouts: HandoutsWords; readonly save: SaveWords }
+interface Added extends LaterCatalogue {
+  readonly data: DataWords
+  readonly derivation: DerivationCatalogue
+  readonly handouts: HandoutsWords
+  readonly save: SaveWords
+}
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }

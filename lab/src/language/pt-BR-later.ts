@@ -170,6 +170,7 @@ export const ptBRLater: LaterCatalogue = {
       ['Page ↑ ↓', '10° ou dez passos'],
       ['Home End', 'mínimo, máximo'],
       ['1 … {views}', 'vistas'],
+      ['N P', 'passo seguinte, passo anterior da dedução'],
       ['T', 'tabela de dados do gráfico'],
       ['L', 'ouvir o gráfico'],
       ['S', 'compartilhar'],

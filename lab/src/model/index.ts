@@ -96,6 +96,10 @@ export class Model {
   completeK(parameter: Parameter): number {
     return elliptic.completeK(smaller(parameter))
   }
+
+  nome(parameter: Parameter): number {
+    return elliptic.nome(smaller(parameter))
+  }
 }
 
 /** Loads the core: the module with vectors where the browser has them, else the scalar one. */

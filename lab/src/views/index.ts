@@ -22,6 +22,11 @@ export interface Part {
 
 /** The parts by their views, in the order in which they are asked for once the page works. */
 const PARTS = {
+  derivation: async () => {
+    const part = await import('./derivation')
+    await part.formulaFont()
+    return part
+  },
   data: () => import('./data'),
   handouts: () => import('./handouts'),
 } satisfies Partial<Record<ViewName, () => Promise<{ readonly part: Part }>>>
@@ -96,6 +101,7 @@ export const VIEWS: readonly View[] = [
   view('phase'),
   view('period'),
   view('functions'),
+  part('derivation'),
   part('data'),
   part('handouts'),
 ]

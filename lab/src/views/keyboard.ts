@@ -44,6 +44,15 @@ export function onKey(event: KeyboardEvent, page: Page, views: readonly View[]):
         store.seek(0)
         store.play()
         return true
+      case 'n':
+      case 'N':
+      case 'p':
+      case 'P': {
+        // The next and the previous step, where a view has steps.
+        const button = document.querySelector<HTMLElement>(`[data-step=${key.toLowerCase() === 'n' ? 'next' : 'back'}]`)
+        button?.click()
+        return button !== null
+      }
       case 's':
       case 'S':
       case '?':

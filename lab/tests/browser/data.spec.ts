@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises'
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
 import { load, Pendulum } from 'libration'
-import { column, csvOf, drawn, expect, largest, opened, show, test } from './lab'
+import { column, csvOf, drawn, expect, largest, opened, show, test, whole } from './lab'
 import { layoutFaults, SCREENS } from './layout'
 import { DIST } from './server'
 
@@ -17,8 +17,7 @@ test.beforeAll(() => load())
 /** The view in a page of its own: what is measured stays with a visit. Keeps the addresses that it asks for. */
 async function opening(browser: import('@playwright/test').Browser, options = {}) {
   const page = await opened(browser, 't=0s&lang=en', options)
-  // All that comes with the page has come.
-  await page.waitForLoadState('networkidle')
+  await whole(page)
   const asked: string[] = []
   page.on('request', (request) => asked.push(request.url()))
   await show(page, 'view=data&t=0s&lang=en')

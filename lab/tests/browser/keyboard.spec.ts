@@ -61,6 +61,7 @@ test('story 20: the focus is always seen, and Tab comes round in every view', as
     'phase',
     'period',
     'functions',
+    'derivation',
     'handouts',
     'handouts&handout=code',
     'handouts&handout=embed',

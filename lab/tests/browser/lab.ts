@@ -21,6 +21,20 @@ export async function ready(page: Page): Promise<void> {
   await page.evaluate(() => document.fonts.ready)
 }
 
+/** Waits until every part of the page has come: the scripts that its first one asks for later, and the fonts of their styles. */
+export async function whole(page: Page): Promise<void> {
+  const missing = () =>
+    page.evaluate(async () => {
+      const first = document.querySelector<HTMLScriptElement>('script[type=module]')?.src ?? ''
+      const script = await (await fetch(first, { cache: 'force-cache' })).text()
+      const named = [...script.matchAll(/import\([`'"]\.\/([^`'"]+\.js)/g)].map(([, name]) => name as string)
+      const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
+      const absent = named.filter((name) => !loaded.some((each) => each.endsWith(name)))
+      return named.length === 0 || !document.fonts.check('1em "Libration Formulas"') ? ['parts'] : absent
+    })
+  await expect.poll(missing).toEqual([])
+}
+
 interface Shared {
   /** One page for all stories of a worker: each sets its state by the address. */
   readonly lab: Page

@@ -54,6 +54,8 @@ export function layoutFaults(page: Page, oneScreen = false): Promise<string[]> {
       for (let k = i + 1; k < all.length; k++) {
         const [one, two] = [all[i], all[k]]
         if (!one || !two || sticky(one) !== sticky(two) || scrolls(one) || scrolls(two)) continue
+        // A formula puts its letters over one another itself.
+        if (one.closest('math') !== null && one.closest('math') === two.closest('math')) continue
         const over = lines[i]?.some((a) =>
           lines[k]?.some((b) => {
             const x = Math.min(a.right, b.right) - Math.max(a.left, b.left)
@@ -89,7 +91,7 @@ export function lengthen(page: Page): Promise<void> {
     const nodes: Text[] = []
     while (walker.nextNode()) nodes.push(walker.currentNode as Text)
     for (const node of nodes) {
-      if (node.parentElement?.closest('.tick, .symbol, i, var, kbd, .stepper, .letter-mark')) continue
+      if (node.parentElement?.closest('.tick, .symbol, i, var, kbd, math, .stepper, .letter-mark')) continue
       node.data = node.data.replace(/\p{L}{3,}/gu, (word) => word + 'ë'.repeat(Math.ceil(0.4 * word.length)))
     }
   })

@@ -12,6 +12,7 @@ const VIEWS = {
   phase: 'view=phase&th0=150deg&L=1m&g=9.81&orbits=60deg,0deg;7.5&t=0.9s',
   period: 'view=period&th0=150deg&L=1m&g=9.81&t=0s',
   functions: 'view=functions&th0=150deg&L=1m&g=9.81&t=0.75s',
+  derivation: 'view=derivation&th0=150deg&L=1m&g=9.81&t=0.4s&step=5',
   handouts: 'view=handouts&seed=7&t=0s',
 } as const
 const SIZES = {
@@ -30,13 +31,16 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
   test(`pictures of ${size}`, async ({ browser }) => {
     mkdirSync(FOLDER, { recursive: true })
     const page = await opened(browser, 't=0s', { viewport: { width, height } })
+    // From here on, so that no picture is taken on the way to a step, and none says that it stands still.
+    await page.emulateMedia({ reducedMotion: 'reduce' })
     for (const [view, link] of Object.entries(VIEWS)) {
       await page.setViewportSize({ width, height })
       await show(page, `${link}&theme=${size.endsWith('dark') ? 'dark' : 'light'}`)
-      await expect(page.locator('main .plot-drawing').first()).toBeVisible()
-      // A phone's page at its whole height, so that its play bar stands at the end.
+      await expect(page.locator('main .plot-drawing, main .step').first()).toBeVisible()
+      // A phone's page at its whole height, so that its play bar stands at the end; a text to read is too long for that.
       const tall = await page.evaluate(() => document.documentElement.scrollHeight)
-      await page.setViewportSize({ width, height: width === 360 && view !== 'handouts' ? tall : height })
+      await page.setViewportSize({ width, height: width === 360 && !/derivation|handouts/.test(view) ? tall : height })
+      if (view === 'derivation') await expect(page.locator('.step.on h2')).toBeInViewport()
       await drawn(page)
       await page.mouse.move(0, 0)
       await picture(page, `${view}-${size}`)

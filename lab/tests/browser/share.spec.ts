@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test'
 import { encode } from 'uqr'
 import { readLink } from '../../src/link'
 import { keptLinks } from '../links'
-import { address, drawn, expect, linkOf, opened, ready, show, test } from './lab'
+import { address, drawn, expect, linkOf, opened, ready, show, test, whole } from './lab'
 import { DIST } from './server'
 
 /** The drawn charts as text, without the comments in which the renderer keeps its places. */
@@ -41,7 +41,7 @@ test('story 10: every kept link opens with its state', async ({ lab }) => {
   for (const { link, state } of keptLinks()) {
     await show(lab, link)
     await expect(lab.locator('.message')).toHaveCount(0)
-    await expect(lab.locator('main').locator('.plot-drawing, .code').first()).toBeVisible()
+    await expect(lab.locator('main').locator('.plot-drawing, .step, .code').first()).toBeVisible()
     const back = readLink((await linkOf(lab)).replace(/^.*#/, '')).state
     expect(back, link).toMatchObject(state)
   }
@@ -183,6 +183,8 @@ test('where no script of the page runs, or modules are blocked, the page says wh
 
 /** Every view, a drag, a table, another language: nothing of it needs a network. */
 async function useAll(page: Page): Promise<void> {
+  await page.locator('[data-view=derivation]').click()
+  await expect(page.locator('main .step math').first()).toBeVisible()
   for (const view of ['phase', 'period', 'functions', 'handouts', 'lab']) {
     await page.locator(`[data-view=${view}]`).click()
     await expect(page.locator('main .plot-drawing').first()).toBeVisible()
@@ -204,6 +206,7 @@ async function useAll(page: Page): Promise<void> {
 test('zero requests after the page has loaded', async ({ browser }) => {
   const page = await opened(browser, 'th0=150deg&L=1m&g=9.81&t=0s&theme=dark')
   await page.waitForLoadState('networkidle')
+  await whole(page)
   const asked: string[] = []
   page.context().on('request', (request) => asked.push(request.url()))
   await useAll(page)
