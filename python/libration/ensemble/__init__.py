@@ -9,8 +9,9 @@ Examples
 """
 
 from ._bunch import bunch
+from ._track import track
 
-__all__ = ["bunch"]
+__all__ = ["bunch", "track"]
 
 
 def __dir__() -> list[str]:
