@@ -8,10 +8,11 @@ Examples
 '0.32'
 """
 
+from ._bucket import Bucket
 from ._bunch import bunch
 from ._track import track
 
-__all__ = ["bunch", "track"]
+__all__ = ["Bucket", "bunch", "track"]
 
 
 def __dir__() -> list[str]:
