@@ -10,9 +10,11 @@ Examples
 
 from ._bucket import Bucket
 from ._bunch import bunch
+from ._reduce import reduce
+from ._sweep import sweep
 from ._track import track
 
-__all__ = ["Bucket", "bunch", "track"]
+__all__ = ["Bucket", "bunch", "reduce", "sweep", "track"]
 
 
 def __dir__() -> list[str]:
