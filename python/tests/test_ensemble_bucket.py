@@ -221,5 +221,5 @@ def test_text_is_no_place():
     for call in (Bucket(**LHC).to_pendulum, Bucket(**LHC).from_pendulum):
         with pytest.raises(TypeError, match="must be real numbers"):
             call("a", 1.0)
-    with pytest.raises(TypeError, match="amplitude = 'a': must be real numbers"):
+    with pytest.raises(TypeError, match="theta_max = 'a': must be real numbers"):
         Bucket(**LHC).tune("a")

@@ -1,14 +1,17 @@
 """Bunches: the same particles however they are cut, the distributions they are of, and that matched ones stay."""
 
+import csv
 import math
 from itertools import pairwise
 
 import numpy as np
 import pytest
 import scipy.stats
+from test_accuracy_elliptic import ROOT
 
 import libration
 from libration.ensemble import bunch
+from libration.ensemble._density import rms, scale_of
 from libration.ensemble._uniform import STEPS, counted, uniforms
 
 OMEGA0 = 2.5
@@ -95,6 +98,22 @@ def test_actions_and_phases_are_those_of_the_formulas():
         assert probability(actions * 1.02, function) < 1e-3, "a spoiled scale must show"
         phases = libration.phase(theta, velocity, OMEGA0)
         assert probability(phases, scipy.stats.uniform(-math.pi, math.tau).cdf) > 1e-3
+
+
+def rows():
+    with (ROOT / "reference/vectors/bunches.csv").open(newline="") as file:
+        found = list(csv.DictReader(file))
+    assert len(found) == 12
+    return [(row["stratum"], *(float.fromhex(row[name]) for name in ("scale", "rms_hi"))) for row in found]
+
+
+def test_truth():
+    for shape, scale, true in rows():
+        assert abs(rms(shape, scale) / true - 1) < 1e-14
+        # The rms hangs on the scale by less than its own size.
+        if rms(shape, scale) < 1.3:
+            assert abs(scale_of(shape, true) / scale - 1) < 1e-13
+        assert abs(rms(shape, scale * (1 - 1e-9)) / true - 1) > 1e-14, "a spoiled scale must show"
 
 
 def test_widths_are_those_asked_for():

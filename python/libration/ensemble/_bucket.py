@@ -193,12 +193,12 @@ class Bucket(Immutable):
         return turn / self.circumference, -turn * self.revolution_frequency * self.slip_factor
 
     @explained
-    def tune(self, amplitude: Any) -> Any:
+    def tune(self, theta_max: Any) -> Any:
         """Synchrotron tune at an amplitude, of the pendulum: the cavity spread around the ring.
 
         Parameters
         ----------
-        amplitude : scalar or array
+        theta_max : scalar or array
             Largest angle in rad, in (-pi, pi); else NaN.
 
         Returns
@@ -208,7 +208,7 @@ class Bucket(Immutable):
 
         Notes
         -----
-        qs pi/(2 K(sin**2(amplitude/2))). Source: Lee, Accelerator Physics (2019), section 3.II.
+        qs pi/(2 K(sin**2(theta_max/2))). Source: Lee, Accelerator Physics (2019), section 3.II.
 
         Examples
         --------
@@ -217,10 +217,10 @@ class Bucket(Immutable):
         >>> lhc.tune([0.0, 2.0]).round(6)
         array([0.005664, 0.004262])
         """
-        return self.qs * frequency(_inside(amplitude), 0.0)
+        return self.qs * frequency(_inside(theta_max), 0.0)
 
     @explained
-    def lumped_tune(self, amplitude: Any) -> Any:
+    def lumped_tune(self, theta_max: Any) -> Any:
         """Synchrotron tune at an amplitude, of the map: one cavity, one kick a turn.
 
         Tracked for some hundred periods, which takes a tenth of a second or more; what it differs from `tune` by is physics, and
@@ -228,7 +228,7 @@ class Bucket(Immutable):
 
         Parameters
         ----------
-        amplitude : scalar or array
+        theta_max : scalar or array
             Angle in rad of a start at rest opposite to the cavity, in (-pi, pi).
 
         Returns
@@ -247,7 +247,7 @@ class Bucket(Immutable):
         >>> print(f"{ring.qs:.4f} {ring.lumped_tune(1.0) / ring.tune(1.0) - 1:.1e}")
         0.0062 3.4e-05
         """
-        wanted = np.asarray(_inside(amplitude))
+        wanted = np.asarray(_inside(theta_max))
         known = np.abs(wanted.ravel()) < math.pi
         tunes = np.full(wanted.size, np.nan)
         tunes[known] = lumped_tune(self.qs, wanted.ravel()[known])
@@ -382,6 +382,6 @@ class Bucket(Immutable):
         return zeta, delta
 
 
-def _inside(amplitude: Any) -> Any:
-    """Amplitudes of librations; others are NaN."""
-    return np.where(np.abs(amplitude) < math.pi, amplitude, np.nan)[()]
+def _inside(theta_max: Any) -> Any:
+    """Turning angles of librations; others are NaN."""
+    return np.where(np.abs(theta_max) < math.pi, theta_max, np.nan)[()]

@@ -20,22 +20,22 @@ PERIODS = 150
 SAME = 1e-6
 
 
-def lumped_tune(qs: float, amplitude: Floats) -> Floats:
-    """Tune a turn of starts at rest at the angles `amplitude`, opposite to the cavity; NaN where there is none."""
+def lumped_tune(qs: float, theta_max: Floats) -> Floats:
+    """Tune a turn of starts at rest at the angles `theta_max`, opposite to the cavity; NaN where there is none."""
     if qs >= LARGE[0]:
-        return tune_of_the_map(qs, amplitude)
-    pendulum = frequency(amplitude, 0.0)
-    near, far = ((tune_of_the_map(each, amplitude) / each - pendulum) / each**2 for each in LARGE)
+        return tune_of_the_map(qs, theta_max)
+    pendulum = frequency(theta_max, 0.0)
+    near, far = ((tune_of_the_map(each, theta_max) / each - pendulum) / each**2 for each in LARGE)
     slope = (far - near) / (LARGE[1] ** 2 - LARGE[0] ** 2)
     return qs * (pendulum + qs**2 * (near + slope * (qs**2 - LARGE[0] ** 2)))
 
 
-def tune_of_the_map(qs: float, amplitude: Floats) -> Floats:
+def tune_of_the_map(qs: float, theta_max: Floats) -> Floats:
     """The tune by tracking, in whole; that of small amplitudes is asin(pi qs)/pi."""
     if math.pi * qs >= 1.0:
-        return np.full_like(amplitude, np.nan)
-    small = np.abs(amplitude) < 1e-9
-    theta = np.where(small, 1e-9, np.abs(amplitude))
+        return np.full_like(theta_max, np.nan)
+    small = np.abs(theta_max) < 1e-9
+    theta = np.where(small, 1e-9, np.abs(theta_max))
     scale = math.tau * qs
     momentum = np.zeros_like(theta)
     turns = 2 * math.ceil(PERIODS / (2 * qs))
