@@ -223,3 +223,8 @@ def test_text_is_no_place():
             call("a", 1.0)
     with pytest.raises(TypeError, match="theta_max = 'a': must be real numbers"):
         Bucket(**LHC).tune("a")
+    for call in (Bucket(**LHC).tune, Bucket(**LHC).lumped_tune):
+        with pytest.raises(TypeError, match=r"theta_max = 1j: must be real numbers; write theta_max.real"):
+            call(1j)
+    with pytest.raises(TypeError, match="delta = 1j: must be real numbers"):
+        Bucket(**LHC).to_pendulum(1.0, 1j)

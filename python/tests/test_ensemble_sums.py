@@ -198,7 +198,7 @@ def test_bad_particles_are_left_out():
             {"states": ([1.0], [1.0, 2.0])},
             "states of shapes (1,) and (2,): must be two arrays of one dimension and length",
         ),
-        ({"states": lambda n, first: (1, 2), "n": 4}, "states(4, first=0): must give two arrays of shape (4,)"),
+        ({"states": lambda n, first: (1, 2), "n": 4}, "states(4, first=0): must give two arrays of 4 real numbers"),
         ({"n": 4}, "n = 4: must be the length of the arrays, 2, or be left out"),
         ({"states": BEAM, "n": 0}, "n = 0: must be positive"),
         ({"moments": 3}, "moments = 3: must be 0, 1 or 2"),

@@ -12,6 +12,7 @@ from typing import Any, Self
 import numpy as np
 
 from .._arrays import Floats
+from .._dispatch import numbers
 from .._immutable import Immutable
 from .._messages import explained
 from .._scalars import count, real, shown
@@ -278,7 +279,7 @@ class Bucket(Immutable):
         0.8400 -0.2002
         """
         angle, velocity = self._factors
-        return np.multiply(zeta, angle), np.multiply(delta, velocity)
+        return np.multiply(_real(zeta), angle), np.multiply(_real(delta), velocity)
 
     @explained
     def from_pendulum(self, theta: Any, velocity: Any) -> Any:
@@ -305,7 +306,7 @@ class Bucket(Immutable):
         '0.1000 0.0000'
         """
         angle, factor = self._factors
-        return np.divide(theta, angle), np.divide(velocity, factor)
+        return np.divide(_real(theta), angle), np.divide(_real(velocity), factor)
 
     @explained
     def matched(
@@ -384,4 +385,10 @@ class Bucket(Immutable):
 
 def _inside(theta_max: Any) -> Any:
     """Turning angles of librations; others are NaN."""
-    return np.where(np.abs(theta_max) < math.pi, theta_max, np.nan)[()]
+    angles = np.ma.filled(numbers(theta_max), np.nan)
+    return np.where(np.abs(angles) < math.pi, angles, np.nan)[()]
+
+
+def _real(values: Any) -> Any:
+    """Real numbers; arrays of xarray keep their names."""
+    return values if hasattr(values, "dims") else numbers(values)

@@ -152,9 +152,11 @@ def of_chunk(source: Any, first: int, many: int, plan: Plan) -> list[Sums]:
     if isinstance(source, tuple):
         theta0, velocity0 = (each[first : first + many] for each in source)
     else:
-        theta0, velocity0 = (np.asarray(each, dtype=float) for each in source(many, first=first))
-        if not theta0.shape == velocity0.shape == (many,):
-            raise ValueError(f"states({many}, first={first}): must give two arrays of shape ({many},)")
+        given = source(many, first=first)
+        pair = tuple(map(np.asarray, given)) if isinstance(given, tuple | list) else ()
+        if len(pair) != 2 or any(each.shape != (many,) or each.dtype.kind not in "biuf" for each in pair):
+            raise ValueError(f"states({many}, first={first}): must give two arrays of {many} real numbers")
+        theta0, velocity0 = (each.astype(float) for each in pair)
     return [_at(theta0, velocity0, time, plan) for time in plan.times]
 
 
