@@ -2,7 +2,7 @@
 
 Run: python check.py [FILE ...] [--all] [--seed N]. Row counts must be those of README.md, a seeded sample of every
 file is derived again, every row must agree with another method, and mutated rows must fail: see rows_check.py,
-oscillator_check.py and approx_check.py. --all takes every row as the sample and draws all inputs again.
+oscillator_check.py, approx_check.py, bunches_check.py. --all takes every row as the sample and draws all inputs again.
 """
 
 import argparse
@@ -11,6 +11,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
 import approx_check
+import bunches_check
 import damped_check
 import exact
 import oscillator_check
@@ -22,6 +23,7 @@ CHECKS = {
     **dict.fromkeys(rows_check.GENERATORS, rows_check.check),
     **dict.fromkeys(approx_check.FILES, approx_check.check),
     **dict.fromkeys(damped_check.FILES, damped_check.check),
+    **dict.fromkeys(bunches_check.FILES, bunches_check.check),
 }
 
 

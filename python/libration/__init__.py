@@ -3,8 +3,8 @@
 ``Pendulum`` is one orbit and answers at any time; ``DampedPendulum`` has friction and torque, ``fit`` finds
 both and g in measurements; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
-``libration.elliptic``; ``approx`` holds the approximations by name, and
-``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
+``libration.elliptic``; ``approx`` holds the approximations by name, ``libration.ensemble`` bunches of many
+pendulums, and ``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
 
 Examples
 --------
@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from . import approx as approx
     from . import elliptic as elliptic
+    from . import ensemble as ensemble
     from . import measurement as measurement
     from . import oscillator as oscillator
     from . import papers as papers
@@ -157,7 +158,7 @@ _ROOMS = ("pendulum", "damped", "oscillator", "elliptic", "measurement")
 
 
 def __dir__() -> list[str]:
-    return [*__all__, "approx", "elliptic", "papers", "plot"]
+    return [*__all__, "approx", "elliptic", "ensemble", "papers", "plot"]
 
 
 if "LIBRATION_NUM_THREADS" in os.environ:
@@ -174,7 +175,7 @@ if not TYPE_CHECKING:
         elif name in __all__:
             rooms = (import_module(f".{room}", __name__) for room in _ROOMS)
             found = getattr(next(room for room in rooms if name in room.__all__), name)
-        elif name in (*_ROOMS, "approx", "papers", "plot"):
+        elif name in (*_ROOMS, "approx", "ensemble", "papers", "plot"):
             found = import_module(f".{name}", __name__)
         else:
             elliptic = import_module(".elliptic", __name__)

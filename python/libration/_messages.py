@@ -72,7 +72,21 @@ FUNCTIONS = {
 # What Python and NumPy raise for an argument that they do not take.
 REFUSALS = (TypeError, ValueError, OverflowError)
 # The arguments that are no numbers.
-OTHERS = {"self", "cls", "out", "where", "form", "formula", "name", "pendulum"}
+OTHERS = {
+    "self",
+    "cls",
+    "out",
+    "where",
+    "form",
+    "formula",
+    "name",
+    "pendulum",
+    "kick",
+    "record",
+    "scheme",
+    "distribution",
+}
+OTHERS |= {"states", "histogram", "mean", "chunks"}
 COMPLEX = {"jacobi_complex", *"sn cn dn ns nc nd sc cs sd ds cd dc".split()}
 PARAMETER = {"m": "the parameter", "mc": "its complement 1 - m", "k": "the modulus", "q": "the nome"}
 

@@ -351,9 +351,12 @@ def test_what_does_not_change_is_one_value(made):
         made.new = 1
 
 
-@pytest.mark.parametrize("room", [libration, libration.elliptic, libration.approx, libration.plot, libration.papers])
+ROOMS = [libration.elliptic, libration.ensemble, libration.approx, libration.plot, libration.papers]
+
+
+@pytest.mark.parametrize("room", [libration, *ROOMS])
 def test_dir_shows_the_public_names_and_nothing_else(room):
-    rooms = ["approx", "elliptic", "papers", "plot"] if room is libration else []
+    rooms = ["approx", "elliptic", "ensemble", "papers", "plot"] if room is libration else []
     assert dir(room) == sorted([*room.__all__, *rooms])
     for name in dir(room):
         assert getattr(room, name) is not None

@@ -20,6 +20,7 @@ from libration import (
     Regime,
     approx,
     elliptic,
+    ensemble,
     papers,
 )
 
@@ -27,6 +28,18 @@ Floats = NDArray[np.float64]
 T = np.linspace(0.0, 1.0, 5)
 NAMED = xarray.DataArray(T, dims="time")
 PENDULUM = Pendulum(1.0, length=1.0)
+
+
+def ensembles() -> None:
+    theta, velocity = ensemble.bunch(10, distribution="gaussian", sigma_theta=0.8, seed=1)
+    assert_type(theta, Floats)
+    assert_type(ensemble.track(theta, velocity, 0.1, steps=3), tuple[Floats, Floats, NDArray[np.int64]])
+    ensemble.track(theta, velocity, 0.1, steps=3, kick=lambda theta, step: 0.1 * theta, record=[1, 3], scheme="order8")
+    ring = ensemble.Bucket(8e6, 35640, 450e9, 938.272e6, 1, 26658.883, 3.225e-4)
+    assert_type(ring.qs, float)
+    assert_type(ring.matched(10, emittance=0.1, seed=1), tuple[Floats, Floats])
+    ensemble.bunch(10, distribution="gaussian", sigma=0.8, seed=1)  # type: ignore
+    ensemble.track(theta, velocity, 0.1, steps="3")  # type: ignore
 
 
 def one_orbit() -> None:
