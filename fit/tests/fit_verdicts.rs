@@ -101,6 +101,14 @@ fn tables_and_gates_are_fitted_without_an_integration() {
         let found = fit(&data, &options).unwrap();
         assert!((found.g.unwrap().value - 9.81).abs() < 0.01, "{:?}", found.g);
         assert!((found.swing - 0.9).abs() < 0.02 && found.stands(), "{} {:?}", found.swing, found.verdicts);
+        // Each period with its swing, and the curve of the exact law at the swings goes through what was fitted.
+        let rows = &found.residuals;
+        for i in 0..rows.t.len() {
+            assert!((rows.swings[i] - swing(rows.t[i])).abs() < 0.03, "{} at {}", rows.swings[i], rows.t[i]);
+            let frequency = libration::Frequency::from_omega0(found.omega0.value).unwrap();
+            let law = libration::Orbit::new(rows.swings[i], 0.0, frequency).unwrap().period();
+            assert!((law - (rows.measured[i] - rows.residual[i])).abs() < 1e-12, "{i}");
+        }
     }
 }
 

@@ -8,6 +8,7 @@ import { angleText, parseNumber, parseQuantity, type Unit } from './number'
 import { baseOf, readPeriod } from './periods'
 import {
   curveFault,
+  DATA_FROM,
   DEFAULTS,
   type Fault,
   inRange,
@@ -156,6 +157,7 @@ const KEYS = {
   },
   axis: choice('periodAxis', ['log', 'linear']),
   sort: choice('periodOrder', ['registry', 'error']),
+  from: choice('from', DATA_FROM),
   lang: choice('language', ['auto', ...LANGUAGES]),
   theme: choice('theme', THEMES),
 } as const

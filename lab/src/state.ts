@@ -7,6 +7,8 @@ import { radians } from './number'
 
 export const VIEWS = ['lab', 'phase', 'period', 'functions', 'data'] as const
 export type ViewName = (typeof VIEWS)[number]
+/** What the view Data begins from. */
+export const DATA_FROM = ['file', 'period'] as const
 export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 export type Language = (typeof LANGUAGES)[number]
 export const THEMES = ['auto', 'light', 'dark'] as const
@@ -41,6 +43,7 @@ export interface State extends Start {
   readonly periodAxis: 'log' | 'linear'
   /** How the list of formulas is sorted: as the registry, or by the error at the amplitude. */
   readonly periodOrder: 'registry' | 'error'
+  readonly from: (typeof DATA_FROM)[number]
   readonly language: Language | 'auto'
   readonly theme: Theme
 }
@@ -72,6 +75,7 @@ export const DEFAULTS: State = {
   periods: null,
   periodAxis: 'log',
   periodOrder: 'registry',
+  from: 'file',
   language: 'auto',
   theme: 'auto',
 }

@@ -38,6 +38,7 @@ const SAME = new Set([
   'Fourier _N_',
   'Lab',
   'linear',
+  'Latitude',
   'Salas 2019 (35)',
   'Esc',
   'rad/s',
