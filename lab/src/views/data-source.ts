@@ -82,13 +82,10 @@ function ofSeveral(page: Live, measurement: Measurement, place: number): Templat
 function files(page: Live, measurement: Measurement): TemplateResult {
   const { data } = page.words.say
   const several = measurement.files.length > 1
-  return html`${
-    several
-      ? html`<ul role="list" id="data-files" aria-label=${data.records}>${measurement.files.map((_, i) => ofSeveral(page, measurement, i))}</ul>`
-      : html`<p class="file-name">${measurement.file?.name}</p>`
-  }
-    <div class="more">${chooser(page, 'data-more', data.add, (...more) => measurement.add(...more))}</div>
-    ${several ? html`<p class="soft small">${rich(data.severalHelp)}</p>` : nothing}`
+  const more = chooser(page, 'data-more', data.add, (...added) => measurement.add(...added))
+  if (!several) return html`<div class="entry more"><p class="file-name">${measurement.file?.name}</p>${more}</div>`
+  return html`<ul role="list" id="data-files" aria-label=${data.records}>${measurement.files.map((_, i) => ofSeveral(page, measurement, i))}</ul>
+    <div class="more">${more}</div><p class="soft small">${rich(data.severalHelp)}</p>`
 }
 
 function understood(page: Live, measurement: Measurement): TemplateResult | typeof nothing {

@@ -39,10 +39,10 @@ function records(page: Live, { files, results }: Measurement): TemplateResult {
   const { words } = page
   const { data, units } = words.say
   return html`<h2 id="data-records-title">${data.records}</h2>
-    <table class="data" id="data-records" aria-labelledby="data-records-title"><thead><tr><th scope="col">${data.record}</th><th scope="col">${rich(data.omega0)}, ${units['rad/s']}</th><th scope="col">${data.swing}</th><th scope="col">${data.ladderModel}</th></tr></thead>
+    <table class="data" id="data-records" aria-labelledby="data-records-title"><thead><tr><th scope="col">${data.record}</th><th scope="col">${rich(data.omega0)}, ${units['rad/s']}</th><th scope="col">${data.swing}</th></tr></thead>
     <tbody>${results.map(
       ({ fit }, i) =>
-        html`<tr><th scope="row">${files[i]?.name}</th><td>${rich(withUncertainty(words, fit.omega0))}</td><td>${words.fixed(degrees(fit.swing ?? Number.NaN), 0)}°</td><td>${data.models[fit.model]}</td></tr>`,
+        html`<tr><th scope="row">${files[i]?.name}</th><td>${rich(withUncertainty(words, fit.omega0))}</td><td>${words.fixed(degrees(fit.swing ?? Number.NaN), 0)}°</td></tr>`,
     )}</tbody></table>`
 }
 
