@@ -232,8 +232,7 @@ fn the_ladder_tells_linear_from_quadratic_friction() {
         let [linear, quadratic] = friction;
         let friction = Friction::new(linear, quadratic, 0.0, 0.0).unwrap();
         let right = (0..10).filter(|seed| {
-            let data =
-                record(100f64.to_radians(), 9.81 / 0.8, friction, 500, 1.0 / 20.0, 0.01, 100 + seed);
+            let data = record(100f64.to_radians(), 9.81 / 0.8, friction, 500, 1.0 / 20.0, 0.01, 100 + seed);
             fit(&data, &options(None)).unwrap().model == model
         });
         assert!(right.count() >= 9, "{model:?}");

@@ -27,7 +27,8 @@ fn thirty_degrees_by_the_formula_of_small_swings_and_by_the_exact_law() {
 fn the_budget_of_a_period() {
     let measure = |value, u| Measure { value, u };
     let swing = 30f64.to_radians();
-    let found = gravity_of_period(measure(period_of_30_degrees(), 1e-3), measure(1.0, 2e-3), measure(swing, 0.02));
+    let found =
+        gravity_of_period(measure(period_of_30_degrees(), 1e-3), measure(1.0, 2e-3), measure(swing, 0.02));
     let PeriodGravity { g, budget, .. } = found.unwrap();
     let [period, length, by_swing] = [0, 1, 2].map(|i: usize| budget[i].u);
     assert!((period - 2.0 * 9.81 * 1e-3 / period_of_30_degrees()).abs() < 1e-12);
@@ -77,7 +78,10 @@ fn errors(degrees: f64, quality: f64) -> [f64; 3] {
 fn the_mean_period_of_a_decay_gives_g() {
     for degrees in [40.0, 80.0, 150.0] {
         let [large, small] = [200.0, 800.0].map(|quality| errors(degrees, quality));
-        assert!(large[0].abs() < 5e-4 && small[0].abs() < large[0].abs() / 12.0, "{degrees}: {large:?} {small:?}");
+        assert!(
+            large[0].abs() < 5e-4 && small[0].abs() < large[0].abs() / 12.0,
+            "{degrees}: {large:?} {small:?}"
+        );
         for spoiled in [1, 2] {
             assert!(small[spoiled].abs() > 5e-4, "{degrees}: {small:?}");
         }
@@ -102,7 +106,9 @@ fn what_is_out_of_range_is_named() {
         gravity_of_decay(exact(period), exact(1.0), exact(first), exact(last)).unwrap_err().to_string()
     };
     assert!(refused(-2.0, 1.0, 0.5).starts_with("period = -2 s: must be greater than 0"));
-    assert!(refused(2.0, 4.0, 0.5).starts_with("swing = 4 rad: must be greater than 0 and less than 3.14159"));
+    assert!(
+        refused(2.0, 4.0, 0.5).starts_with("swing = 4 rad: must be greater than 0 and less than 3.14159")
+    );
     assert!(refused(2.0, 1.0, 0.0).starts_with("swing at the end = 0 rad"));
 }
 

@@ -66,6 +66,9 @@ const shownOf = remember(
   },
 )
 
+/** Values whose dots may be larger. */
+const FEW = 120
+
 /** An axis with a little room at its ends. */
 function axis(page: Live, values: Float64Array, factor: number, height: number, rem: number): [Scale, Tick[]] {
   const [least, most] = extent(values).map((each) => each * factor) as [number, number]
@@ -80,8 +83,12 @@ function axis(page: Live, values: Float64Array, factor: number, height: number, 
 function draw(page: Live, shown: DrawnRecord, size: PlotSize, y: Float64Array, lines: readonly Line[], below: boolean) {
   const { x, factor } = shown
   const { width, height, rem } = size
-  const [low, high] = extent(x)
-  const sx = linearScale([low, high > low ? high : low + 1], [0, width])
+  const [first, last] = extent(x)
+  // Between few values a line would end in the frame.
+  const few = x.length < FEW
+  const room = few ? 0.02 * (last - first) : 0
+  const [low, high] = [first - room, last > first ? last + room : first + 1]
+  const sx = linearScale([low, high], [0, width])
   const ticks = roundTicks(low, high, width < 26 * rem ? 5 : 9)
   const decimals = tickDecimals(ticks)
   const [sy, ys] = axis(page, y, factor, height, rem)
@@ -95,7 +102,7 @@ function draw(page: Live, shown: DrawnRecord, size: PlotSize, y: Float64Array, l
       ys,
       xLabels: below,
       lines,
-      under: svg`<g transform="scale(0.1)"><path class="data-dots" d=${dots({ x, y })}/></g>`,
+      under: svg`<g transform="scale(0.1)"><path class="data-dots ${few ? 'few' : ''}" d=${dots({ x, y })}/></g>`,
     },
     [shown, page.words, y],
   )

@@ -1,4 +1,4 @@
-// Story 20: keyboard alone does stories 1, 2, 6 and 10; focus is seen and goes on; what changes is said; a trace is heard.
+// Story 20: keyboard alone does stories 1, 2, 6 and 10, and 17 and 18 in data.spec.ts; focus is seen and goes on; what changes is said; a trace is heard.
 
 import type { Page } from '@playwright/test'
 import { column, csvOf, drawn, expect, opened, show, test } from './lab'
@@ -56,7 +56,7 @@ test('story 20: stories 1, 2, 6 and 10 by keys alone', async ({ browser }) => {
 })
 
 test('story 20: the focus is always seen, and Tab comes round in every view', async ({ lab }) => {
-  for (const view of ['lab', 'phase', 'period', 'functions']) {
+  for (const view of ['lab', 'phase', 'period', 'functions', 'data', 'data&from=period']) {
     await show(lab, `view=${view}&th0=150deg&t=0s`)
     await lab.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
     let round = false

@@ -11,7 +11,9 @@ from pathlib import Path
 
 # sentences.json, which the lab reads too. English: Portuguese, Spanish; {} are taken in their order.
 TABLE = json.loads(Path(__file__).with_name("sentences.json").read_text(encoding="utf-8"))
-PATTERNS: dict[str, list[str]] = {english: others for group in TABLE["sentences"].values() for english, others in group.items()}
+PATTERNS: dict[str, list[str]] = {
+    english: others for group in TABLE["sentences"].values() for english, others in group.items()
+}
 # What fills a place of a pattern and has words of its own.
 PIECES: dict[str, list[str]] = TABLE["pieces"]
 NUMBER = re.compile(r"[-+−]?[0-9]+\.[0-9]+(e[-+]?[0-9]+)?")

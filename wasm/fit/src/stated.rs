@@ -11,8 +11,8 @@
 //! | `bob`, `wire` | radius and mass of the bob; mass of the wire, in m and kg |
 //! | `model` | a rung of the ladder |
 
-use libration_fit::Options;
 use libration::Shape;
+use libration_fit::Options;
 use libration_fit::fit::{FitOptions, Measure, MeasuredPart, Model};
 
 /// What is stated.
