@@ -16,7 +16,7 @@ export function smallPeriod({ value, u }: Pick<Estimate, 'value' | 'u'>): {
 /** Points of the curve. */
 const POINTS = 161
 
-/** The law at the fitted ω₀ over the angles of the points, in rad and s, where the core has the exact ratio yet. */
+/** The law at the fitted ω₀ and friction over the angles of the points, in rad and s, where the core has the exact ratio yet. */
 export function lawOf(model: Model, angles: Float64Array, { fit }: Result): Points | null {
   if (!model.complete || angles.length === 0) return null
   const [least, most] = [Math.min(...angles), Math.max(...angles)]
@@ -27,6 +27,8 @@ export function lawOf(model: Model, angles: Float64Array, { fit }: Result): Poin
     'exact',
     x.map((each) => Math.abs(each - rest)),
   )
-  const { value } = smallPeriod(fit.omega0)
+  // Friction makes small swings slower: ω² = ω₀² − γ².
+  const friction = fit.friction.linear?.value ?? 0
+  const { value } = smallPeriod({ value: Math.sqrt(fit.omega0.value ** 2 - friction ** 2), u: 0 })
   return { x, y: ratio.map((each) => each * value) }
 }

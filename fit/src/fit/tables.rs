@@ -195,10 +195,11 @@ fn swings_of_decay(times: impl Iterator<Item = f64>, values: &[f64]) -> Option<V
     Some(times.map(|t| averaged_turning_angle(values[1], t, frequency, friction)).collect())
 }
 
-/// Periods of these swings.
+/// Periods of these swings, by the frequency of small ones with the friction: sqrt(omega0^2 - linear^2).
 fn by_decay(times: &[f64], values: &[f64]) -> Option<Vec<f64>> {
     let swings = swings_of_decay(times.iter().copied(), values)?;
-    swings.into_iter().map(|swing| period_of_angle(swing, values[0])).collect()
+    let damped = ((values[0] - values[2]) * (values[0] + values[2])).sqrt();
+    swings.into_iter().map(|swing| period_of_angle(swing, damped)).collect()
 }
 
 /// What the model leaves out of omega0: the scatter between five parts of the rows, each with its own omega0, beyond what their
