@@ -2,12 +2,15 @@
 //!
 //! g = length (omega0)^2 with omega0 = P(swing)/T, where P is the exact period at omega0 = 1. Uncertainties of the three are
 //! combined after GUM 5.1; that of the swing by the exact law itself, half the difference between the swing's two ends.
+//! Where the swing decays while periods are counted, 1/P is the mean over that time, in which linear friction brings the first turning
+//! angle to the last (core/src/damped/averaged_decay.rs: the action falls exponentially).
 //! The normal g of WGS 84 is Somigliana's formula with the height's second order.
 //! Source: NIMA TR 8350.2 (2000), equations 4-1 and 4-3.
 
 use crate::fit::{BudgetRow, Estimate, FitRefusal, Measure};
 use core::f64::consts::PI;
-use libration::{Frequency, Orbit};
+use libration::damped::averaged_turning_angle;
+use libration::{Frequency, Friction, Orbit};
 use serde::Serialize;
 
 /// g from a period.
@@ -35,10 +38,36 @@ fn checked(name: &str, unit: &str, measure: Measure, low: f64, high: f64) -> Res
     Ok(())
 }
 
+fn unit_orbit(swing: f64) -> Option<Orbit> {
+    Frequency::from_omega0(1.0).and_then(|frequency| Orbit::new(swing, 0.0, frequency)).ok()
+}
+
 /// The exact period at omega0 = 1.
 fn unit_period(swing: f64) -> f64 {
-    let orbit = Frequency::from_omega0(1.0).and_then(|frequency| Orbit::new(swing, 0.0, frequency));
-    orbit.map_or(f64::NAN, |orbit| orbit.period())
+    unit_orbit(swing).map_or(f64::NAN, |orbit| orbit.period())
+}
+
+/// Intervals of Simpson's rule over the decay: its error is below 1e-9 for a first angle up to 175 degrees and a last one from 0.1.
+const INTERVALS: u32 = 128;
+
+/// The mean period at omega0 = 1, over the time in which linear friction brings the swing from the first angle to the last.
+fn unit_period_of_decay(first: f64, last: f64) -> f64 {
+    let (high, low) = (first.max(last), first.min(last));
+    let actions = unit_orbit(high).zip(unit_orbit(low)).map(|(high, low)| high.action() / low.action());
+    let (Ok(one), Ok(friction)) = (Frequency::from_omega0(1.0), Friction::new(1.0, 0.0, 0.0, 0.0)) else {
+        return f64::NAN;
+    };
+    // The action falls by exp(-2 t) at a friction of 1.
+    let end = 0.5 * actions.map_or(f64::NAN, libm::log);
+    if end == 0.0 {
+        return unit_period(high);
+    }
+    let each = (0..=INTERVALS).map(|i| {
+        let t = end * f64::from(i) / f64::from(INTERVALS);
+        let weight = if i == 0 || i == INTERVALS { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+        weight / unit_period(averaged_turning_angle(high, t, one, friction))
+    });
+    3.0 * f64::from(INTERVALS) / each.sum::<f64>()
 }
 
 /// g from the period of a swing of known size.
@@ -60,31 +89,75 @@ pub fn gravity_of_period(
     length: Measure,
     swing: Measure,
 ) -> Result<PeriodGravity, FitRefusal> {
-    checked("period", "s", period, 0.0, f64::INFINITY)?;
-    checked("length", "m", length, 0.0, f64::INFINITY)?;
+    both(period, length)?;
     if swing.value != 0.0 {
         checked("swing", "rad", Measure { value: swing.value.abs(), u: swing.u }, 0.0, PI)?;
     }
-    let of = |swing: f64| {
-        let omega0 = unit_period(swing) / period.value;
+    let size = swing.value.abs();
+    // At the bottom the other end of the swing is the same one; at the top there is none.
+    let ends = [(size + swing.u).min(TOP), (size - swing.u).max(0.0)].map(unit_period);
+    Ok(weighed(period, length, unit_period(size), &[ends]))
+}
+
+/// g from the mean period of swings that decay, by linear friction, from a first turning angle to a last while they are counted.
+///
+/// `period` in s: the time over the number of whole swings; `length` in m (the equivalent length), `first` and `last` the turning
+/// angles in rad at the begin and at the end of the count, above 0 and below pi.
+///
+/// # Errors
+/// Where one of them is out of its range.
+///
+/// ```
+/// use libration_fit::{fit::Measure, gravity_of_decay};
+/// let [first, last] = [40f64, 20.0].map(|swing| Measure { value: swing.to_radians(), u: 0.01 });
+/// let found = gravity_of_decay(Measure { value: 2.0513, u: 0.0 }, Measure { value: 1.0, u: 0.0 }, first, last)?;
+/// assert!((found.g.value - 9.81).abs() < 0.005, "{found:?}");
+/// # Ok::<(), libration_fit::fit::FitRefusal>(())
+/// ```
+pub fn gravity_of_decay(
+    period: Measure,
+    length: Measure,
+    first: Measure,
+    last: Measure,
+) -> Result<PeriodGravity, FitRefusal> {
+    both(period, length)?;
+    checked("swing", "rad", first, 0.0, PI)?;
+    checked("swing at the end", "rad", last, 0.0, PI)?;
+    let least = |value: f64| value.max(1e-3 * last.value.min(first.value));
+    let ends = |Measure { value, u }: Measure| [(value + u).min(TOP), least(value - u)];
+    let of_first = ends(first).map(|first| unit_period_of_decay(first, last.value));
+    let of_last = ends(last).map(|last| unit_period_of_decay(first.value, last));
+    Ok(weighed(period, length, unit_period_of_decay(first.value, last.value), &[of_first, of_last]))
+}
+
+/// The largest swing that is a swing.
+const TOP: f64 = PI * (1.0 - 1e-9);
+
+fn both(period: Measure, length: Measure) -> Result<(), FitRefusal> {
+    checked("period", "s", period, 0.0, f64::INFINITY)?;
+    checked("length", "m", length, 0.0, f64::INFINITY)
+}
+
+/// g from the period at omega0 = 1, and at the two ends of each angle's uncertainty.
+fn weighed(period: Measure, length: Measure, unit: f64, ends: &[[f64; 2]]) -> PeriodGravity {
+    let of = |unit: f64| {
+        let omega0 = unit / period.value;
         length.value * omega0 * omega0
     };
-    let size = swing.value.abs();
-    let g = of(size);
-    // At the bottom the other end of the swing is the same one; at the top there is none.
-    let ends = (of((size + swing.u).min(PI * (1.0 - 1e-9))), of((size - swing.u).max(0.0)));
-    let by_swing = 0.5 * (ends.0 - ends.1).abs();
+    let g = of(unit);
+    let by_swing = ends.iter().map(|[high, low]| 0.5 * (of(*high) - of(*low)).abs());
+    let by_swing = by_swing.map(|u| u * u).sum::<f64>().sqrt();
     let parts = [
         ("period", 2.0 * g * period.u / period.value),
         ("length", g * length.u / length.value),
         ("swing", by_swing),
     ];
     let calibration = parts.iter().map(|(_, u)| u * u).sum::<f64>().sqrt();
-    Ok(PeriodGravity {
+    PeriodGravity {
         g: Estimate::new(g, 0.0, 0.0, calibration),
         budget: parts.iter().map(|(source, u)| BudgetRow { source: (*source).to_owned(), u: *u }).collect(),
-        small_swings: of(0.0),
-    })
+        small_swings: of(unit_period(0.0)),
+    }
 }
 
 /// Semi-major axis in m, flattening, and the ratio of centrifugal force to gravity at the equator.

@@ -11,7 +11,7 @@ mod gravity;
 pub mod read;
 
 pub use from_record::data;
-pub use gravity::{PeriodGravity, gravity_of_period, normal_gravity};
+pub use gravity::{PeriodGravity, gravity_of_decay, gravity_of_period, normal_gravity};
 pub use read::{
     Kind, Options, Quantity, Record, Refusal, Role, Series, Unread, Values, Wanted, column, read,
 };

@@ -225,6 +225,20 @@ fn omega0_of_q_100_from_100_degrees_lies_within_2_u() {
     assert!(found.iter().filter(|pull| pull.abs() < 2.0).count() > 7, "{found:?}");
 }
 
+/// Linear friction, and linear with quadratic, each ten times with other noise: the ladder tells them apart in nine of ten or more.
+#[test]
+fn the_ladder_tells_linear_from_quadratic_friction() {
+    for (friction, model) in [([0.0175, 0.0], Model::Linear), ([0.01, 0.03], Model::Quadratic)] {
+        let [linear, quadratic] = friction;
+        let friction = Friction::new(linear, quadratic, 0.0, 0.0).unwrap();
+        let right = (0..10).filter(|seed| {
+            let data = record(100f64.to_radians(), 9.81 / 0.8, friction, 500, 1.0 / 20.0, 0.01, 100 + seed);
+            fit(&data, &options(None)).unwrap().model == model
+        });
+        assert!(right.count() >= 9, "{model:?}");
+    }
+}
+
 #[test]
 fn a_term_at_its_bound_leaves_the_others_uncertain() {
     let friction = Friction::new(0.01, 0.02, 0.1, 0.0).unwrap();

@@ -101,6 +101,37 @@ fn tables_and_gates_are_fitted_without_an_integration() {
         let found = fit(&data, &options).unwrap();
         assert!((found.g.unwrap().value - 9.81).abs() < 0.01, "{:?}", found.g);
         assert!((found.swing - 0.9).abs() < 0.02 && found.stands(), "{} {:?}", found.swing, found.verdicts);
+        // Each period with its swing, and the curve of the exact law at the swings goes through what was fitted.
+        let rows = &found.residuals;
+        for i in 0..rows.t.len() {
+            assert!((rows.swings[i] - swing(rows.t[i])).abs() < 0.03, "{} at {}", rows.swings[i], rows.t[i]);
+            let damping = found.friction.linear.map_or(0.0, |linear| linear.value);
+            let omega2 = found.omega0.value.powi(2) - damping.powi(2);
+            let frequency = libration::Frequency::from_omega2(omega2).unwrap();
+            let law = libration::Orbit::new(rows.swings[i], 0.0, frequency).unwrap().period();
+            assert!((law - (rows.measured[i] - rows.residual[i])).abs() < 1e-12, "{i}");
+        }
+    }
+}
+
+/// Periods between passages of the rest, by the integration: omega0 is that without friction, which makes periods longer by 1/(8 Q^2).
+#[test]
+fn omega0_of_a_gate_is_that_without_friction() {
+    let omega0 = (9.81f64 / 0.8).sqrt();
+    let frequency = libration::Frequency::from_omega0(omega0).unwrap();
+    for quality in [30.0, 100.0] {
+        let friction = libration::Friction::new(0.5 * omega0 / quality, 0.0, 0.0, 0.0).unwrap();
+        let none = libration::Torque::NONE;
+        let pendulum =
+            libration::DampedPendulum::new(60f64.to_radians(), 0.0, frequency, friction, none).unwrap();
+        let passed = pendulum.trajectory(0.0, 100.0).unwrap().times(0.0, 0.0, 100.0).unwrap();
+        let rows: Vec<&[f64]> = passed.chunks_exact(2).collect();
+        let period = |pair: &[&[f64]]| pair[1][0] - pair[0][0];
+        let t = rows.windows(2).map(|pair| 0.5 * (pair[1][0] + pair[0][0])).collect();
+        let periods = rows.windows(2).map(period).collect();
+        let found = fit(&Data::Gate { t, periods, transits: None }, &FitOptions::default()).unwrap();
+        let off = found.omega0.value / omega0 - 1.0;
+        assert!(off.abs() < 0.02 / (8.0 * quality * quality), "{quality}: {off}");
     }
 }
 

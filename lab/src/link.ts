@@ -10,6 +10,7 @@ import { baseOf, readPeriod } from './periods'
 import {
   CODES,
   curveFault,
+  DATA_FROM,
   DEFAULTS,
   ENTRIES,
   type Fault,
@@ -216,6 +217,7 @@ const KEYS = {
   sort: choice('periodOrder', ['registry', 'error']),
   entry: choice('entry', ENTRIES),
   step: { of: 'step', read: readStep, write: String },
+  from: choice('from', DATA_FROM),
   lang: choice('language', ['auto', ...LANGUAGES]),
   theme: choice('theme', THEMES),
   handout: choice('handout', HANDOUTS),

@@ -1,89 +1,44 @@
-// The measurement of the view Data: the file, what is stated about it, and how far its fit is. It stays with the visit; nothing of
-// it is in a link, and nothing leaves the machine.
+// The measurement of the view Data: the files, what is stated about them, and how far their fit is. It stays with the visit; nothing
+// of it is in a link, and nothing leaves the machine.
 
-import type { Reading, Result, Statements, Told } from './model/fit-protocol'
+import {
+  badText,
+  type Entries,
+  isBad,
+  knownOf,
+  lengthOf,
+  NOTHING,
+  NOTHING_OF_FILE,
+  readingOf,
+  statementsOf,
+} from './entries'
+import type { AskedFile, Joint, Reading, Result, Statements, Told } from './model/fit-protocol'
 import type { Fitter } from './model/fitter'
-import { parseNumber, parseQuantity } from './number'
 
-export const ROLES = ['angle', 'velocity', 'acceleration', 'x', 'y', 'period'] as const
-export type RoleName = (typeof ROLES)[number]
-export const MODELS = ['auto', 'none', 'linear', 'quadratic', 'dry', 'presliding'] as const
-
-/** What the reader of the page types beside the file: texts, empty where nothing is stated. */
-export interface Entries {
-  readonly time: string
-  readonly role: RoleName
-  readonly column: string
-  readonly unit: string
-  readonly rate: string
-  readonly run: string
-  readonly known: 'length' | 'gravity'
+/** A file, with a length of its own where the pendulum was not the same. */
+export interface MeasuredFile {
+  readonly name: string
+  readonly bytes: Uint8Array
   readonly length: string
   readonly lengthU: string
-  readonly gravity: string
-  readonly gravityU: string
-  readonly model: (typeof MODELS)[number]
-}
-
-export type EntryName = keyof Entries
-
-const NOTHING: Entries = {
-  time: '',
-  role: 'angle',
-  column: '',
-  unit: '',
-  rate: '',
-  run: '',
-  known: 'length',
-  length: '',
-  lengthU: '',
-  gravity: '',
-  gravityU: '',
-  model: 'auto',
 }
 
 export type Phase = 'empty' | 'reading' | 'fitting' | 'fitted' | 'refused' | 'failed' | 'cancelled'
 
-/** The number that an entry is, in SI units; NaN if it is none. */
-export function entryNumber(name: EntryName, text: string): number {
-  if (name === 'length' || name === 'lengthU') return parseQuantity(text, 'm')
-  if (name === 'gravity' || name === 'gravityU') return parseQuantity(text, 'm/s2')
-  return parseNumber(text)
-}
-
-const NUMBERS: readonly EntryName[] = ['rate', 'run', 'length', 'lengthU', 'gravity', 'gravityU']
-
-/** Whether what is typed is no number where one belongs. */
-export function isBad(name: EntryName, text: string): boolean {
-  return NUMBERS.includes(name) && text.trim() !== '' && Number.isNaN(entryNumber(name, text))
-}
-
-/** The entries as the module takes them. */
-export function statementsOf(file: string, entries: Entries): Statements {
-  const { time, role, column, unit, rate, run, known, model } = entries
-  const out: [string, string][] = [['file', file]]
-  if (time.trim() !== '') out.push(['column', `time=${time}`])
-  if (column.trim() !== '') out.push(['column', `${role}=${column}`])
-  if (unit.trim() !== '') out.push(['unit', `${role}=${unit}`])
-  for (const [name, text] of [
-    ['rate', rate],
-    ['run', run],
-  ] as const)
-    if (text.trim() !== '') out.push([name, String(entryNumber(name, text))])
-  if (entries[known].trim() !== '') {
-    const u = entries[`${known}U`].trim()
-    out.push([known, `${entryNumber(known, entries[known])} ${u === '' ? 0 : entryNumber(`${known}U`, u)}`])
-  }
-  if (model !== 'auto') out.push(['model', model])
-  return out
-}
+/** What the periods of a light gate are drawn against. */
+export type Axis = 'swing' | 'time'
 
 export class Measurement {
   phase: Phase = 'empty'
-  file: { readonly name: string; readonly bytes: Uint8Array } | null = null
+  files: readonly MeasuredFile[] = []
   entries: Entries = NOTHING
-  reading: Reading | null = null
-  result: Result | null = null
+  readings: readonly Reading[] = []
+  results: readonly Result[] = []
+  /** What several records share. */
+  joint: Joint | null = null
+  /** The record that is drawn. */
+  shown = 0
+  axis: Axis = 'swing'
   /** The line of a refusal or a failure. */
   message = ''
   /** Part of the steps of the fit that have begun. */
@@ -96,18 +51,45 @@ export class Measurement {
     private readonly changed: () => void,
   ) {}
 
-  /** The view has opened: the module is asked for. */
-  open(): void {
-    this.fitter.load().catch(() => {
-      // It is asked for again with the first file, and what is wrong is said then.
-    })
+  get file(): MeasuredFile | null {
+    return this.files[this.shown] ?? null
   }
 
-  /** Another file; what was stated about columns was for the one before, the pendulum may be the same. */
-  take(name: string, bytes: Uint8Array): void {
-    this.file = { name, bytes }
-    this.entries = { ...this.entries, time: '', column: '', unit: '', rate: '', run: '' }
+  get reading(): Reading | null {
+    return this.readings[this.shown] ?? null
+  }
+
+  get result(): Result | null {
+    return this.results[this.shown] ?? null
+  }
+
+  /** Other files; what was stated about columns was for those before, the pendulum may be the same. */
+  take(...files: readonly (readonly [name: string, bytes: Uint8Array])[]): void {
+    if (files.length === 0) return
+    this.files = []
+    this.entries = { ...this.entries, ...NOTHING_OF_FILE }
+    this.add(...files)
+  }
+
+  /** Files beside those that are there. */
+  add(...files: readonly (readonly [name: string, bytes: Uint8Array])[]): void {
+    this.files = [...this.files, ...files.map(([name, bytes]) => ({ name, bytes, length: '', lengthU: '' }))]
     this.begin()
+  }
+
+  remove(place: number): void {
+    this.files = this.files.filter((_, i) => i !== place)
+    this.begin()
+  }
+
+  show(place: number): void {
+    this.shown = place
+    this.changed()
+  }
+
+  draw(axis: Axis): void {
+    this.axis = axis
+    this.changed()
   }
 
   /** What is being typed: it counts once it is entered, or with the next file. */
@@ -118,13 +100,54 @@ export class Measurement {
 
   enter(patch: Partial<Entries>): void {
     this.entries = { ...this.entries, ...patch }
-    if (this.file && this.#statements() !== this.#begun) this.begin()
+    this.#entered()
+  }
+
+  typeLength(place: number, patch: Partial<Pick<MeasuredFile, 'length' | 'lengthU'>>): void {
+    this.files = this.files.map((each, i) => (i === place ? { ...each, ...patch } : each))
+    this.changed()
+  }
+
+  enterLength(place: number, patch: Partial<Pick<MeasuredFile, 'length' | 'lengthU'>>): void {
+    this.typeLength(place, patch)
+    this.#entered()
+  }
+
+  #entered(): void {
+    if (this.files.length > 0 && JSON.stringify(this.#statements()) !== this.#begun) this.begin()
     else this.changed()
   }
 
-  /** What is stated, to be compared. */
-  #statements(): string {
-    return JSON.stringify(statementsOf(this.file?.name ?? '', this.entries))
+  /** Whether each file has a length of its own. */
+  get #apart(): boolean {
+    const { files, entries } = this
+    return entries.known === 'length' && files.length > 1 && files.some(({ length }) => length.trim() !== '')
+  }
+
+  /** Of each file by itself: with the common length where it has none of its own. */
+  #length({ length, lengthU }: MeasuredFile): Statements {
+    return length.trim() !== '' ? lengthOf(length, lengthU) : lengthOf(this.entries.length, this.entries.lengthU)
+  }
+
+  /** What is stated for the reading of each file and for the fit. */
+  #statements(): { readonly reading: readonly Statements[]; readonly fit: Statements } {
+    const { files, entries } = this
+    const [first] = files
+    if (!first || !this.#apart) {
+      const fit = statementsOf(first?.name ?? '', entries)
+      return { reading: files.map(({ name }) => statementsOf(name, entries)), fit }
+    }
+    const known = knownOf(entries)
+    const reading = files.map(
+      (each): Statements => [['file', each.name], ...readingOf(entries), ...this.#length(each), ...known],
+    )
+    return { reading, fit: [...files.flatMap((each) => this.#length(each)), ...known] }
+  }
+
+  /** The first text that is no number where one belongs. */
+  get bad(): string | null {
+    const own = this.files.flatMap(({ length, lengthU }) => [length, lengthU])
+    return badText(this.entries) ?? (this.files.length > 1 ? own : []).find((each) => isBad('length', each)) ?? null
   }
 
   cancel(): void {
@@ -135,29 +158,33 @@ export class Measurement {
 
   /** Reads and fits what is there. */
   begin(): void {
-    const { file, entries } = this
-    const bad = (Object.keys(entries) as EntryName[]).some((name) => isBad(name, entries[name]))
-    if (!file || bad) {
+    const { files } = this
+    this.shown = Math.min(this.shown, Math.max(files.length - 1, 0))
+    if (files.length === 0 || this.bad !== null) {
+      if (files.length === 0) Object.assign(this, { phase: 'empty', readings: [], results: [], joint: null })
       this.changed()
       return
     }
-    this.#begun = this.#statements()
-    Object.assign(this, { phase: 'reading', reading: null, result: null, message: '', progress: 0 })
-    void this.fitter.begin(file.bytes, statementsOf(file.name, entries), (told) => this.#hear(told))
+    const stated = this.#statements()
+    this.#begun = JSON.stringify(stated)
+    Object.assign(this, { phase: 'reading', readings: [], results: [], joint: null, message: '', progress: 0 })
+    const asked = files.map(({ bytes }, i): AskedFile => ({ bytes, stated: stated.reading[i] as Statements }))
+    void this.fitter.begin(asked, stated.fit, (told) => this.#hear(told))
     this.changed()
   }
 
   #hear(told: Told): void {
     switch (told.kind) {
       case 'read':
-        this.reading = told.reading
-        this.phase = 'fitting'
+        this.readings = [...this.readings, told.reading]
+        if (this.readings.length === this.files.length) this.phase = 'fitting'
         break
       case 'step':
         this.progress = told.step / told.of
         break
       case 'fitted':
-        this.result = told.result
+        this.results = told.results
+        this.joint = told.joint
         this.phase = 'fitted'
         break
       default:

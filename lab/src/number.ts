@@ -16,6 +16,7 @@ const FACTORS = {
   m: { m: 1, cm: 0.01, mm: 0.001 },
   'm/s2': { 'm/s2': 1, 'm/s²': 1 },
   s: { s: 1, ms: 0.001 },
+  kg: { kg: 1, g: 0.001 },
   '': {},
 } as const
 

@@ -17,11 +17,32 @@ async function kept(visit: { readonly page: string; readonly parts: readonly str
   })
 }
 
+/** Visits are kept one after the other, so that none lets go what a later one has loaded. */
+let turn: Promise<void> = Promise.resolve()
+let times = 0
+let wholeVisit: () => void
+/** Where all parts of the visit have come. */
+const whole = new Promise<void>((done) => {
+  wholeVisit = done
+})
+
 /**
- * Asks the worker to keep a visit that has loaded all its parts, and marks the page when it has: `data-kept`. Quietly nothing where a
- * page may not have one: from disk, in a sandboxed frame, while it is being written.
+ * Asks the worker to keep a visit that has loaded all its parts, and marks the page when it has: `data-kept`, with how often it did.
+ * Quietly nothing where a page may not have one: from disk, in a sandboxed frame, while it is being written.
  */
-export async function keepForLater(): Promise<void> {
+export function keepForLater(): Promise<void> {
+  turn = turn.then(keep)
+  wholeVisit()
+  return turn
+}
+
+/** The same again for what a view has loaded since: never before a visit with all its parts. */
+export async function keepMore(): Promise<void> {
+  await whole
+  await keepForLater()
+}
+
+async function keep(): Promise<void> {
   if (!import.meta.env.PROD || import.meta.env.MODE === 'offline') return
   if (!('serviceWorker' in navigator) || !location.protocol.startsWith('http')) return
   try {
@@ -32,7 +53,8 @@ export async function keepForLater(): Promise<void> {
     const page = location.href.replace(/[?#].*$/, '')
     const parts = [...loaded, ...last].filter((name) => !name.endsWith('/service-worker.js'))
     await retried(() => kept({ page, parts }))
-    document.documentElement.dataset.kept = ''
+    times++
+    document.documentElement.dataset.kept = String(times)
   } catch {
     // Storage is closed to this page; it works as well, only not without a network.
   }

@@ -11,6 +11,8 @@ export type ViewName = (typeof VIEWS)[number]
 export const ENTRIES = ['novice', 'lima', 'salas'] as const
 export type EntryName = (typeof ENTRIES)[number]
 export const MOST_STEPS = 9
+/** What the view Data begins from. */
+export const DATA_FROM = ['file', 'period'] as const
 export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 export type Language = (typeof LANGUAGES)[number]
 export const THEMES = ['auto', 'light', 'dark'] as const
@@ -70,6 +72,7 @@ export interface State extends Start {
   readonly entry: EntryName
   /** Step of the derivation, from 1 on. */
   readonly step: number
+  readonly from: (typeof DATA_FROM)[number]
   readonly language: Language | 'auto'
   readonly theme: Theme
   readonly handout: (typeof HANDOUTS)[number]
@@ -118,6 +121,7 @@ export const DEFAULTS: State = {
   periodOrder: 'registry',
   entry: 'novice',
   step: 1,
+  from: 'file',
   language: 'auto',
   theme: 'auto',
   handout: 'worksheet',

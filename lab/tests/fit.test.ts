@@ -3,7 +3,8 @@
 import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { entryNumber, isBad, Measurement, statementsOf } from '../src/measurement'
+import { entryNumber, isBad, measuredValue, statementsOf } from '../src/entries'
+import { Measurement } from '../src/measurement'
 import { FitModule, FitRefusal, type Statements } from '../src/model/fit-module'
 import { measure, type Told } from '../src/model/fit-protocol'
 import type { Fitter } from '../src/model/fitter'
@@ -130,7 +131,7 @@ describe('refusals are the lines of the command', () => {
 describe('what the worker tells', () => {
   const told = async (of: string, stated: Statements) => {
     const all: Told[] = []
-    await measure({ module, bytes: bytes(of), stated }, (each) => all.push(each))
+    await measure({ module, files: [{ bytes: bytes(of), stated }], stated }, (each) => all.push(each))
     return all
   }
 
@@ -141,7 +142,9 @@ describe('what the worker tells', () => {
     expect(steps.map((each) => each.step)).toEqual(Array.from({ length: steps[0]?.of ?? 0 }, (_, i) => i))
     const last = all.at(-1)
     if (last?.kind !== 'fitted') throw new Error('no result')
-    const { x, measured, fitted, residual } = last.result
+    const [result] = last.results
+    if (!result) throw new Error('no result')
+    const { x, measured, fitted, residual } = result
     expect([x.length, measured.length, fitted.length, residual.length]).toEqual([600, 600, 600, 600])
     expect(
       Math.max(...fitted.map((each, i) => Math.abs(each + (residual[i] as number) - (measured[i] as number)))),
@@ -155,8 +158,81 @@ describe('what the worker tells', () => {
   it('a failure where there is no module', async () => {
     const all: Told[] = []
     const none = {} as WebAssembly.Module
-    await measure({ module: none, bytes: bytes(''), stated: [] }, (each) => all.push(each))
+    await measure({ module: none, files: [], stated: [] }, (each) => all.push(each))
     expect(all.map(({ kind }) => kind)).toEqual(['failed'])
+  })
+})
+
+describe('several records', () => {
+  /** The record with its times stretched: of a pendulum so many times as long. */
+  const stretched = async (times: number, first: Statements) => {
+    const [head = '', ...rows] = (await text(RECORD)).trim().split('\n')
+    const row = (each: string) => {
+      const [t = '', angle = ''] = each.split(',')
+      return `${Number(t) * Math.sqrt(times)},${angle}`
+    }
+    return { bytes: bytes([head, ...rows.map(row)].join('\n')), stated: first }
+  }
+  const asked = async (lengths: readonly number[]) => {
+    const files = await Promise.all(
+      [0.8, 1, 1.25].map((times, i) =>
+        stretched(times, [
+          ['file', `${i}.csv`],
+          ['length', `${lengths[i] ?? 1} 0.0005`],
+        ]),
+      ),
+    )
+    const all: Told[] = []
+    const stated = lengths.map((length) => ['length', `${length} 0.0005`] as const)
+    await measure({ module, files, stated }, (each) => all.push(each))
+    return all
+  }
+
+  it('at three lengths give g and what every length misses', async () => {
+    // Each 15 mm short of 0.64 m, 0.8 m, 1 m.
+    const all = await asked([0.625, 0.785, 0.985])
+    expect(all.filter(({ kind }) => kind === 'read').length).toBe(3)
+    const steps = all.filter((each) => each.kind === 'step')
+    expect(steps.map(({ step }) => step)).toEqual(steps.map((_, i) => i))
+    expect(steps.at(-1)?.of).toBe(steps.length)
+    const last = all.at(-1)
+    if (last?.kind !== 'fitted' || !last.joint) throw new Error('no result')
+    const { together, stands } = last.joint
+    expect([stands, last.results.length, together.omega0, together.length]).toEqual([true, 3, null, null])
+    const { g, length_offset: offset } = together
+    expect(Math.abs((g?.value ?? 0) - 9.81)).toBeLessThan(2 * (g?.u ?? 0))
+    expect(Math.abs((offset?.value ?? 0) - 0.015)).toBeLessThan(2 * (offset?.u ?? 0))
+    expect(together.verdicts.join()).toContain('every stated length is short by')
+  })
+
+  it('need one length each', async () => {
+    const all = await asked([0.625, 0.785])
+    expect(all.at(-1)).toEqual({
+      kind: 'refused',
+      message: '3 records with 2 lengths: each record needs its length, and two are the least',
+    })
+  })
+})
+
+describe('a light gate', () => {
+  it('has the turning angle of each period by the fit, and other records have none', async () => {
+    const rows = Array.from({ length: 60 }, (_, i) => {
+      const swing = 1.4 * Math.exp(-0.024 * i)
+      const period = 1.8 * (1 + swing ** 2 / 16 + (11 * swing ** 4) / 3072 + (173 * swing ** 6) / 737280)
+      return `${1.85 * i},${(period + 0.0004 * (((i * 7919) % 13) / 13 - 0.5)).toFixed(5)}`
+    })
+    const fits = await FitModule.start(module)
+    const all: Told[] = []
+    const file = { bytes: bytes(`time (s),period (s)\n${rows.join('\n')}\n`), stated: [] }
+    await measure({ module, files: [file], stated: [] }, (each) => all.push(each))
+    const last = all.at(-1)
+    if (last?.kind !== 'fitted') throw new Error('no result')
+    const [result] = last.results
+    expect(result?.swings.length).toBe(result?.x.length)
+    expect((result?.swings[0] as number) * 57.3).toBeGreaterThan(70)
+    expect(result?.swings[0]).toBeGreaterThan(result?.swings.at(-1) as number)
+    fits.read(bytes(await text(RECORD)), STATED)
+    expect(fits.fit(STATED).swings).toEqual([])
   })
 })
 
@@ -168,20 +244,31 @@ describe('what is typed', () => {
       ...nothing,
       length: '80,0 cm',
       lengthU: '1 mm',
-      column: 'theta',
-      unit: 'deg',
+      'column-x': 'left',
+      'unit-x': 'cm',
+      'column-y': 'up',
+      'unit-angle': 'deg',
       rate: '30',
       gravity: '9',
     }
     expect(statementsOf('a.csv', entries)).toEqual([
       ['file', 'a.csv'],
-      ['column', 'angle=theta'],
       ['unit', 'angle=deg'],
+      ['column', 'x=left'],
+      ['unit', 'x=cm'],
+      ['column', 'y=up'],
       ['rate', '30'],
       ['length', '0.8 0.001'],
     ])
     expect(
-      statementsOf('a.csv', { ...nothing, known: 'gravity', gravity: '9,81', model: 'dry', time: '1', run: '2' }),
+      statementsOf('a.csv', {
+        ...nothing,
+        known: 'gravity',
+        gravity: '9,81',
+        model: 'dry',
+        'column-time': '1',
+        run: '2',
+      }),
     ).toEqual([
       ['file', 'a.csv'],
       ['column', 'time=1'],
@@ -193,16 +280,107 @@ describe('what is typed', () => {
 
   it('is bad where a number belongs and none stands', () => {
     expect(isBad('length', 'long')).toBe(true)
-    expect(isBad('column', 'long')).toBe(false)
+    expect(isBad('column-angle', 'long')).toBe(false)
     expect(isBad('length', ' ')).toBe(false)
     expect(entryNumber('length', '65cm')).toBe(0.65)
   })
 
+  it('has its uncertainty behind it, and one unit for both', () => {
+    expect(measuredValue('0.495±0.001', 'm')).toEqual([0.495, 0.001])
+    expect(measuredValue('49,5 +- 0,1 cm', 'm')).toEqual([0.495, 0.001])
+    expect(measuredValue('19 g', 'kg')).toEqual([0.019, 0])
+    for (const bad of ['', 'long', '1±', '1±2±3', '1 mm ± x'])
+      expect([bad, measuredValue(bad, 'm')]).toEqual([bad, null])
+  })
+
+  it('parts of a rigid pendulum: a rod hangs from the pivot where its centre is not stated', () => {
+    const part = { mass: '', distance: '', size: '' }
+    const parts = [
+      { ...part, shape: 'rod', size: '0.5±0.002', mass: '20g' },
+      { ...part, shape: 'ball', distance: '0.5', mass: '50 g', size: '1cm' },
+      // Not yet whole.
+      { ...part, shape: 'disc', distance: '0.5' },
+    ] as const
+    expect(
+      statementsOf('a.csv', { ...nothing, known: 'parts', parts, length: '1', bobMass: '1', bobRadius: '1' }),
+    ).toEqual([
+      ['file', 'a.csv'],
+      ['part', 'rod 0.02 0 0.25 0.001 0.5 0.002'],
+      ['part', 'ball 0.05 0 0.5 0 0.01 0'],
+    ])
+    expect(statementsOf('a.csv', { ...nothing, bobRadius: '12.5mm', bobMass: '66 g', wireMass: '0.4g' })).toEqual([
+      ['file', 'a.csv'],
+      ['bob', '0.0125 0.066'],
+      ['wire', '0.0004'],
+    ])
+  })
+
+  it('of several files: the common length, or one each', () => {
+    const begun: unknown[] = []
+    const fitter = { begin: (files: unknown, stated: unknown) => void begun.push([files, stated]), cancel: () => {} }
+    const now = new Measurement(fitter as unknown as Fitter, () => {})
+    now.take(['a.csv', bytes('t')], ['b.csv', bytes('t')])
+    now.enter({ length: '1' })
+    expect(begun.at(-1)).toMatchObject([
+      [
+        {
+          stated: [
+            ['file', 'a.csv'],
+            ['length', '1 0'],
+          ],
+        },
+        {
+          stated: [
+            ['file', 'b.csv'],
+            ['length', '1 0'],
+          ],
+        },
+      ],
+      [
+        ['file', 'a.csv'],
+        ['length', '1 0'],
+      ],
+    ])
+    now.enterLength(1, { length: '60 cm', lengthU: '1mm' })
+    expect(begun.at(-1)).toMatchObject([
+      [
+        {
+          stated: [
+            ['file', 'a.csv'],
+            ['length', '1 0'],
+          ],
+        },
+        {
+          stated: [
+            ['file', 'b.csv'],
+            ['length', '0.6 0.001'],
+          ],
+        },
+      ],
+      [
+        ['length', '1 0'],
+        ['length', '0.6 0.001'],
+      ],
+    ])
+    now.remove(1)
+    expect(begun.at(-1)).toMatchObject([
+      [{}],
+      [
+        ['file', 'a.csv'],
+        ['length', '1 0'],
+      ],
+    ])
+    now.enterLength(0, { length: 'x' })
+    now.add(['c.csv', bytes('t')])
+    expect(now.bad).toBe('x')
+    expect(begun.length).toBe(4)
+  })
+
   it('is not fitted while it is bad, and the fit of a file before is not touched by a cancelled one', () => {
     const begun: Statements[] = []
-    const fitter = { begin: (_: Uint8Array, stated: Statements) => void begun.push(stated), cancel: () => {} }
+    const fitter = { begin: (_: unknown, stated: Statements) => void begun.push(stated), cancel: () => {} }
     const now = new Measurement(fitter as unknown as Fitter, () => {})
-    now.take('a.csv', bytes('t'))
+    now.take(['a.csv', bytes('t')])
     now.enter({ length: 'x' })
     expect(begun.length).toBe(1)
     now.enter({ length: '1' })

@@ -42,6 +42,7 @@ const SAME = new Set([
   'Fourier _N_',
   'Lab',
   'linear',
+  'Latitude',
   'Salas 2019 (35)',
   'Esc',
   'rad/s',

@@ -937,7 +937,10 @@ def equivalent_length(
     parts: list[tuple[str, tuple[float, float], tuple[float, float], tuple[float, float]]],
 ) -> tuple[float, float]: ...
 def gravity_of_period(
-    period: tuple[float, float], length: tuple[float, float], swing: tuple[float, float]
+    period: tuple[float, float],
+    length: tuple[float, float],
+    swing: tuple[float, float],
+    end: tuple[float, float] | None = ...,
 ) -> tuple[tuple[float, float], list[tuple[str, float]], float]: ...
 def normal_gravity(latitude: float, height: float) -> float: ...
 def column(

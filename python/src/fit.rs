@@ -136,11 +136,16 @@ fn name_of(measured: Measured) -> &'static str {
     MEASURED.iter().find(|(_, each)| *each == measured).map_or("", |(name, _)| name)
 }
 
-/// g from period, length and swing with its uncertainty; its budget; and 4 pi^2 length / T^2.
+/// g from period, length and swing, at the end too where it decays, with its uncertainty; its budget; and 4 pi^2 length / T^2.
 #[pyfunction]
-fn gravity_of_period(period: Pair, length: Pair, swing: Pair) -> PyResult<Weighed> {
-    let found = libration_fit::gravity_of_period(measure(period), measure(length), measure(swing))
-        .map_err(refused)?;
+#[pyo3(signature = (period, length, swing, end=None))]
+fn gravity_of_period(period: Pair, length: Pair, swing: Pair, end: Option<Pair>) -> PyResult<Weighed> {
+    let [period, length, swing] = [period, length, swing].map(measure);
+    let found = match end {
+        Some(end) => libration_fit::gravity_of_decay(period, length, swing, measure(end)),
+        None => libration_fit::gravity_of_period(period, length, swing),
+    };
+    let found = found.map_err(refused)?;
     let budget = found.budget.into_iter().map(|row| (row.source, row.u)).collect();
     Ok(((found.g.value, found.g.u), budget, found.small_swings))
 }

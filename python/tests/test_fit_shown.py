@@ -153,6 +153,25 @@ def test_every_sentence_of_the_core_has_its_translations():
         assert in_language(example, "pt-BR") != example, each
 
 
+REFUSED = [
+    (b"", "está vazio"),
+    (b"a\nb\nc\n", "não contém nenhuma linha de números"),
+    (b"t [s],theta [deg]\n0,10\n0.1,9\n0.2,7\n0.3,4\n", "pelo menos 8"),
+    (b"t,theta,phi\n0,10,1\n0.1,9,2\n0.2,7,4\n0.3,4,2\n", "qual coluna é o ângulo?"),
+]
+
+
+@pytest.mark.parametrize(("content", "told"), REFUSED)
+def test_refusals_have_words_in_both_languages(content, told, tmp_path):
+    path = tmp_path / "swing.csv"
+    path.write_bytes(content)
+    with pytest.raises(ValueError) as refusal:
+        fit(path)
+    reason = str(refusal.value).partition("swing.csv: ")[2]
+    assert told in in_language(reason, "pt-BR")
+    assert in_language(reason, "es") != reason
+
+
 def test_numbers_of_sentences_have_a_decimal_comma():
     told = in_language("the record holds 1.2 periods: friction and rest are hardly determined", "es")
     assert told.startswith("el registro contiene 1,2 periodos")

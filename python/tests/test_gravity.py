@@ -29,6 +29,26 @@ def test_uncertainties_combine():
     assert swung.u == pytest.approx(swung.value * 2 * 0.1 / 8 * 0.01, rel=5e-3)
 
 
+def test_g_of_a_swing_that_decays():
+    swing = math.radians(80)
+    # Ten swings of a pendulum with linear friction, by the integration and its turning points.
+    pendulum = libration.DampedPendulum(swing, length=0.7, gravity=9.8, friction=libration.Friction(linear=0.002))
+    turns = list(pendulum.turning_times(0.1, 40.0))[:20]
+    end = abs(pendulum.theta(turns[-1]))
+    found = libration.gravity_of_period(turns[-1] / 10, 0.7, swing=swing, end=end)
+    # What is left is of second order in the friction, which is 5e-4 of the frequency.
+    assert found.value == pytest.approx(9.8, rel=1e-5)
+    # By one of the angles alone it is another one.
+    for alone in (swing, end):
+        assert abs(libration.gravity_of_period(turns[-1] / 10, 0.7, swing=alone).value - 9.8) > 0.02
+    # And where it does not decay, the same.
+    still = libration.gravity_of_period(2.0, 0.7, swing=(swing, 0.0), end=(swing, 0.0))
+    assert still.value == libration.gravity_of_period(2.0, 0.7, swing=swing).value
+    told = libration.gravity_of_period(2.0, 0.7, swing=(swing, 0.02), end=(0.5, 0.01))
+    parts = [libration.gravity_of_period(2.0, 0.7, swing=(swing, u), end=(0.5, v)).u for u, v in ((0.02, 0), (0, 0.01))]
+    assert told.u == pytest.approx(math.hypot(*parts), rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("latitude", "expected"),
     # Normal gravity at the equator, at 45 degrees and at the pole, NIMA TR 8350.2, table 3.4 and equation 4-1.
@@ -49,6 +69,8 @@ REFUSED = [
     (lambda: libration.gravity_of_period(0.0, 1.0), "period = 0 s"),
     (lambda: libration.gravity_of_period(1.0, math.inf), "length = inf m"),
     (lambda: libration.gravity_of_period(1.0, 1.0, swing=4.0), "swing = 4 rad"),
+    (lambda: libration.gravity_of_period(1.0, 1.0, swing=1.0, end=0.0), "swing at the end = 0 rad"),
+    (lambda: libration.gravity_of_period(1.0, 1.0, end=1.0), "swing = 0 rad"),
     (lambda: libration.gravity_of_period((1.0, math.nan), 1.0), "uncertainty of period"),
     (lambda: libration.normal_gravity(2.0), "latitude = 2 rad"),
     (lambda: libration.normal_gravity(1.0, 2e5), "height = 200000 m"),

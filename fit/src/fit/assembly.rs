@@ -192,6 +192,7 @@ pub(super) fn record(
             t: rows.iter().map(|row| t[*row]).collect(),
             measured: samples.y.clone(),
             residual: problem.plain().iter().map(|r| -r).collect(),
+            ..Residuals::default()
         },
         state: (found[THETA], found[VELOCITY], *anchor),
     };

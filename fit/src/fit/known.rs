@@ -68,7 +68,7 @@ impl Default for Corrections {
             mass: None,
             wire: None,
             density: 1.204,
-            viscosity: 1.5e-5,
+            viscosity: 1.516e-5,
             bob_size: true,
             wire_mass: true,
             buoyancy: true,

@@ -163,6 +163,9 @@ pub struct Residuals {
     pub measured: Vec<f64>,
     /// Measured less fitted.
     pub residual: Vec<f64>,
+    /// Of periods: the turning angle of each by the fit, in rad. It is left out of the JSON, which holds what was measured.
+    #[serde(skip)]
+    pub swings: Vec<f64>,
 }
 
 /// A result.

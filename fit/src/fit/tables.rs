@@ -114,6 +114,8 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
     let mut fit = of_periods(&best, model, options, rows, swing, &measured)?;
     fit.offset = offset;
     fit.offset_deg = offset.map(|e| Estimate::new(e.value.to_degrees(), e.u.to_degrees(), 0.0, 0.0));
+    let middle = best.values.get(1).copied().unwrap_or(0.0);
+    fit.residuals.swings = a.iter().map(|a| (a - middle).abs()).collect();
     fit.residuals.t = a;
     Ok(fit)
 }
@@ -155,7 +157,15 @@ pub(super) fn gate(
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
     let model = model_of_gate(&best, t, periods, transits, &rows.kept);
+    let swings = match transits {
+        Some(dark) => {
+            let of = |row: &usize| swing_of_velocity(best.values[1] / dark[*row], best.values[0]);
+            rows.kept.iter().map(of).collect()
+        }
+        None => swings_of_decay(times.iter().map(|t| t - times[0]), &best.values).unwrap_or_default(),
+    };
     let mut fit = of_periods(&best, model, options, rows, swing, &measured)?;
+    fit.residuals.swings = swings;
     fit.residuals.t = times;
     fit.window = extent(&fit.residuals.t);
     fit.diagnostics.lag1 = autocorrelations(&best.residuals, 1)[1];
@@ -178,12 +188,18 @@ fn by_transits(dark: &[f64], values: &[f64]) -> Option<Vec<f64>> {
     dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
 }
 
-/// Periods while linear friction, values[2], makes the swing smaller from values[1].
-fn by_decay(times: &[f64], values: &[f64]) -> Option<Vec<f64>> {
+/// The swings while linear friction, values[2], makes them smaller from values[1].
+fn swings_of_decay(times: impl Iterator<Item = f64>, values: &[f64]) -> Option<Vec<f64>> {
     let frequency = Frequency::from_omega0(values[0]).ok()?;
     let friction = Friction::new(values[2], 0.0, 0.0, 0.0).ok()?;
-    let swing = |t: f64| averaged_turning_angle(values[1], t, frequency, friction);
-    times.iter().map(|t| period_of_angle(swing(*t), values[0])).collect()
+    Some(times.map(|t| averaged_turning_angle(values[1], t, frequency, friction)).collect())
+}
+
+/// Periods of these swings, by the frequency of small ones with the friction: sqrt(omega0^2 - linear^2).
+fn by_decay(times: &[f64], values: &[f64]) -> Option<Vec<f64>> {
+    let swings = swings_of_decay(times.iter().copied(), values)?;
+    let damped = ((values[0] - values[2]) * (values[0] + values[2])).sqrt();
+    swings.into_iter().map(|swing| period_of_angle(swing, damped)).collect()
 }
 
 /// What the model leaves out of omega0: the scatter between five parts of the rows, each with its own omega0, beyond what their
@@ -320,7 +336,11 @@ fn of_periods(
             effective_size: n,
             ..Diagnostics::default()
         },
-        residuals: Residuals { t: Vec::new(), measured: measured.to_vec(), residual: best.residuals.clone() },
+        residuals: Residuals {
+            measured: measured.to_vec(),
+            residual: best.residuals.clone(),
+            ..Residuals::default()
+        },
         state: (swing, 0.0, 0.0),
     };
     fit.verdicts.extend(of_length(&fit));

@@ -3,7 +3,7 @@
 export const en = {
   functionNames: { sin: 'sin', tan: 'tan' } as { readonly sin: string; readonly tan: string },
   machineAssisted: '',
-  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', deg: '°', '': '' },
+  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', kg: 'kg', deg: '°', '': '' },
 
   shell: {
     title: 'libration: the exact pendulum',

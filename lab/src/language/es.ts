@@ -5,7 +5,7 @@ import type { FirstCatalogue } from './en'
 export const es: FirstCatalogue = {
   functionNames: { sin: 'sen', tan: 'tan' },
   machineAssisted: 'traducción automática',
-  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', deg: '°', '': '' },
+  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', kg: 'kg', deg: '°', '': '' },
 
   shell: {
     title: 'libration: el péndulo exacto',

@@ -5,7 +5,7 @@ import type { FirstCatalogue } from './en'
 export const ptBR: FirstCatalogue = {
   functionNames: { sin: 'sen', tan: 'tg' },
   machineAssisted: 'tradução automática',
-  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', deg: '°', '': '' },
+  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', kg: 'kg', deg: '°', '': '' },
 
   shell: {
     title: 'libration: o pêndulo exato',

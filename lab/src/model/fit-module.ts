@@ -51,6 +51,7 @@ export interface Fit {
   readonly samples: number
   readonly ladder: readonly { readonly model: ModelName; readonly rms: number; readonly omega0: number }[]
   readonly budget: readonly { readonly source: string; readonly u: number }[]
+  readonly corrections: readonly { readonly name: string; readonly relative_period: number; readonly made: boolean }[]
   readonly diagnostics: Readonly<Record<string, number | null>>
   readonly residuals: {
     readonly t: readonly number[]
@@ -65,6 +66,33 @@ export interface Fitted {
   readonly grades: readonly ('note' | 'warning' | 'refuted')[]
   /** Whether no verdict forbids to quote it. */
   readonly stands: boolean
+  /** Of periods: the turning angle of each by the fit, in rad. */
+  readonly swings: readonly number[]
+}
+
+/** What several records share, as `libration fit --json` prints it, without the records. */
+export interface Together {
+  readonly omega0: Estimate | null
+  readonly g: Estimate | null
+  readonly length: Estimate | null
+  /** What must be added to every stated length, in m. */
+  readonly length_offset: Estimate | null
+  readonly chi_squared: readonly [number, number]
+  readonly budget: readonly { readonly source: string; readonly u: number }[]
+  readonly corrections: Fit['corrections']
+  readonly verdicts: readonly string[]
+}
+
+/** Several records together, each with what it is alone. */
+export interface FittedTogether extends Pick<Fitted, 'grades' | 'stands'> {
+  readonly together: Together
+  readonly records: readonly Fitted[]
+}
+
+/** g from a period, and the normal g of a place, in m/s^2; null where nothing was stated for it. */
+export interface PeriodGravity {
+  readonly found: { readonly g: Estimate; readonly budget: Fit['budget']; readonly small_swings: number } | null
+  readonly normal: number | null
 }
 
 /** Why there is no record or no fit: the line that the command prints. */
@@ -80,6 +108,7 @@ interface Exports {
   answer_length(): number
   read_file(): number
   fit_data(): number
+  gravity(): number
   steps(): void
 }
 
@@ -117,6 +146,16 @@ export class FitModule {
   /** Fits what was read last; a FitRefusal where it holds no motion. */
   fit(stated: Statements): Fitted {
     return this.#asked(stated, () => this.#exports.fit_data())
+  }
+
+  /** Fits all records that were read, each after the first with a statement `beside`. */
+  fitTogether(stated: Statements): FittedTogether {
+    return this.#asked(stated, () => this.#exports.fit_data())
+  }
+
+  /** g from a period and of a place (wasm/fit/src/period.rs); a FitRefusal where a value is out of its range. */
+  gravity(stated: Statements): PeriodGravity {
+    return this.#asked(stated, () => this.#exports.gravity())
   }
 
   #asked<Answer>(stated: Statements, work: () => number): Answer {

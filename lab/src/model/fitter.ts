@@ -1,6 +1,6 @@
 // The page's side of the fit: the module is loaded once, when it is first asked for; one worker for each fit.
 
-import type { Statements, Told } from './fit-protocol'
+import type { AskedFile, Statements, Told } from './fit-protocol'
 
 /** An address, or a response to come. */
 export type ModuleSource = string | PromiseLike<Response>
@@ -32,7 +32,7 @@ export class Fitter {
   }
 
   /** Reads and fits; a fit that still runs is ended first. */
-  async begin(bytes: Uint8Array, stated: Statements, listen: (told: Told) => void): Promise<void> {
+  async begin(files: readonly AskedFile[], stated: Statements, listen: (told: Told) => void): Promise<void> {
     this.cancel()
     const turn = this.#turn
     const hear = (told: Told) => {
@@ -47,7 +47,7 @@ export class Fitter {
       this.#worker = worker
       worker.addEventListener('message', ({ data }: MessageEvent<Told>) => hear(data))
       worker.addEventListener('error', (event) => hear({ kind: 'failed', message: event.message || 'worker' }))
-      worker.postMessage({ module, bytes, stated })
+      worker.postMessage({ module, files, stated })
     } catch (error) {
       hear({ kind: 'failed', message: error instanceof Error ? error.message : String(error) })
     }

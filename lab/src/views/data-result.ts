@@ -1,14 +1,16 @@
 // The right column of Data: what came out with its uncertainty, where that comes from, the friction models, what speaks against it.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import { smallPeriod } from '../against-swing'
 import type { Words } from '../language'
 import { rich } from '../language/rich'
+import { inLanguage } from '../language/sentences'
 import type { Measurement } from '../measurement'
-import type { Estimate, Result } from '../model/fit-protocol'
+import type { Estimate, Fit, Joint, Result } from '../model/fit-protocol'
 import type { Live } from './page'
 
 /** Two digits of the uncertainty, and the value as far as it goes. */
-export function withUncertainty(words: Words, { value, u }: Estimate, factor = 1): string {
+export function withUncertainty(words: Words, { value, u }: Pick<Estimate, 'value' | 'u'>, factor = 1): string {
   const size = Math.abs(u * factor)
   if (!(size > 0)) return words.significant(value * factor, 6)
   const decimals = Math.max(0, 1 - Math.floor(Math.log10(Number(size.toPrecision(2)))))
@@ -23,14 +25,17 @@ const TERM_UNITS = { linear: '1/s', quadratic: '1/rad', dry: 'rad/s²', preslidi
 interface Quoted {
   readonly of: Estimate
   readonly unit: string
+  readonly what: 'g' | 'length' | 'omega0'
 }
 
+type Found = Pick<Fit, 'g' | 'length' | 'length_given' | 'omega0'>
+
 /** g, or the length, or ω₀: what the budget is of. */
-export function quotedOf({ words }: Live, { fit }: Result): Quoted {
+export function quotedOf({ words }: Live, { g, length, length_given: given, omega0 }: Found): Quoted {
   const { units } = words.say
-  if (fit.g && fit.length_given) return { of: fit.g, unit: units['m/s2'] }
-  if (fit.length && !fit.length_given) return { of: fit.length, unit: units.m }
-  return { of: fit.omega0, unit: units['rad/s'] }
+  if (g && given) return { of: g, unit: units['m/s2'], what: 'g' }
+  if (length && !given) return { of: length, unit: units.m, what: 'length' }
+  return { of: omega0, unit: units['rad/s'], what: 'omega0' }
 }
 
 function values(page: Live, { fit }: Result, measured: string): TemplateResult {
@@ -45,6 +50,8 @@ function values(page: Live, { fit }: Result, measured: string): TemplateResult {
     ${g ? row('_g_', withUncertainty(words, g), units['m/s2'], 'data-g', byLength ? '' : data.given, byLength) : nothing}
     ${length ? row('_L_', withUncertainty(words, length), units.m, 'data-length-found', byLength ? data.given : '', !byLength) : nothing}
     ${row(data.omega0, withUncertainty(words, omega0), units['rad/s'], 'data-omega0')}
+    ${row('_T_{0}', withUncertainty(words, smallPeriod(omega0)), units.s, 'data-period0')}
+    ${measured === 'gate' && fit.swing !== null ? row(data.largestSwing, words.fixed(fit.swing * DEGREES, 1), '°', 'data-swing') : nothing}
     ${TERMS.map((term) => {
       const found = friction[term]
       return found ? row(data.terms[term], withUncertainty(words, found), TERM_UNITS[term]) : nothing
@@ -56,14 +63,13 @@ function values(page: Live, { fit }: Result, measured: string): TemplateResult {
 const unitOf = (measured: string, { words }: Live): string =>
   words.say.data.plain[measured as keyof typeof words.say.data.plain]
 
-function budget(page: Live, result: Result): TemplateResult {
-  const { words } = page
+/** Where the uncertainty of the quoted quantity comes from. */
+export function budget({ words }: Live, rows: Fit['budget'], { of, unit }: Omit<Quoted, 'what'>): TemplateResult {
   const { data } = words.say
-  const { of, unit } = quotedOf(page, result)
   const sources: Readonly<Record<string, string>> = data.sources
   // What a spreadsheet would state is no part of it.
-  const parts = result.fit.budget.filter(({ source }) => source !== INDEPENDENT)
-  const independent = result.fit.budget.find(({ source }) => source === INDEPENDENT)
+  const parts = rows.filter(({ source }) => source !== INDEPENDENT)
+  const independent = rows.find(({ source }) => source === INDEPENDENT)
   const line = (name: string, u: number, className = '') =>
     html`<tr class=${className}><th scope="row">${rich(name)}</th><td>${rich(u > 1e-9 * of.u ? words.significant(u, 2) : '0')}</td></tr>`
   return html`<h2 id="data-budget-title">${data.budget}</h2>
@@ -71,6 +77,16 @@ function budget(page: Live, result: Result): TemplateResult {
     <tbody>${parts.map(({ source, u }) => line(sources[source] ?? source, u))}
       ${line(data.combined, of.u, 'sum')}${line(data.expanded, of.expanded)}
       ${independent ? line(data.independent, independent.u, 'aside') : nothing}</tbody></table>`
+}
+
+/** What bob, wire and air do to the period. */
+export function corrections({ words }: Live, rows: Fit['corrections']): TemplateResult | typeof nothing {
+  if (rows.length === 0) return nothing
+  const { data } = words.say
+  const names: Readonly<Record<string, string>> = data.effects
+  return html`<h2 id="data-corrections-title">${data.corrections}</h2>
+    <table class="data" id="data-corrections" aria-labelledby="data-corrections-title"><thead><tr><th scope="col">${data.effect}</th><th scope="col">${rich(data.effectColumn)}</th></tr></thead>
+    <tbody>${rows.map(({ name, relative_period: share }) => html`<tr><th scope="row">${names[name] ?? name}</th><td>${rich(words.percent(100 * share, 2))}</td></tr>`)}</tbody></table>`
 }
 
 function ladder(page: Live, { fit }: Result, measured: string): TemplateResult {
@@ -89,20 +105,25 @@ function ladder(page: Live, { fit }: Result, measured: string): TemplateResult {
     ${sine ? html`<p class="soft small">${data.sineHelp}</p>` : nothing}`
 }
 
-function verdicts(page: Live, { fit, grades }: Result): TemplateResult {
-  const { data } = page.words.say
-  if (fit.verdicts.length === 0)
+type Told = Pick<Joint, 'grades'> & { readonly verdicts: readonly string[] }
+
+export function verdicts({ words }: Live, { verdicts: all, grades }: Told): TemplateResult {
+  const { data } = words.say
+  if (all.length === 0)
     return html`<h2>${data.verdicts}</h2><p class="soft small" id="data-verdicts">${data.noVerdicts}</p>`
-  return html`<h2>${data.verdicts}</h2><ul id="data-verdicts">${fit.verdicts.map((each, i) => {
+  return html`<h2>${data.verdicts}</h2><ul id="data-verdicts">${all.map((each, i) => {
     const grade = grades[i] ?? 'note'
-    return html`<li class="verdict ${grade}"><b>${data.grades[grade]}:</b> <span lang="en">${each}</span></li>`
+    const told = inLanguage(each, words.language)
+    return html`<li class="verdict ${grade}"><b>${data.grades[grade]}:</b> <span lang=${told === each ? 'en' : nothing}>${told}</span></li>`
   })}</ul>`
 }
 
+/** Of one record alone. */
 export function dataResult(page: Live, { result, reading }: Measurement): TemplateResult | typeof nothing {
   if (!result || !reading) return nothing
   const { data } = page.words.say
-  const refuted = result.stands ? nothing : verdicts(page, result)
-  return html`<h2>${data.result}</h2>${refuted}${values(page, result, reading.measured)}${budget(page, result)}
-    ${result.stands ? verdicts(page, result) : nothing}${ladder(page, result, reading.measured)}`
+  const { fit, grades, stands } = result
+  const told = verdicts(page, { verdicts: fit.verdicts, grades })
+  return html`<h2>${data.result}</h2>${stands ? nothing : told}${values(page, result, reading.measured)}${budget(page, fit.budget, quotedOf(page, fit))}
+    ${stands ? told : nothing}${corrections(page, fit.corrections)}${fit.ladder.length > 0 ? ladder(page, result, reading.measured) : nothing}`
 }

@@ -1,136 +1,120 @@
-// The left column of Data: the file or a pasted table, what was understood of it with the means to say otherwise, what is known.
+// The left column of Data: the files or a pasted table, what was understood of them, the means to say otherwise, what is known.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
-import { switches } from '../controls/parts'
-import { icon } from '../draw/icons'
-import { type Entries, type EntryName, isBad, type Measurement, MODELS, ROLES } from '../measurement'
+import { iconButton } from '../controls/parts'
+import { isBad } from '../entries'
+import { rich } from '../language/rich'
+import { inLanguage } from '../language/sentences'
+import type { Measurement } from '../measurement'
+import type { Reading } from '../model/fit-protocol'
+import { entryField, entryLine, entryPair } from './data-fields'
+import { correct, known } from './data-known'
 import type { Live } from './page'
 
-async function takeFile(page: Live, measurement: Measurement, file: File | undefined): Promise<void> {
-  if (!file) return
+type Taken = (...files: readonly (readonly [name: string, bytes: Uint8Array])[]) => void
+
+async function takeFiles(page: Live, files: readonly File[], taken: Taken): Promise<void> {
+  if (files.length === 0) return
   // What is found is spoken, and nothing is while the pendulum moves.
   page.store.pause()
-  measurement.take(file.name, new Uint8Array(await file.arrayBuffer()))
+  const read = async (file: File) => [file.name, new Uint8Array(await file.arrayBuffer())] as const
+  taken(...(await Promise.all(files.map(read))))
+}
+
+function chooser(page: Live, id: string, text: string, taken: Taken): TemplateResult {
+  return html`<label class="button">${text}<input type="file" multiple id=${id} @change=${(event: Event) => {
+    const input = event.target as HTMLInputElement
+    const files = [...(input.files ?? [])]
+    void takeFiles(page, files, taken)
+    // The same file may be chosen again once it was changed.
+    input.value = ''
+  }}></label>`
 }
 
 function source(page: Live, measurement: Measurement): TemplateResult {
   const { data } = page.words.say
+  const take: Taken = (...files) => measurement.take(...files)
   const over = (on: boolean) => (event: DragEvent) => {
     event.preventDefault()
     ;(event.currentTarget as HTMLElement).classList.toggle('over', on)
   }
-  const paste = (event: Event) => {
+  const pasted = (event: Event) => {
     const text = (event.currentTarget as HTMLElement).parentElement?.querySelector('textarea')?.value ?? ''
     page.store.pause()
-    measurement.take(data.pasted, new TextEncoder().encode(text))
+    return [data.pasted, new TextEncoder().encode(text)] as const
   }
   return html`<h2>${data.source}</h2>
     <div class="drop" @dragover=${over(true)} @dragleave=${over(false)} @drop=${(event: DragEvent) => {
       over(false)(event)
-      void takeFile(page, measurement, event.dataTransfer?.files[0])
-    }}><span>${data.drop}</span>
-      <label class="button">${data.choose}<input type="file" id="data-file" @change=${(event: Event) => {
-        const input = event.target as HTMLInputElement
-        const [file] = input.files ?? []
-        void takeFile(page, measurement, file)
-        // The same file may be chosen again once it was changed.
-        input.value = ''
-      }}></label></div>
+      void takeFiles(page, [...(event.dataTransfer?.files ?? [])], take)
+    }}><span>${data.drop}</span>${chooser(page, 'data-file', data.choose, take)}</div>
     <details><summary>${data.paste}</summary>
       <textarea class="paste" id="data-text" spellcheck="false" aria-label=${data.pasteLabel}></textarea>
-      <button type="button" class="button" id="data-read" @click=${paste}>${data.read}</button></details>
+      <button type="button" class="button" id="data-read" @click=${(event: Event) => take(pasted(event))}>${data.read}</button>
+      ${
+        measurement.files.length > 0
+          ? html`<button type="button" class="button quiet" id="data-read-more" @click=${(event: Event) => measurement.add(pasted(event))}>${data.readMore}</button>`
+          : nothing
+      }</details>
     ${measurement.file ? nothing : html`<p class="soft small">${data.takes} ${data.privacy}</p>`}`
 }
 
-function understood(page: Live, { file, reading }: Measurement): TemplateResult | typeof nothing {
+/** One of several files: its name shows it, and its length stands below. */
+function ofSeveral(page: Live, measurement: Measurement, place: number): TemplateResult {
+  const { data, units } = page.words.say
+  const file = measurement.files[place] as Measurement['files'][number]
+  const shown = place === measurement.shown
+  const own = (name: 'length' | 'lengthU', unit = '') =>
+    entryField({
+      id: `data-${name}-${place}`,
+      label: `${file.name}: ${data[name]}`,
+      text: file[name],
+      bad: isBad('length', file[name]),
+      unit,
+      type: (typed) => measurement.typeLength(place, { [name]: typed }),
+      enter: (typed) => measurement.enterLength(place, { [name]: typed }),
+    })
+  return html`<li><div class="entry"><button type="button" class="file-name ${shown ? 'on' : ''}" aria-pressed=${shown ? 'true' : 'false'}
+    @click=${() => measurement.show(place)}>${file.name}</button>${iconButton(`${data.remove}: ${file.name}`, 'close', () => measurement.remove(place))}</div>
+    ${measurement.entries.known === 'length' ? entryLine(data.ownLength, entryPair(own('length'), own('lengthU', units.m))) : nothing}</li>`
+}
+
+function files(page: Live, measurement: Measurement): TemplateResult {
+  const { data } = page.words.say
+  const several = measurement.files.length > 1
+  const more = chooser(page, 'data-more', data.add, (...added) => measurement.add(...added))
+  if (!several) return html`<div class="entry more"><p class="file-name">${measurement.file?.name}</p>${more}</div>`
+  return html`<ul role="list" id="data-files" aria-label=${data.records}>${measurement.files.map((_, i) => ofSeveral(page, measurement, i))}</ul>
+    <div class="more">${more}</div><p class="soft small">${rich(data.severalHelp)}</p>`
+}
+
+function understood(page: Live, measurement: Measurement): TemplateResult | typeof nothing {
+  const { file, reading } = measurement
   if (!file) return nothing
-  const { words } = page
+  // The fields of the files stay in their places while a fit begins, and so does the focus.
+  return html`${files(page, measurement)}${reading ? found(page, reading) : nothing}`
+}
+
+/** What the reader made of the record that is shown. */
+function found({ words }: Live, reading: Reading): TemplateResult {
   const { data } = words.say
-  if (!reading) return html`<p class="file-name">${file.name}</p>`
   const [run, count] = reading.run
   const rows = words.fill(data.rows, { count: reading.y.length, what: data.kinds[reading.measured] })
+  const told = (sentence: string) => {
+    const own = inLanguage(sentence, words.language)
+    // What is not in the table is said in English.
+    return html`<span lang=${own === sentence ? 'en' : nothing}>${own}</span>`
+  }
   const sentences = [
-    ...reading.understood.map((each) => html`<li lang="en">${each}</li>`),
-    ...reading.dropped.map((each) => html`<li>${data.dropped}: <span lang="en">${each}</span></li>`),
+    ...reading.understood.map((each) => html`<li>${told(each)}</li>`),
+    ...reading.dropped.map((each) => html`<li>${data.dropped}: ${told(each)}</li>`),
   ]
-  return html`<p class="file-name">${file.name}</p>
-    <p class="small" id="data-rows">${rows}${count > 1 ? html`, ${words.fill(data.ofRuns, { run, count })}` : nothing}</p>
+  return html`<p class="small" id="data-rows">${rows}${count > 1 ? html`, ${words.fill(data.ofRuns, { run, count })}` : nothing}</p>
     <h2>${data.understood}</h2>
     <ul class="said" id="data-understood" tabindex="0" role="list" aria-label=${data.understood}>${sentences}</ul>`
 }
 
-/** A field whose value counts when it is left, Enter is pressed or a file comes. */
-function field(measurement: Measurement, name: EntryName, label: string, unit: string, enter: Enter) {
-  const text = measurement.entries[name]
-  const typed = (event: Event) => ({ [name]: (event.target as HTMLInputElement).value })
-  return html`<span class="field ${isBad(name, text) ? 'bad' : ''}"><input id="data-${name}" .value=${text} aria-label=${label}
-    aria-invalid=${isBad(name, text) ? 'true' : 'false'} aria-describedby=${isBad(name, text) ? 'data-fault' : nothing}
-    autocomplete="off" spellcheck="false" @input=${(event: Event) => measurement.type(typed(event))} @change=${(event: Event) => enter(typed(event))}>${
-      unit === '' ? nothing : html`<span class="unit">${unit}</span>`
-    }</span>`
-}
-
-type Enter = (patch: Partial<Entries>) => void
-
-function select<T extends string>(
-  id: string,
-  label: string,
-  all: readonly T[],
-  now: T,
-  say: (each: T) => string,
-  set: (each: T) => void,
-) {
-  return html`<select id=${id} aria-label=${label} @change=${(event: Event) => set((event.target as HTMLSelectElement).value as T)}>${all.map(
-    (each) => html`<option value=${each} ?selected=${each === now}>${say(each)}</option>`,
-  )}</select>`
-}
-
-function correct(page: Live, measurement: Measurement, enter: Enter): TemplateResult {
-  const { data } = page.words.say
-  const { entries } = measurement
-  const line = (name: EntryName, label: string) =>
-    html`<div class="entry"><span aria-hidden="true">${label}</span>${field(measurement, name, label, '', enter)}</div>`
-  return html`<details id="data-correct"><summary>${data.correct}</summary><p class="soft small">${data.correctHelp}</p>
-    ${line('time', data.time)}
-    <div class="entry"><span aria-hidden="true">${data.role}</span>${select(
-      'data-role',
-      data.role,
-      ROLES,
-      entries.role,
-      (each) => data.roles[each],
-      (role) => enter({ role }),
-    )}</div>
-    ${line('column', data.column)}${line('unit', data.unit)}${line('rate', data.rate)}${line('run', data.run)}</details>`
-}
-
-function known(page: Live, measurement: Measurement, enter: Enter): TemplateResult {
-  const { words } = page
-  const { data, units } = words.say
-  const { entries } = measurement
-  const which = entries.known
-  const unit = units[which === 'length' ? 'm' : 'm/s2']
-  const bad = (Object.keys(entries) as EntryName[]).find((name) => isBad(name, entries[name]))
-  return html`<h2>${data.known}</h2>
-    ${switches(
-      data.known,
-      (['length', 'gravity'] as const).map((value) => ({ value, text: data[value] })),
-      which,
-      (value) => enter({ known: value }),
-    )}
-    <div class="entry"><span aria-hidden="true">${data[which]}</span><span class="pair">${field(measurement, which, data[which], '', enter)}±${field(measurement, `${which}U`, data[`${which}U`], unit, enter)}</span></div>
-    <div class="entry"><span aria-hidden="true">${data.model}</span>${select(
-      'data-model',
-      data.model,
-      MODELS,
-      entries.model,
-      (each) => data.models[each],
-      (model) => enter({ model }),
-    )}</div>
-    ${bad ? html`<p class="fault" id="data-fault" role="alert">${icon('warn')}<span>${words.fill(data.notANumber, { value: entries[bad] })}</span></p>` : nothing}`
-}
-
 export function dataSource(page: Live, measurement: Measurement): TemplateResult {
-  const enter: Enter = (patch) => measurement.enter(patch)
   return html`${source(page, measurement)}${understood(page, measurement)}
-    ${measurement.file ? correct(page, measurement, enter) : nothing}${known(page, measurement, enter)}`
+    ${measurement.file ? correct(page, measurement) : nothing}${known(page, measurement)}`
 }

@@ -3,26 +3,51 @@
 import '../language/data'
 import '../style/data.css'
 import { html, nothing, type TemplateResult } from 'lit-html'
+import { switches } from '../controls/parts'
 import { icon } from '../draw/icons'
+import { inLanguage, refusalInLanguage } from '../language/sentences'
 import { Measurement } from '../measurement'
+import { FitModule } from '../model/fit-module'
 import FitWorker from '../model/fit-worker?worker&inline'
 import { Fitter } from '../model/fitter'
 import { degrees } from '../number'
+import { keepMore } from '../second-visit'
 import { FIT } from '../sources'
+import { DATA_FROM } from '../state'
 import type { Store } from '../store'
+import { Timing } from '../timing'
 import { dataCharts } from './data-charts'
+import { sentenceOfTiming, timingBody } from './data-period'
 import { dataResult, quotedOf, withUncertainty } from './data-result'
 import { dataSource } from './data-source'
+import { dataTogether, sharedOf } from './data-together'
 import type { Live } from './page'
 
-let measurement: Measurement | null = null
+interface Visit {
+  readonly measurement: Measurement
+  readonly timing: Timing
+}
 
-/** The one measurement of the visit; its module is asked for when the view first opens. */
-function current(store: Store): Measurement {
-  if (measurement) return measurement
-  measurement = new Measurement(new Fitter(FIT, () => new FitWorker()), () => store.changed())
-  measurement.open()
-  return measurement
+let visit: Visit | null = null
+
+/** What is measured in this visit; the module is asked for when the view first opens. */
+function current(store: Store): Visit {
+  if (visit) return visit
+  const fitter = new Fitter(FIT, () => new FitWorker())
+  const changed = () => store.changed()
+  visit = { measurement: new Measurement(fitter, changed), timing: new Timing(changed) }
+  void loaded(fitter, visit)
+  return visit
+}
+
+/** Once the module is there, a period needs no worker, and a second visit has it too. */
+async function loaded(fitter: Fitter, { timing }: Visit): Promise<void> {
+  try {
+    timing.begin(await FitModule.start(await fitter.load()))
+    await keepMore()
+  } catch {
+    // It is asked for again with the first file, and what is wrong is said then.
+  }
 }
 
 /** What is going on, and what was refused: a line that is spoken. */
@@ -35,38 +60,68 @@ function status(page: Live, now: Measurement): TemplateResult {
   const working = html`<div class="working"><span>${now.phase === 'reading' ? data.reading : words.fill(data.fitting, { percent })}</span>
     <progress max="1" .value=${now.progress} aria-label=${data.progress}></progress>
     <button type="button" class="button" id="data-cancel" @click=${() => now.cancel()}>${data.cancel}</button></div>`
+  const told = refusalInLanguage(
+    now.message,
+    now.files.map(({ name }) => name),
+    words.language,
+  )
+  // The options of the command are fields here.
+  const options = refused && /--(column|unit|rate|run)/.test(now.message)
   const message =
     now.phase === 'failed'
       ? html`<span>${words.fill(data.failed, { why: now.message })}</span>`
-      : html`<span id="data-refusal" lang="en">${now.message}</span>`
+      : html`<span id="data-refusal" lang=${told === now.message && words.language !== 'en' ? 'en' : nothing}>${told}</span>`
   const again = html`<button type="button" class="button" id="data-again" @click=${() => now.begin()}>${data.again}</button>`
   return html`${busy ? working : nothing}<div role="status">${refused ? html`<p class="refusal">${icon('warn')}${message}</p>` : nothing}
+    ${options ? html`<p class="soft small">${data.optionsHelp}</p>` : nothing}
     ${now.phase === 'cancelled' ? html`<p class="working"><span>${data.cancelled}</span>${again}</p>` : nothing}</div>`
 }
 
-function body(page: Live): TemplateResult {
-  const now = current(page.store)
+function fromFile(page: Live, now: Measurement): TemplateResult {
   const charts = dataCharts(page, now)
-  return html`<div class="data-columns"><div class="column left">${dataSource(page, now)}</div>
+  return html`<div class="column left">${dataSource(page, now)}</div>
     <div class="column middle">${status(page, now)}${charts ?? html`<p class="soft">${page.words.say.data.plotWaiting}</p>`}</div>
     ${
       now.result
-        ? html`<div class="column right" tabindex="0" role="region" aria-label=${page.words.say.data.result}>${dataResult(page, now)}</div>`
+        ? html`<div class="column right" tabindex="0" role="region" aria-label=${page.words.say.data.result}>${now.joint ? dataTogether(page, now, now.joint) : nothing}${now.joint ? nothing : dataResult(page, now)}</div>`
         : nothing
-    }</div>`
+    }`
+}
+
+function body(page: Live): TemplateResult {
+  const { measurement, timing } = current(page.store)
+  const { from } = page.state
+  const { data } = page.words.say
+  const choice = switches(
+    data.from,
+    DATA_FROM.map((value) => ({ value, text: data.froms[value] })),
+    from,
+    (each) => page.store.set({ from: each }),
+    'data-from',
+  )
+  return html`${choice}<div class="data-columns">${from === 'period' ? timingBody(page, timing) : fromFile(page, measurement)}</div>`
 }
 
 function sentence(page: Live): string {
   const { words, store } = page
   const { data } = words.say
-  const { phase, result } = current(store)
+  const { measurement, timing } = current(store)
+  if (page.state.from === 'period') return sentenceOfTiming(page, timing)
+  const { phase, result, joint, results } = measurement
   if (phase === 'reading' || phase === 'fitting') return data.sentenceBusy
   if (phase === 'refused' || phase === 'failed') return data.sentenceRefused
   if (!result) return phase === 'empty' ? data.sentenceEmpty : data.sentenceRead
+  if (joint && !joint.stands) return data.sentenceRefutedTogether
+  if (joint) {
+    const { of, unit, what } = sharedOf(page, joint)
+    const forms = { g: data.sentenceG, length: data.sentenceL, omega0: data.sentenceW } as const
+    return words.fill(forms[what], { value: words.with(withUncertainty(words, of), unit), count: results.length })
+  }
   const { fit, stands } = result
   // A star would be a mark of bold letters.
-  if (!stands) return words.fill(data.sentenceRefuted, { verdict: (fit.verdicts[0] ?? '').replace(/[*_^]/g, ' ') })
-  const { of, unit } = quotedOf(page, result)
+  const verdict = inLanguage(fit.verdicts[0] ?? '', words.language).replace(/[*_^]/g, ' ')
+  if (!stands) return words.fill(data.sentenceRefuted, { verdict })
+  const { of, unit } = quotedOf(page, fit)
   const text = words.with(withUncertainty(words, of), unit)
   const angle = `${words.fixed(degrees(fit.swing ?? Number.NaN), 0)}°`
   const swing = fit.swing === null ? '' : ` ${words.fill(data.ofSwings, { angle })}`

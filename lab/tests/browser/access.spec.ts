@@ -82,6 +82,8 @@ test('what a screen reader has of every view', async ({ lab }) => {
     await show(lab, `view=${view}&${LINK}&lang=en`)
     await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: `${view.replace('&handout=', '-')}.aria.yml` })
   }
+  await show(lab, `view=data&from=period&${LINK}&lang=en`)
+  await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: 'data-period.aria.yml' })
 })
 
 for (const [width, height] of SCREENS) {

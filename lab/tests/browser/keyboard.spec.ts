@@ -1,4 +1,4 @@
-// Story 20: keyboard alone does stories 1, 2, 6 and 10; focus is seen and goes on; what changes is said; a trace is heard.
+// Story 20: keyboard alone does stories 1, 2, 6 and 10, 17 in data.spec.ts, 18 in data-period.spec.ts; focus is seen and goes on; what changes is said; a trace is heard.
 
 import type { Page } from '@playwright/test'
 import { column, csvOf, drawn, expect, opened, show, test } from './lab'
@@ -62,6 +62,8 @@ test('story 20: the focus is always seen, and Tab comes round in every view', as
     'period',
     'functions',
     'derivation',
+    'data',
+    'data&from=period',
     'handouts',
     'handouts&handout=code',
     'handouts&handout=embed',

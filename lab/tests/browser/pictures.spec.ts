@@ -1,7 +1,7 @@
 // Draws docs/lab/*.png: every view in light and dark, on a phone and for a projector, in 256 colours. `npm run pictures`; not part
 // of the tests.
 
-import { mkdirSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
 import { drawn, expect, opened, show, test } from './lab'
 import { inPalette } from './palette'
@@ -65,6 +65,22 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
     await picture(page, `data-${size}`)
     await page.context().close()
   })
+
+  test(`pictures of a timed period of ${size}`, async ({ browser }) => {
+    const page = await opened(browser, 't=0s', { viewport: { width, height } })
+    await show(page, `view=data&from=period&t=0s&theme=${size.endsWith('dark') ? 'dark' : 'light'}`)
+    await page.locator('#timing-example').click()
+    await page.locator('#timing-latitude').fill('-23.3')
+    await page.locator('#timing-height').fill('585')
+    await expect(page.locator('#timing-difference')).toBeVisible()
+    const tall = await page.evaluate(() => document.documentElement.scrollHeight)
+    await page.setViewportSize({ width, height: width === 360 ? tall : height })
+    await page.locator('h1').first().click()
+    await drawn(page)
+    await page.mouse.move(0, 0)
+    await picture(page, `data-period-${size}`)
+    await page.context().close()
+  })
 }
 
 test('pictures of code and of the form of a frame', async ({ browser }) => {
@@ -73,6 +89,35 @@ test('pictures of code and of the form of a frame', async ({ browser }) => {
     await show(page, `view=handouts&handout=${part}&th0=150deg&t=0s&theme=light&lang=en`)
     await picture(page, `handouts-${part}-1280-light`)
   }
+  await page.context().close()
+})
+
+test('pictures of a light gate and of several lengths', async ({ browser }) => {
+  const page = await opened(browser, 't=0s')
+  await show(page, 'view=data&t=0s&theme=light')
+  await page.locator('#data-length').fill('0.8')
+  await page.locator('#data-lengthU').fill('0.001')
+  await page.locator('#data-file').setInputFiles(new URL('../gate-100deg.csv', import.meta.url).pathname)
+  await expect(page.locator('#data-period0')).toBeVisible()
+  await page.locator('h1').first().click()
+  await drawn(page)
+  await picture(page, 'data-gate-1280-light')
+  const [several] = JSON.parse(readFileSync(new URL('../fits.json', import.meta.url), 'utf8'))
+  const files = (several.files as { name: string; text: string }[]).map(({ name, text }) => ({
+    name,
+    mimeType: 'text/plain',
+    buffer: Buffer.from(text),
+  }))
+  await page.locator('#data-file').setInputFiles(files)
+  await expect(page.locator('#data-records')).toBeVisible()
+  for (const [i, length] of ['0.400', '0.700', '1.000'].entries()) {
+    await page.locator(`#data-length-${i}`).fill(length)
+    await page.locator(`#data-lengthU-${i}`).fill('0.0005')
+  }
+  await page.locator('h1').first().click()
+  await expect(page.locator('#data-offset')).toBeVisible()
+  await drawn(page)
+  await picture(page, 'data-lengths-1280-light')
   await page.context().close()
 })
 

@@ -30,6 +30,12 @@ the GUM, 5.1.
 """,
     ),
     Topic(
+        "a swing that decays",
+        text="""\
+With --end the swing falls, by linear friction, from --swing to that angle while periods are counted: --period is their mean.
+""",
+    ),
+    Topic(
         "reversible pendulum",
         text="""\
 Kater's, as Bessel evaluates it: --pivot twice, each with the period about it and its distance from the centre of mass, on
@@ -49,6 +55,7 @@ Local masses move the true g by some 0.0005 m/s^2, seldom by more than 0.002.
 EXAMPLES = (
     "libration gravity --period 2.022±0.001 --length 1.000±0.001 --swing 20±1deg",
     "libration gravity --period 2.0218s --length 1m --swing 20deg --latitude -23.5deg",
+    "libration gravity --period 2.0513s --length 1m --swing 40deg --end 20±1deg",
     "libration gravity --latitude 52.1deg",
     "libration gravity --pivot 2.0061±0.0001s,0.66m --pivot 2.0063±0.0001s,0.34m",
     "libration gravity --pivot 2.0061s,66cm --pivot 2.0063s --between 1.00010±0.00001m",
@@ -61,6 +68,7 @@ class GravityOptions(Options):
     period: str | None
     length: str | None
     swing: str | None
+    end: str | None
     pivot: tuple[str, ...]
     between: str | None
     latitude: str | None
@@ -76,10 +84,12 @@ def run(options: GravityOptions) -> None:
         raise Refusal(
             "missing --period and --length, such as --period 2.0218±0.0010 --length 1.000±0.001, or --pivot, or --latitude"
         )
-    single = {"--period": options.period, "--length": options.length, "--swing": options.swing}
+    single = {"--period": options.period, "--length": options.length, "--swing": options.swing, "--end": options.end}
     beside = [option for option, given in single.items() if given is not None]
     if options.pivot and beside:
         raise Refusal(f"--pivot and {beside[0]}: each pivot has its period, distance and swing itself")
+    if options.end is not None and options.swing is None:
+        raise refusal("--end", options.end, "needs --swing beside it, the turning angle at the begin")
     if options.between is not None and not options.pivot:
         raise refusal("--between", options.between, "needs --pivot twice beside it")
     if options.pivot:
@@ -111,8 +121,13 @@ def from_period(options: GravityOptions, lines: list[tuple[str, str]], answer: d
     swing = (0.0, 0.0) if options.swing is None else measured("--swing", options.swing, ANGLE)
     if not abs(swing[0]) < math.pi:
         raise refusal("--swing", str(options.swing), "must be less than 180deg in size, the turning angle")
+    end = None if options.end is None else measured("--end", options.end, ANGLE)
+    if end is not None:
+        for name, text, (angle, _) in (("--swing", options.swing, swing), ("--end", options.end, end)):
+            if not 0 < angle < math.pi:
+                raise refusal(name, str(text), "must be greater than 0 and less than 180deg where the swing decays")
     try:
-        (g, u), budget, small = _core.gravity_of_period(period, length, swing)
+        (g, u), budget, small = _core.gravity_of_period(period, length, swing, end)
     except ValueError as error:
         raise Refusal(str(error)) from error
     found = Estimate(g, u, calibration=u)
@@ -214,6 +229,7 @@ COMMAND = command(
             MEASURED,
             offered=units(ANGLE),
         ),
+        Value("--end", "ANGLE", "the turning angle at the end, where it decays", MEASURED, offered=units(ANGLE)),
         Values("--pivot", "PERIOD,DISTANCE[,SWING]", "of a reversible pendulum, for each of its two pivots", MEASURED),
         Value("--between", "DISTANCE", "of its two pivots, in place of the second from the centre of mass", MEASURED),
         Value("--latitude", "ANGLE", "latitude, south negative", PLACE, offered=units(ANGLE)),

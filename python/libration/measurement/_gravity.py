@@ -12,10 +12,11 @@ from ._estimate import Estimate, estimate
 from ._known import Pair
 
 
-def gravity_of_period(period: Any, length: Any, *, swing: Any = 0.0) -> Estimate:
+def gravity_of_period(period: Any, length: Any, *, swing: Any = 0.0, end: Any = None) -> Estimate:
     """g of a pendulum from its period, by the exact law of large swings.
 
-    g = length (P/period)**2, where P = 4 K(sin(swing/2)) is the exact period at omega0 = 1.
+    g = length (P/period)**2, where P = 4 K(sin(swing/2)) is the exact period at omega0 = 1. Where the swing decays while periods are
+    counted, 1/P is its mean over the time in which linear friction brings the swing from the first angle to that at the end.
 
     Parameters
     ----------
@@ -25,11 +26,13 @@ def gravity_of_period(period: Any, length: Any, *, swing: Any = 0.0) -> Estimate
         The equivalent length in m, greater than 0.
     swing : scalar or (value, u), default 0.0
         The turning angle in rad, below pi in size; 0 for small swings.
+    end : scalar or (value, u), optional
+        The turning angle at the end of the count, where the swing decays: both are then above 0, and `period` is the mean.
 
     Returns
     -------
     Estimate
-        g in m/s**2. Its uncertainty combines the three (GUM 5.1); that of the swing is half the difference between its two ends.
+        g in m/s**2. Its uncertainty combines them (GUM 5.1); that of a swing is half the difference between its two ends.
 
     Raises
     ------
@@ -46,9 +49,15 @@ def gravity_of_period(period: Any, length: Any, *, swing: Any = 0.0) -> Estimate
     >>> import libration
     >>> print(libration.gravity_of_period((2.0218, 0.001), (1.0, 0.001), swing=math.radians(20)))
     9.807 ± 0.014
+    >>> swings = {"swing": math.radians(40), "end": math.radians(20)}
+    >>> print(libration.gravity_of_period((2.0513, 0.001), (1.0, 0.001), **swings))
+    9.809 ± 0.014
     """
     (value, u), _, _ = _core.gravity_of_period(
-        measure("period", period), measure("length", length), measure("swing", swing)
+        measure("period", period),
+        measure("length", length),
+        measure("swing", swing),
+        None if end is None else measure("end", end),
     )
     return Estimate(value, u, calibration=u)
 

@@ -2,6 +2,7 @@
 //! attributes that give functions their names outside, and in that call. No pointer is read.
 
 use crate::answer;
+use crate::period;
 use crate::stated::Stated;
 use libration_fit::fit::{Data, FitOptions};
 use std::cell::RefCell;
@@ -9,7 +10,8 @@ use std::cell::RefCell;
 thread_local! {
     /// The bytes of the file, what is stated, the answer.
     static TEXTS: [RefCell<Vec<u8>>; 3] = const { [const { RefCell::new(Vec::new()) }; 3] };
-    static DATA: RefCell<Option<Data>> = const { RefCell::new(None) };
+    /// The records that were read: one, or those that are fitted together.
+    static DATA: RefCell<Vec<Data>> = const { RefCell::new(Vec::new()) };
 }
 
 const FILE: usize = 0;
@@ -65,20 +67,32 @@ pub extern "C" fn read_file() -> u32 {
     let bytes = taken(FILE);
     left(stated().and_then(|stated| {
         let (data, json) = answer::read(&bytes, &stated)?;
-        DATA.set(Some(data));
+        DATA.with_borrow_mut(|all| {
+            if !stated.beside {
+                all.clear();
+            }
+            all.push(data);
+        });
         Ok(json)
     }))
 }
 
-/// Fits what was read last. 1: the answer is the result, in JSON; 0: the refusal.
+/// Fits what was read: one record, or several together. 1: the answer is the result, in JSON; 0: the refusal.
 #[unsafe(no_mangle)]
 pub extern "C" fn fit_data() -> u32 {
     left(stated().and_then(|stated| {
-        DATA.with_borrow(|data| match data {
-            Some(data) => answer::fitted(data, &stated),
-            None => Err("no file was read".to_owned()),
+        DATA.with_borrow(|all| match &all[..] {
+            [] => Err("no file was read".to_owned()),
+            [data] => answer::fitted(data, &stated),
+            _ => answer::together(all, &stated),
         })
     }))
+}
+
+/// g from a period, and that of a place (period.rs). 1: the answer is in JSON; 0: the refusal.
+#[unsafe(no_mangle)]
+pub extern "C" fn gravity() -> u32 {
+    left(period::gravity(&String::from_utf8_lossy(&taken(STATED))))
 }
 
 /// Leaves the names of the steps of a fit in the answer, each on a line.

@@ -1,7 +1,7 @@
 //! The answers in JSON, and the refusals as the command line prints them: the name of the file, a colon, what is wrong.
 
 use crate::stated::Stated;
-use libration_fit::fit::{Data, Fit, Grade, Measured, Verdict, fit};
+use libration_fit::fit::{Data, Fit, Grade, Measured, Together, Verdict, fit, fit_lengths, fit_runs};
 use libration_fit::{Kind, read as read_bytes};
 use serde::Serialize;
 
@@ -38,6 +38,29 @@ struct Fitted<'a> {
     fit: &'a Fit,
     grades: Vec<Grade>,
     stands: bool,
+    /// Of periods: the turning angle of each by the fit, in rad.
+    swings: &'a [f64],
+}
+
+/// Several records together: what they share, and each alone.
+#[derive(Serialize)]
+struct Joint<'a> {
+    together: &'a Together,
+    /// Of the verdicts of all.
+    grades: Vec<Grade>,
+    /// Whether no verdict, of all or of one record, forbids to quote it.
+    stands: bool,
+    records: Vec<Fitted<'a>>,
+}
+
+fn grades(verdicts: &[Verdict]) -> Vec<Grade> {
+    verdicts.iter().map(|Verdict { grade, .. }| *grade).collect()
+}
+
+impl Fitted<'_> {
+    fn of(fit: &Fit) -> Fitted<'_> {
+        Fitted { fit, grades: grades(&fit.verdicts), stands: fit.stands(), swings: &fit.residuals.swings }
+    }
 }
 
 /// The data of a file and what was understood of it.
@@ -76,9 +99,22 @@ pub fn read(bytes: &[u8], stated: &Stated) -> Result<(Data, String), String> {
 /// The fit of data.
 pub fn fitted(data: &Data, stated: &Stated) -> Result<String, String> {
     let found = fit(data, &stated.known).map_err(|refusal| stated.refusal(&refusal.to_string()))?;
-    let grades = found.verdicts.iter().map(|Verdict { grade, .. }| *grade).collect();
-    let fitted = Fitted { fit: &found, grades, stands: found.stands() };
-    Ok(serde_json::to_string(&fitted).unwrap_or_default())
+    Ok(serde_json::to_string(&Fitted::of(&found)).unwrap_or_default())
+}
+
+/// The fit of several records: of one pendulum, or of one g at several lengths.
+pub fn together(all: &[Data], stated: &Stated) -> Result<String, String> {
+    let found = match &stated.lengths[..] {
+        [] | [_] => fit_runs(all, &stated.known),
+        lengths => fit_lengths(all, lengths, &stated.known),
+    };
+    let mut found = found.map_err(|refusal| refusal.to_string())?;
+    // Each record stands beside what they share, with its grades.
+    let fits = core::mem::take(&mut found.fits);
+    let grades = grades(&found.verdicts);
+    let stands = !grades.contains(&Grade::Refuted) && fits.iter().all(Fit::stands);
+    let records = fits.iter().map(Fitted::of).collect();
+    Ok(serde_json::to_string(&Joint { together: &found, grades, stands, records }).unwrap_or_default())
 }
 
 impl Stated {

@@ -5,6 +5,7 @@
 
 mod abi;
 mod answer;
+mod period;
 mod stated;
 
 /// A list of free blocks: a fit asks for a few long lists, again and again of the same lengths.
