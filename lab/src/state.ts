@@ -3,14 +3,17 @@
 // Everything that a link carries stands here and nothing else; what passes with the visit is the session's (store.ts).
 
 import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
-import { radians } from './number'
+import { radians, type Unit } from './number'
 
-export const VIEWS = ['lab', 'phase', 'period', 'functions', 'data'] as const
+export const VIEWS = ['lab', 'phase', 'period', 'functions', 'springs', 'data'] as const
 export type ViewName = (typeof VIEWS)[number]
 export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 export type Language = (typeof LANGUAGES)[number]
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type Theme = (typeof THEMES)[number]
+
+export const SPRING_KINDS = ['duffing', 'cubic-quintic'] as const
+export type SpringKind = (typeof SPRING_KINDS)[number]
 
 /** Where a motion begins. */
 export interface Start {
@@ -41,6 +44,23 @@ export interface State extends Start {
   readonly periodAxis: 'log' | 'linear'
   /** How the list of formulas is sorted: as the registry, or by the error at the amplitude. */
   readonly periodOrder: 'registry' | 'error'
+  /** The spring u″ + p u + q u³ (+ s u⁵) = 0 and its start. */
+  readonly spring: SpringKind
+  readonly p: number
+  readonly q: number
+  readonly s: number
+  readonly u0: number
+  readonly springVelocity0: number
+  /** Friction of the pendulum: γ, β and μ. */
+  readonly linear: number
+  readonly quadratic: number
+  readonly dry: number
+  /** Torque on it: constant, and amplitude and frequency of what drives it. */
+  readonly torque: number
+  readonly drive: number
+  readonly driveFrequency: number
+  /** Seconds of the motion with friction. */
+  readonly until: number
   readonly language: Language | 'auto'
   readonly theme: Theme
 }
@@ -72,6 +92,19 @@ export const DEFAULTS: State = {
   periods: null,
   periodAxis: 'log',
   periodOrder: 'registry',
+  spring: 'duffing',
+  p: 1,
+  q: -0.5,
+  s: 0,
+  u0: 1.2,
+  springVelocity0: 0,
+  linear: 0.05,
+  quadratic: 0,
+  dry: 0,
+  torque: 0,
+  drive: 0,
+  driveFrequency: 2,
+  until: 30,
   language: 'auto',
   theme: 'auto',
 }
@@ -85,7 +118,7 @@ export const LETTERS = 'ABCDEF'
 
 /** A number of the state, its unit, and what it may be. */
 export interface Range {
-  readonly unit: 'deg' | 'rad/s' | 'm' | 'm/s2' | 's' | ''
+  readonly unit: Unit
   readonly least: number
   readonly most: number
 }
@@ -98,6 +131,18 @@ export const RANGES = {
   t: { unit: 's', least: 0, most: 100_000 },
   speed: { unit: '', least: 0.01, most: 10 },
   span: { unit: 's', least: 0.1, most: 600 },
+  p: { unit: '', least: -1e6, most: 1e6 },
+  q: { unit: '', least: -1e6, most: 1e6 },
+  s: { unit: '', least: -1e6, most: 1e6 },
+  u0: { unit: '', least: -1000, most: 1000 },
+  springVelocity0: { unit: '', least: -1e6, most: 1e6 },
+  linear: { unit: '1/s', least: 0, most: 100 },
+  quadratic: { unit: '1/rad', least: 0, most: 100 },
+  dry: { unit: 'rad/s2', least: 0, most: 1000 },
+  torque: { unit: 'rad/s2', least: -1000, most: 1000 },
+  drive: { unit: 'rad/s2', least: 0, most: 1000 },
+  driveFrequency: { unit: 'rad/s', least: 0.01, most: 1000 },
+  until: { unit: 's', least: 1, most: 600 },
 } as const satisfies Record<string, Range>
 
 export type RangeName = keyof typeof RANGES

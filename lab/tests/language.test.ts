@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { nearestLanguage, Words } from '../src/language'
 import '../src/language/later'
 import '../src/language/data'
+import '../src/language/springs'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 
@@ -38,6 +39,7 @@ const SAME = new Set([
   'Fourier _N_',
   'Lab',
   'linear',
+  'Duffing',
   'Salas 2019 (35)',
   'Esc',
   'rad/s',

@@ -123,3 +123,9 @@ export function tickDecimals(values: readonly number[]): number {
   const text = (value: number) => String(Number(value.toPrecision(12)))
   return Math.max(0, ...values.map((value) => text(value).split('e')[0]?.split('.')[1]?.length ?? 0))
 }
+
+/** The largest of 1, 2, 5 times a power of ten that is less than a pixel, so that a start is a short number and where the hand is. */
+export function grainOf(perPixel: number): number {
+  const power = 10 ** Math.floor(Math.log10(perPixel))
+  return power * ([5, 2, 1].find((each) => each * power <= perPixel) ?? 1)
+}

@@ -8,9 +8,10 @@ import type { LaterCatalogue } from './en-later'
 import { es } from './es'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
+import type { SpringWords } from './springs'
 
 /** What comes with the later views. */
-type Added = LaterCatalogue & { readonly data: DataWords }
+type Added = LaterCatalogue & { readonly data: DataWords; readonly spring: SpringWords }
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }

@@ -21,6 +21,7 @@ export interface Part {
 
 /** The parts by their views, in the order in which they are asked for once the page works. */
 const PARTS = {
+  springs: () => import('./springs'),
   data: () => import('./data'),
 } satisfies Partial<Record<ViewName, () => Promise<{ readonly part: Part }>>>
 type PartName = keyof typeof PARTS
@@ -79,6 +80,7 @@ export const VIEWS: readonly View[] = [
   view('phase'),
   view('period'),
   view('functions'),
+  part('springs'),
   part('data'),
 ]
 

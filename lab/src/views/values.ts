@@ -7,7 +7,7 @@ import { degrees, parseQuantity, radians } from '../number'
 import { inRange, RANGES, type RangeName } from '../state'
 import { type Page, quantityText, setNumber } from './page'
 
-interface Slide {
+export interface Slide {
   readonly least: number
   readonly most: number
   readonly step: number
@@ -15,6 +15,9 @@ interface Slide {
   readonly origin: number
   readonly ticks: readonly number[]
 }
+
+/** Numbers of the state that are values of their own; the span may be a word. */
+type NumberName = Exclude<RangeName, 't' | 'speed' | 'span'>
 
 /** Gravity of Moon, Mars, Earth and Jupiter in m/s². */
 const PLACES = [1.62, 3.71, 9.81, 24.79]
@@ -43,13 +46,13 @@ export function readField(name: RangeName, text: string): number {
 }
 
 /** What is wrong with a draft, in words; null if it can stand. */
-export function fieldFault(page: Page, name: RangeName, draft: string | undefined): string | null {
+export function fieldFault(page: Page, name: RangeName, draft: string | undefined, called?: string): string | null {
   if (draft === undefined || draft.trim() === '') return null
   const { words, state } = page
   const read = readField(name, draft)
   if (inRange(name, read)) return null
   const range = RANGES[name]
-  const label = words.say.values[name as keyof typeof words.say.values]?.label ?? name
+  const label = called ?? words.say.values[name as keyof typeof words.say.values]?.label ?? name
   const kept =
     name === 'span' && state.span === 'T'
       ? plain(words.say.play.period)
@@ -68,14 +71,19 @@ export function fieldFault(page: Page, name: RangeName, draft: string | undefine
   })
 }
 
-/** A value of the state by its name. The motion follows while what is typed is valid. */
-export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' | 'gravity'): TemplateResult {
+/** What a value is called. */
+export interface Said {
+  readonly label: string
+  readonly symbol: string
+}
+
+/** A number of the state with its field and slider. The motion follows while what is typed is valid. */
+export function numberValue(page: Page, name: NumberName, said: Said, slide: Slide): TemplateResult {
   const { words, state, store, session } = page
   const { unit } = RANGES[name]
   const angle = unit === 'deg'
   const number = state[name]
   const shown = angle ? degrees(number) : number
-  const said = words.say.values[name]
   const draft = session.drafts[name]
   const spec: ValueSpec = {
     key: name,
@@ -84,11 +92,11 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
     unit: angle ? '°' : words.say.units[unit],
     value: shown,
     current: () => (angle ? degrees(store.state[name]) : store.state[name]),
-    ...slideOf(page, name),
+    ...slide,
     text: words.typed(shown),
     spoken: quantityText(words, name, number),
     draft,
-    fault: fieldFault(page, name, draft),
+    fault: fieldFault(page, name, draft, said.label),
     onText: (text) => {
       store.draft(name, text)
       setNumber(store, name, readField(name, text))
@@ -101,4 +109,9 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
     onHold: (held) => store.setSession({ held: held ? name : null }),
   }
   return value(spec)
+}
+
+/** A value of the pendulum by its name. */
+export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' | 'gravity'): TemplateResult {
+  return numberValue(page, name, page.words.say.values[name], slideOf(page, name))
 }

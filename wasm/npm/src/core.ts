@@ -313,8 +313,13 @@ interface Kept {
 /** The number of a new object of a core, dropped with its owner; throws what the core refuses. */
 export function keep(owner: object, number: number, drop: (number: number) => void, of: Core<Exchange> = core()): number {
   if (number === 0) throw of.refusal();
-  forgotten.register(owner, { number, drop });
+  forgotten.register(owner, { number, drop }, owner);
   return number;
+}
+
+/** Drops what the core keeps for an object that is not forgotten yet. */
+export function release(owner: object, number: number, drop: (number: number) => void): void {
+  if (forgotten.unregister(owner)) drop(number);
 }
 
 /** The first result for a number or an array. */

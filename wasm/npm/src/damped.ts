@@ -1,6 +1,6 @@
 /** The pendulum with friction and torque: θ'' + 2γθ' + β|θ'|θ' + μ z + ω₀² sin θ = τ(t), integrated by Taylor series. */
 
-import { first, keep, type Numbers, pair } from "./core.js";
+import { first, keep, type Numbers, pair, release } from "./core.js";
 import { motions } from "./motions.js";
 import type { Motion, PendulumOptions, Turns } from "./pendulum.js";
 
@@ -49,7 +49,8 @@ export interface DampedOptions extends PendulumOptions {
  * console.log(pendulum.motion(10).theta.toFixed(9)); // 1.094168838
  */
 export class DampedPendulum {
-  private readonly damped: number;
+  /** 0 once it is given back: no object. */
+  private damped: number;
 
   /**
    * Sets up a motion; nothing is integrated yet.
@@ -72,6 +73,15 @@ export class DampedPendulum {
       ...[constant, amplitude, frequency, phase] as const,
     );
     this.damped = keep(this, made, of.exports.damped_drop, of);
+  }
+
+  /**
+   * Gives back the memory of the motion, which grows with its length; it answers no more. What is forgotten gives it back too, but at a
+   * time of the engine's choice.
+   */
+  free(): void {
+    release(this, this.damped, motions().exports.damped_drop);
+    this.damped = 0;
   }
 
   /** How far the motion goes that is asked for until a time: to it, or to where it ends. */

@@ -149,3 +149,15 @@ test("the companion of a pendulum is tan(θ/2)", () => {
   assert.ok(Math.abs(spring.period / pendulum.period - 1) < 1e-14);
   for (const t of [0.1, 0.7, 1.9]) assert.ok(Math.abs(spring.motion(t).u - Math.tan(pendulum.theta(t) / 2)) < 1e-13);
 });
+
+test("what is given back answers no more, and leaves the others alone", () => {
+  const made = (theta0: number): DampedPendulum => new DampedPendulum({ theta0, friction: { linear: 0.1 } });
+  const [first, second] = [made(1), made(2)];
+  const kept = second.motion(3);
+  first.free();
+  first.free();
+  assert.ok(Number.isNaN(first.reach(1)));
+  const third = made(3);
+  assert.deepEqual(second.motion(3), kept);
+  assert.notEqual(third.motion(3).theta, kept.theta);
+});
