@@ -5,7 +5,7 @@
 import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
 import { radians, type Unit } from './number'
 
-export const VIEWS = ['lab', 'phase', 'period', 'functions', 'springs', 'data'] as const
+export const VIEWS = ['lab', 'phase', 'period', 'functions', 'springs', 'friction', 'data'] as const
 export type ViewName = (typeof VIEWS)[number]
 export const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 export type Language = (typeof LANGUAGES)[number]

@@ -3,11 +3,12 @@
 import { readFileSync } from 'node:fs'
 import { CubicQuintic, Duffing, load, loadMotions, Pendulum } from 'libration'
 import { beforeAll, describe, expect, it } from 'vitest'
+import { roundUp } from '../src/draw/scale'
 import { companionOf, equilibria, type Force, forceOf, potential, SpringOrbit } from '../src/model/spring'
 import { levelCurves, levelThrough } from '../src/model/spring-levels'
-import { frameOf, roundUp, springSpan } from '../src/views/spring-frame'
+import { within } from '../src/study'
+import { frameOf, springSpan } from '../src/views/spring-frame'
 import { SPRING_PRESETS } from '../src/views/spring-presets'
-import { within } from '../src/views/spring-view'
 
 beforeAll(async () => {
   await load()

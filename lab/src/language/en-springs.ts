@@ -88,6 +88,7 @@ export const enSprings = {
   equilibria: 'Equilibria',
   place: 'place _u_',
   height: 'potential _V_',
+  stability: 'stability',
   stable: 'stable',
   unstable: 'unstable',
 

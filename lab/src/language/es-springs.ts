@@ -87,6 +87,7 @@ export const esSprings: SpringCatalogue = {
   equilibria: 'Equilibrios',
   place: 'lugar _u_',
   height: 'potencial _V_',
+  stability: 'estabilidad',
   stable: 'estable',
   unstable: 'inestable',
 

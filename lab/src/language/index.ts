@@ -6,12 +6,13 @@ import type { DataWords } from './data'
 import { en, type FirstCatalogue } from './en'
 import type { LaterCatalogue } from './en-later'
 import { es } from './es'
+import type { FrictionWords } from './friction'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
 import type { SpringWords } from './springs'
 
 /** What comes with the later views. */
-type Added = LaterCatalogue & { readonly data: DataWords; readonly spring: SpringWords }
+type Added = LaterCatalogue & { readonly data: DataWords; readonly spring: SpringWords; readonly damped: FrictionWords }
 export type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }

@@ -87,6 +87,7 @@ export const ptBRSprings: SpringCatalogue = {
   equilibria: 'Equilíbrios',
   place: 'lugar _u_',
   height: 'potencial _V_',
+  stability: 'estabilidade',
   stable: 'estável',
   unstable: 'instável',
 

@@ -22,6 +22,7 @@ export interface Part {
 /** The parts by their views, in the order in which they are asked for once the page works. */
 const PARTS = {
   springs: () => import('./springs'),
+  friction: () => import('./friction'),
   data: () => import('./data'),
 } satisfies Partial<Record<ViewName, () => Promise<{ readonly part: Part }>>>
 type PartName = keyof typeof PARTS
@@ -81,6 +82,7 @@ export const VIEWS: readonly View[] = [
   view('period'),
   view('functions'),
   part('springs'),
+  part('friction'),
   part('data'),
 ]
 

@@ -1,5 +1,6 @@
 // The axes of the three charts of a spring: u, velocity and energy, in round steps, so that a start in the frame does not move it.
 
+import { roundUp } from '../draw/scale'
 import type { SpringOrbit } from '../model/spring'
 
 export interface Frame {
@@ -12,14 +13,6 @@ export interface Frame {
   readonly times: readonly [number, number]
   /** Time shown from 0 on. */
   readonly span: number
-}
-
-const ROUND = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10]
-
-/** The first round number from a positive one on. */
-export function roundUp(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value))
-  return power * (ROUND.find((each) => each * power >= value * (1 - 1e-12)) ?? 10)
 }
 
 /** Two periods; to a little beyond the escape; or as long as an endless motion takes to show what it does. */

@@ -4,6 +4,7 @@ import type { Words } from '../language'
 import { remember } from '../memory'
 import { forceOf, SpringOrbit } from '../model/spring'
 import type { State } from '../state'
+import { within } from '../study'
 import type { Live } from './page'
 import { type Frame, frameOf, springSpan } from './spring-frame'
 
@@ -32,11 +33,6 @@ let last: Frame | null = null
 function frameNow({ session }: Live, orbit: SpringOrbit): Frame {
   last = session.held === 'spring-start' && last ? { ...last, span: springSpan(orbit) } : usualFrame(orbit)
   return last
-}
-
-/** The time within a span that is shown again and again. */
-export function within(t: number, span: number): number {
-  return t - span * Math.floor(t / span)
 }
 
 export function springView(page: Live): SpringView {

@@ -70,7 +70,7 @@ function facts(page: Live, orbit: SpringOrbit): TemplateResult {
 function equilibriaTable({ page, orbit }: SpringView): TemplateResult {
   const { words } = page
   const { spring } = words.say
-  return html`<table class="data" id="spring-equilibria" aria-labelledby="equilibria-title"><thead><tr><th scope="col">${rich(spring.place)}</th><th scope="col">${rich(spring.height)}</th><th scope="col"><span class="unseen">${spring.equilibria}</span></th></tr></thead>
+  return html`<table class="data" id="spring-equilibria" aria-labelledby="equilibria-title"><thead><tr><th scope="col">${rich(spring.place)}</th><th scope="col">${rich(spring.height)}</th><th scope="col">${spring.stability}</th></tr></thead>
     <tbody>${orbit.equilibria.map(
       ({ u, height, stable }) =>
         html`<tr><th scope="row">${rich(shortNumber(words, u))}</th><td>${rich(shortNumber(words, height))}</td><td>${stable ? spring.stable : spring.unstable}</td></tr>`,

@@ -1,7 +1,7 @@
 // The numbers of the state as values of the page: their fields, sliders, and what is wrong with what is typed.
 
 import type { TemplateResult } from 'lit-html'
-import { type ValueSpec, value } from '../controls/value'
+import { entry, type ValueSpec, value } from '../controls/value'
 import { plain } from '../language/rich'
 import { degrees, parseQuantity, radians } from '../number'
 import { inRange, RANGES, type RangeName } from '../state'
@@ -22,7 +22,7 @@ type NumberName = Exclude<RangeName, 't' | 'speed' | 'span'>
 /** Gravity of Moon, Mars, Earth and Jupiter in m/s². */
 const PLACES = [1.62, 3.71, 9.81, 24.79]
 
-function slideOf(page: Page, name: RangeName): Slide {
+export function slideOf(page: Page, name: RangeName): Slide {
   switch (name) {
     case 'theta0':
       return { least: -180, most: 180, step: 1, grain: 1, origin: 0, ticks: [-180, -90, 0, 90, 180] }
@@ -77,15 +77,14 @@ export interface Said {
   readonly symbol: string
 }
 
-/** A number of the state with its field and slider. The motion follows while what is typed is valid. */
-export function numberValue(page: Page, name: NumberName, said: Said, slide: Slide): TemplateResult {
+function specOf(page: Page, name: NumberName, said: Said, slide: Slide): ValueSpec {
   const { words, state, store, session } = page
   const { unit } = RANGES[name]
   const angle = unit === 'deg'
   const number = state[name]
   const shown = angle ? degrees(number) : number
   const draft = session.drafts[name]
-  const spec: ValueSpec = {
+  return {
     key: name,
     label: said.label,
     symbol: said.symbol,
@@ -108,7 +107,16 @@ export function numberValue(page: Page, name: NumberName, said: Said, slide: Sli
     },
     onHold: (held) => store.setSession({ held: held ? name : null }),
   }
-  return value(spec)
+}
+
+/** A number of the state with its field and slider. The motion follows while what is typed is valid. */
+export function numberValue(page: Page, name: NumberName, said: Said, slide: Slide): TemplateResult {
+  return value(specOf(page, name, said, slide))
+}
+
+/** The same without a slider, on one line. */
+export function numberEntry(page: Page, name: NumberName, said: Said, slide: Slide): TemplateResult {
+  return entry(specOf(page, name, said, slide))
 }
 
 /** A value of the pendulum by its name. */

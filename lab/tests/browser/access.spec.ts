@@ -5,7 +5,7 @@ import type { Page } from '@playwright/test'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
 import { layoutFaults, lengthen, SCREENS } from './layout'
 
-const VIEWS = ['lab', 'phase', 'period', 'functions', 'data'] as const
+const VIEWS = ['lab', 'phase', 'period', 'functions', 'springs', 'friction', 'data'] as const
 const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
 const LINK = 'th0=150deg&L=1m&g=9.81&t=1.3s'

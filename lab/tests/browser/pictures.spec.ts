@@ -12,6 +12,8 @@ const VIEWS = {
   phase: 'view=phase&th0=150deg&L=1m&g=9.81&orbits=60deg,0deg;7.5&t=0.9s',
   period: 'view=period&th0=150deg&L=1m&g=9.81&t=0s',
   functions: 'view=functions&th0=150deg&L=1m&g=9.81&t=0.75s',
+  springs: 'view=springs&spring=cubic-quintic&p=1&q=-4&s=3&u0=0.5&t=3s',
+  friction: `view=friction&L=9.81m&g=9.81&th0=0deg&linear=0.25&drive=1.5&omega=${2 / 3}&until=100s&t=40s`,
 } as const
 const SIZES = {
   '1280-light': [1280, 720],
@@ -37,6 +39,7 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
       const tall = await page.evaluate(() => document.documentElement.scrollHeight)
       await page.setViewportSize({ width, height: width === 360 ? tall : height })
       await drawn(page)
+      await expect(page.locator('.section-progress progress')).toHaveCount(0)
       await page.mouse.move(0, 0)
       await picture(page, `${view}-${size}`)
     }
