@@ -64,7 +64,7 @@ export const enFriction = {
     half: 'Half the energy after',
     rest: 'At rest from',
     restAngle: 'at rest at',
-    turns: 'times over the top',
+    turns: 'whole turns at the end',
     swings: 'turning points',
     end: 'energy at the end',
     quality: 'quality _Q_ = _ω_{0}/2_γ_',

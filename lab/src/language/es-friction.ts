@@ -64,7 +64,7 @@ export const esFriction: FrictionCatalogue = {
     half: 'Mitad de la energía tras',
     rest: 'En reposo desde',
     restAngle: 'en reposo en',
-    turns: 'veces por la cima',
+    turns: 'vueltas enteras al final',
     swings: 'puntos de retorno',
     end: 'energía al final',
     quality: 'calidad _Q_ = _ω_{0}/2_γ_',

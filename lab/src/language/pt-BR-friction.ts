@@ -64,7 +64,7 @@ export const ptBRFriction: FrictionCatalogue = {
     half: 'Metade da energia após',
     rest: 'Em repouso desde',
     restAngle: 'em repouso em',
-    turns: 'vezes pelo topo',
+    turns: 'voltas inteiras no fim',
     swings: 'pontos de retorno',
     end: 'energia no fim',
     quality: 'qualidade _Q_ = _ω_{0}/2_γ_',

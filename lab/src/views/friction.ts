@@ -57,7 +57,7 @@ function facts(page: Live, { damped, section }: FrictionView): TemplateResult {
     ${Number.isNaN(half) ? nothing : row('half', names.half, seconds(half))}
     ${stopped ? html`${row('rest', names.rest, seconds(rest[0]))}${row('rest-angle', names.restAngle, `${words.fixed(degrees(damped.at(damped.reach).theta), 3)}°`)}` : nothing}
     ${section ? row('repeats', names.repeats, repeats === null ? names.none : repeats === 1 ? names.one : words.fill(names.periods, { count: repeats })) : nothing}
-    ${row('turns', names.turns, words.given(Math.abs(damped.turnsOver)))}
+    ${row('turns', names.turns, words.given(damped.turnsOver))}
     ${section ? nothing : html`${row('swings', names.swings, words.given(damped.turning.t.length))}${row('end', names.end, end)}`}
     ${state.linear > 0 ? row('quality', names.quality, words.significant(motion.omega0 / (2 * state.linear))) : nothing}</dl>`
 }

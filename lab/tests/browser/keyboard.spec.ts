@@ -56,7 +56,7 @@ test('story 20: stories 1, 2, 6 and 10 by keys alone', async ({ browser }) => {
 })
 
 test('story 20: the focus is always seen, and Tab comes round in every view', async ({ lab }) => {
-  for (const view of ['lab', 'phase', 'period', 'functions']) {
+  for (const view of ['lab', 'phase', 'period', 'functions', 'springs', 'friction']) {
     await show(lab, `view=${view}&th0=150deg&t=0s`)
     await lab.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
     let round = false

@@ -1,7 +1,9 @@
 // Springs: what the page says, draws and exports of a spring is the core's; a click and keys set the start; a module is asked for once.
 
+import type { Page } from '@playwright/test'
 import { CubicQuintic, Duffing, load, loadMotions, Pendulum } from 'libration'
-import { address, column, csvOf, drawn, expect, linkOf, show, test } from './lab'
+import { address, column, csvOf, drawn, expect, linkOf, ready, show, test } from './lab'
+import { DIST } from './server'
 
 test.beforeAll(async () => {
   await load()
@@ -112,5 +114,63 @@ test('springs: their module is asked for when the view opens, once, and nothing 
   await page.locator('[data-view=springs]').click()
   await expect(page.locator('[data-chart=spring-portrait] .plot-drawing').first()).toBeVisible()
   expect(asked.length).toBe(before)
+  await context.close()
+})
+
+/** Both views by their tabs. */
+async function openBoth(page: Page): Promise<void> {
+  await page.locator('[data-view=springs]').click()
+  await expect(page.locator('#spring-regime')).toHaveText('swings about u = 0')
+  await page.locator('[data-view=friction]').click()
+  await expect(page.locator('#friction-half')).toBeVisible()
+}
+
+test('springs and friction are in the offline file, which asks for nothing', async ({ browser }) => {
+  const context = await browser.newContext({ offline: true })
+  const page = await context.newPage()
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(request.url()))
+  await page.goto(`file://${DIST}offline.html#t=0s`)
+  await ready(page)
+  await openBoth(page)
+  expect(asked.filter((each) => !each.startsWith('data:') && !each.startsWith('blob:')).length).toBe(1)
+  await context.close()
+})
+
+test('springs that a visit has opened need no network in the third one after it', async ({ browser }) => {
+  const context = await browser.newContext()
+  const page = await context.newPage()
+  const visit = async () => {
+    await page.goto('about:blank')
+    await page.goto(`${address()}#t=0s`)
+    await expect(page.locator('html')).toHaveAttribute('data-kept')
+  }
+  await visit()
+  await openBoth(page)
+  // What the worker keeps, it keeps when the module has come.
+  const kept = () =>
+    page.evaluate(async () => {
+      const cache = await caches.open('libration-lab')
+      return (await cache.keys()).some(({ url }) => url.includes('libration-motions'))
+    })
+  await expect.poll(kept).toBe(true)
+  const session = await context.newCDPSession(page)
+  await session.send('Network.clearBrowserCache')
+  await context.setOffline(true)
+  await visit()
+  await visit()
+  await openBoth(page)
+  await context.close()
+})
+
+test('springs say where their module does not come, and it can be asked for again', async ({ browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' })
+  const page = await context.newPage()
+  await page.route('**/libration-motions*', (route) => route.abort())
+  await page.goto(`${address()}#view=springs&t=0s`)
+  await expect(page.locator('.refusal')).toContainText('could not be loaded')
+  await page.unroute('**/libration-motions*')
+  await page.getByRole('button', { name: 'Try again' }).click()
+  await expect(page.locator('#spring-regime')).toHaveText('swings about u = 0')
   await context.close()
 })
