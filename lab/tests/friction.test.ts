@@ -2,7 +2,9 @@
 
 import { load, loadMotions } from 'libration'
 import { beforeAll, describe, expect, it } from 'vitest'
+import { AveragedLaw } from '../src/model/averaged'
 import { DampedMotion, dampedOf, type FrictionSetup } from '../src/model/friction'
+import { Motion } from '../src/model/motion'
 import { Section } from '../src/model/section'
 import { radians } from '../src/number'
 import { envelopeOf } from '../src/views/friction-charts'
@@ -44,8 +46,12 @@ describe('friction', () => {
     const motion = of({ linear: 0 })
     // sin² of half the release angle.
     expect(Math.abs(motion.energyAt(0) - 0.25)).toBeLessThan(1e-15)
-    const times = Float64Array.of(0, 1, 2.5)
-    expect(Array.from(motion.energy(times))).toEqual(Array.from(times, (t) => motion.energyAt(t)))
+    // The page takes those of a curve from the states, by the pendulum without friction.
+    const damped = of({ quadratic: 0.1 })
+    const times = Float64Array.of(0, 1, 2.5, 17)
+    const { total } = new Motion({ ...damped.setup, theta0: 0 }).energy(damped.sample(times))
+    for (const [i, t] of times.entries())
+      expect(Math.abs((total[i] as number) - damped.energyAt(t))).toBeLessThan(1e-15)
   })
 
   it('stops a pendulum where the core says that it is held', () => {
@@ -84,6 +90,34 @@ describe('friction', () => {
     expect(below?.y.every((theta) => theta < 0)).toBe(true)
     expect((above?.x.length ?? 0) + (below?.x.length ?? 0)).toBe(motion.turning.t.length)
     expect(envelopeOf({ t: Float64Array.of(0, 1), theta: Float64Array.of(1, -1) })).toEqual([])
+  })
+
+  it('has the averaged law beside its turning points: near them where friction is weak', () => {
+    for (const [patch, within] of [
+      [{}, 0.01],
+      [{ velocity0: 2, theta0: -0.3 }, 0.01],
+      [{ linear: 0.01, quadratic: 0.02, dry: 0.01 }, 0.02],
+    ] as const) {
+      const motion = of(patch, 20)
+      const law = new AveragedLaw(motion, 6)
+      while (!law.done) law.advance()
+      const [above] = envelopeOf(motion.turning)
+      for (let i = 0; i < law.count - 1; i++) {
+        const t = law.t[i] as number
+        const after = above?.x.findIndex((each) => each >= t) ?? -1
+        if (after < 1) continue
+        const [t0, t1] = [above?.x[after - 1] as number, above?.x[after] as number]
+        const [y0, y1] = [above?.y[after - 1] as number, above?.y[after] as number]
+        const joined = y0 + ((y1 - y0) * (t - t0)) / (t1 - t0)
+        expect(Math.abs((law.above[i] as number) / joined - 1), JSON.stringify(patch)).toBeLessThan(within)
+      }
+      expect(law.below[0]).toBe(-(law.above[0] as number))
+    }
+    expect(new AveragedLaw(of({ torque: 1 }, 20), 6).done).toBe(true)
+    // After three turns it swings about three.
+    const thrown = new AveragedLaw(of({ theta0: 0, velocity0: 12, linear: 0.1, quadratic: 0.03 }, 30), 6)
+    thrown.advance()
+    expect(((thrown.above[0] as number) + (thrown.below[0] as number)) / 2).toBeCloseTo(6 * Math.PI, 10)
   })
 
   it('in the phase plane is lifted where it goes over the top', () => {

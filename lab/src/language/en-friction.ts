@@ -47,7 +47,7 @@ export const enFriction = {
   driving: 'Driven: {count} of {most} periods are computed.',
 
   angle: 'Angle',
-  angleUnit: '_θ_ with the turning points joined; dashed: no friction',
+  angleUnit: 'turning points joined; dots: averaged law; dashed: no friction',
   angleUnitDriven: '_θ_; dashed: no friction, no torque',
   energy: 'Energy',
   energyUnit: '% of that at the top; dashed: no friction',

@@ -47,7 +47,7 @@ export const esFriction: FrictionCatalogue = {
   driving: 'Forzado: {count} de {most} períodos están calculados.',
 
   angle: 'Ángulo',
-  angleUnit: '_θ_ con los puntos de retorno unidos; de trazos: sin fricción',
+  angleUnit: 'puntos de retorno unidos; círculos: ley media; de trazos: sin fricción',
   angleUnitDriven: '_θ_; de trazos: sin fricción ni par',
   energy: 'Energía',
   energyUnit: '% de la energía en la cima; de trazos: sin fricción',

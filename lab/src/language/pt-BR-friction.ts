@@ -47,7 +47,7 @@ export const ptBRFriction: FrictionCatalogue = {
   driving: 'Forçado: {count} de {most} períodos estão calculados.',
 
   angle: 'Ângulo',
-  angleUnit: '_θ_ com os pontos de retorno unidos; tracejado: sem atrito',
+  angleUnit: 'pontos de retorno unidos; círculos: lei média; tracejado: sem atrito',
   angleUnitDriven: '_θ_; tracejado: sem atrito nem torque',
   energy: 'Energia',
   energyUnit: '% da energia no topo; tracejado: sem atrito',

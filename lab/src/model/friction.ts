@@ -82,11 +82,7 @@ export class DampedMotion {
     return this.#damped.motion(t)
   }
 
-  /** Parts of the energy at the top. */
-  energy(times: Float64Array): Float64Array {
-    return this.#damped.energy(times).map((each) => each / this.#top)
-  }
-
+  /** As a part of that at the top. */
   energyAt(t: number): number {
     return this.#damped.energy(t) / this.#top
   }

@@ -1,7 +1,8 @@
 // The damped motion over time: its angle with the turning points joined, and its energy, each beside the motion without friction.
 
-import { html, nothing, type TemplateResult } from 'lit-html'
+import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { extent } from '../draw/curve'
+import { dotsOf } from '../draw/dots'
 import { type Line, plot } from '../draw/plot'
 import { degreeTicks, linearScale, roundTicks, tickDecimals } from '../draw/scale'
 import { plain } from '../language/rich'
@@ -39,7 +40,7 @@ function ends({ theta, free }: Tracks): [number, number] {
   return [least - room, most + room]
 }
 
-function drawAngle({ page, damped, tracks }: FrictionView, size: PlotSize): TemplateResult {
+function drawAngle({ page, damped, tracks, averaged }: FrictionView, size: PlotSize): TemplateResult {
   const { words, t, state } = page
   const { height, rem } = size
   const window = { from: 0, to: state.until }
@@ -52,6 +53,16 @@ function drawAngle({ page, damped, tracks }: FrictionView, size: PlotSize): Temp
     ? []
     : envelope(damped).map((each) => ({ ...each, clothes: 'c-envelope', factor: DEGREES }))
   const now = damped.at(t).theta * DEGREES
+  const law = averaged && averaged.count > 0 ? averaged : null
+  const part = (values: Float64Array) => ({
+    x: (law?.t ?? values).subarray(0, law?.count),
+    y: values.subarray(0, law?.count),
+  })
+  const dots =
+    law &&
+    [law.above, law.below].map(
+      (values) => svg`<path class="averaged-dots" d=${dotsOf(part(values), sx, sy, DEGREES)}/>`,
+    )
   return plot(
     {
       ...size,
@@ -66,10 +77,11 @@ function drawAngle({ page, damped, tracks }: FrictionView, size: PlotSize): Temp
         { x: times, y: theta, clothes: 'c-damped', factor: DEGREES },
       ],
       hatched: damped.rests,
+      ...(dots ? { under: svg`<g transform="scale(0.1)">${dots}</g>` } : {}),
       now: t,
       dots: [{ clothes: 'c-exact', y: now }],
     },
-    [tracks, words],
+    [tracks, words, averaged, averaged?.count],
   )
 }
 

@@ -3,6 +3,7 @@
 
 import { remember } from '../memory'
 import type { Motion } from '../model'
+import { AveragedLaw } from '../model/averaged'
 import { DampedMotion, type FrictionSetup } from '../model/friction'
 import { Section } from '../model/section'
 import type { State } from '../state'
@@ -17,6 +18,8 @@ export interface FrictionView {
   readonly tracks: Tracks
   /** Of a driven pendulum. */
   readonly section: Section | null
+  /** Of one that is not. */
+  readonly averaged: AveragedLaw | null
 }
 
 /** Both motions over the time shown. */
@@ -57,41 +60,58 @@ function pointsOf(until: number, motion: Motion): number {
 
 const tracksOf = remember((damped: DampedMotion, motion: Motion, until: number): Tracks => {
   const times = evenTimes({ from: 0, to: until }, pointsOf(until, motion))
-  const { theta, velocity } = damped.sample(times)
-  return { times, theta, velocity, energy: damped.energy(times), free: motion.sample(times).theta }
+  const track = damped.sample(times)
+  return { times, ...track, energy: motion.energy(track).total, free: motion.sample(times).theta }
 })
 
 /** Points of the section, and periods before the first. */
 const MOST = 2000
 const SKIP = 100
+/** Points of the averaged law. */
+const AVERAGED = 24
 /** How long a slice works, in ms: half a frame. */
 const SLICE = 8
 
-let running: { readonly section: Section; timer: ReturnType<typeof setTimeout> | null } | null = null
+/** What is computed beside the page: the section of what is driven, the averaged law of what is not. */
+type Slow = Section | AveragedLaw
 
-function work(store: Store, section: Section): void {
-  if (running?.section !== section) return
+interface Running {
+  readonly slow: Slow
+  /** What it belongs to. */
+  readonly of: unknown
+  timer: ReturnType<typeof setTimeout> | null
+}
+
+let running: Running | null = null
+
+function work(store: Store, slow: Slow): void {
+  if (running?.slow !== slow) return
   running.timer = null
   // Begun again when the view is.
   if (store.state.view !== 'friction') return
   const end = performance.now() + SLICE
-  do section.advance()
-  while (!section.done && performance.now() < end)
-  if (!section.done) running.timer = setTimeout(() => work(store, section), 0)
+  do slow.advance()
+  while (!slow.done && performance.now() < end)
+  if (!slow.done) running.timer = setTimeout(() => work(store, slow), 0)
   store.changed()
 }
 
-/** The section of what drives it now: another one is begun when anything changes, and the one before is left. */
+/** Goes on with what belongs to something; another one is begun when that is another, and the one before is left. */
+function slowly<S extends Slow>(store: Store, of: unknown, make: () => S): S {
+  const before = running
+  const now: Running = before && before.of === of ? before : { slow: make(), of, timer: null }
+  if (now !== before && before?.timer) clearTimeout(before.timer)
+  running = now
+  const { slow } = now
+  if (!slow.done && now.timer === null) now.timer = setTimeout(() => work(store, slow), 0)
+  return slow as S
+}
+
+/** The section of what drives it now. */
 export function sectionOf({ store, state }: Live): Section | null {
   if (state.drive === 0) return null
   const setup = setupNow(state)
-  if (running?.section.setup !== setup) {
-    if (running?.timer) clearTimeout(running.timer)
-    running = { section: new Section(setup, MOST, SKIP), timer: null }
-  }
-  const { section } = running
-  if (!section.done && running.timer === null) running.timer = setTimeout(() => work(store, section), 0)
-  return section
+  return slowly(store, setup, () => new Section(setup, MOST, SKIP))
 }
 
 export function frictionView(page: Live): FrictionView {
@@ -102,5 +122,6 @@ export function frictionView(page: Live): FrictionView {
     damped,
     tracks: tracksOf(damped, motion, state.until),
     section: sectionOf(page),
+    averaged: state.drive === 0 ? slowly(page.store, damped, () => new AveragedLaw(damped, AVERAGED)) : null,
   }
 }

@@ -26,6 +26,9 @@ test('friction takes half of the energy at the time it says, and the charts are 
   // Two lines join the turning points, and a dashed one is without friction.
   await expect(lab.locator('[data-chart=friction-angle] .c-envelope')).toHaveCount(2)
   await expect(lab.locator('[data-chart=friction-angle] .c-free')).toHaveCount(1)
+  // The averaged law follows, 24 points above and below.
+  const dots = lab.locator('[data-chart=friction-angle] .averaged-dots').first()
+  await expect.poll(async () => (await dots.getAttribute('d'))?.split('M').length).toBe(25)
 })
 
 test('friction: dry friction holds the pendulum, and the rest is hatched', async ({ lab }) => {
