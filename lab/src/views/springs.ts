@@ -107,8 +107,9 @@ function sentence(page: Live): string {
   }
   switch (regime) {
     case 'rest':
+      // Without a force it rests anywhere.
       return words.fill(
-        equilibria.some(({ u, stable }) => stable && Math.abs(u - u0) <= 1e-9 * Math.abs(u))
+        orbit.name === 'free' || equilibria.some(({ u, stable }) => stable && Math.abs(u - u0) <= 1e-9 * Math.abs(u))
           ? spring.rests
           : spring.balances,
         values,
