@@ -12,6 +12,7 @@ ROOMS = {
     "python/src": Crate,
     "wasm/src": Crate,
     "wasm/fit/src": Crate,
+    "wasm/motions/src": Crate,
     "python": Folder,
     "bench": Folder,
     "reference": Folder,

@@ -14,6 +14,8 @@ const FIRST_LOAD = 150_000
 const OFFLINE = 600_000
 /** The module of the reader and the fit, gzipped: what the view Data asks for when it opens. */
 const FIT = 320_000
+/** The module of springs and friction, gzipped: what their views ask for when one opens. */
+const MOTIONS = 90_000
 
 /** @param {string} folder @returns {string[]} */
 function files(folder) {
@@ -77,6 +79,12 @@ console.log(`then ${fits[0]?.gzipped} for the fit, when the view Data opens`)
 if (fits.length !== 1) failures.push(`one module of the fit is expected, there are ${fits.length}`)
 if (bounds && !((fits[0]?.gzipped ?? 0) <= FIT))
   failures.push(`the fit is ${fits[0]?.gzipped} bytes gzipped, allowed are ${FIT}`)
+
+const motions = all.filter(({ name }) => /libration-motions[^/]*\.wasm$/.test(name))
+console.log(`then ${motions[0]?.gzipped} for springs and friction, when one of these views opens`)
+if (motions.length !== 1) failures.push(`one module of springs and friction is expected, there are ${motions.length}`)
+if (bounds && !((motions[0]?.gzipped ?? 0) <= MOTIONS))
+  failures.push(`springs and friction are ${motions[0]?.gzipped} bytes gzipped, allowed are ${MOTIONS}`)
 
 const offline = all.find(({ name }) => name === 'offline.html')
 if (!offline) failures.push('there is no offline.html')

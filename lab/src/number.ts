@@ -17,6 +17,9 @@ const FACTORS = {
   'm/s2': { 'm/s2': 1, 'm/s²': 1 },
   s: { s: 1, ms: 0.001 },
   kg: { kg: 1, g: 0.001 },
+  '1/s': { '1/s': 1 },
+  '1/rad': { '1/rad': 1 },
+  'rad/s2': { 'rad/s2': 1, 'rad/s²': 1 },
   '': {},
 } as const
 
@@ -24,8 +27,10 @@ export type Unit = keyof typeof FACTORS
 
 /** A number with its unit, in SI and radians; without a unit it has the quantity's own. NaN if it is not one. */
 export function parseQuantity(text: string, unit: Unit): number {
-  // 1e3 is a number and not 1 with a unit e3.
-  const bare = parseNumber(text)
+  // 1e3 is a number and not 1 with a unit e3; 1/s begins with a digit, and stands behind a space.
+  const bare = parseNumber(
+    unit.startsWith('1/') && text.trim().endsWith(` ${unit}`) ? text.trim().slice(0, -unit.length) : text,
+  )
   const match = /^(.*?)\s*([a-z°][a-z°/²]*[0-9]?)?$/i.exec(text.trim())
   if (!match) return Number.NaN
   const factors: Readonly<Record<string, number>> = FACTORS[unit]

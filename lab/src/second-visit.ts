@@ -1,7 +1,7 @@
 // A second visit without a network: a service worker keeps what this visit has loaded (public/service-worker.js).
 
 import { retried } from './retry'
-import { SECOND } from './sources'
+import { MOTIONS, SECOND } from './sources'
 
 /** How long an answer of the worker is waited for, in ms: the browser may end it while it keeps. */
 const PATIENCE = 10_000
@@ -47,8 +47,10 @@ async function keep(): Promise<void> {
   if (!('serviceWorker' in navigator) || !location.protocol.startsWith('http')) return
   try {
     await navigator.serviceWorker.register('./service-worker.js')
-    // The last part may not be among them yet.
-    const last = typeof SECOND === 'string' ? [new URL(SECOND, location.href).href] : []
+    const addressOf = (source: unknown) => (typeof source === 'string' ? [new URL(source, location.href).href] : [])
+    // The last part may not be among them yet, and a module of a view that this visit did not open is kept if one before did.
+    const last = addressOf(SECOND)
+    for (const part of addressOf(MOTIONS)) if (await caches.match(part, { ignoreVary: true })) last.push(part)
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
     const page = location.href.replace(/[?#].*$/, '')
     const parts = [...loaded, ...last].filter((name) => !name.endsWith('/service-worker.js'))

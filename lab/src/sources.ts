@@ -3,6 +3,7 @@
 // formulas, and follows.
 
 import fit from 'libration/libration-fit.wasm?url'
+import motions from 'libration/libration-motions.wasm?url'
 import scalar from 'libration/libration-scalar.wasm?url'
 import second from 'libration/libration-second.wasm?url'
 import simd from 'libration/libration-simd.wasm?url'
@@ -28,3 +29,5 @@ export const SOURCES = { simd: source(simd), scalar: source(scalar) }
 export const SECOND = source(second)
 /** The reader and the fit: asked for when the view Data opens. */
 export const FIT = source(fit)
+/** Springs and friction: asked for when one of these views opens. */
+export const MOTIONS = source(motions)

@@ -3,9 +3,19 @@
 // Everything that a link carries stands here and nothing else; what passes with the visit is the session's (store.ts).
 
 import { CURVE_NAMES, type Curve, curveKey, kindOf } from './curves'
-import { radians } from './number'
+import { radians, type Unit } from './number'
 
-export const VIEWS = ['lab', 'phase', 'period', 'functions', 'derivation', 'data', 'handouts'] as const
+export const VIEWS = [
+  'lab',
+  'phase',
+  'period',
+  'functions',
+  'derivation',
+  'springs',
+  'friction',
+  'data',
+  'handouts',
+] as const
 export type ViewName = (typeof VIEWS)[number]
 /** Ways through the derivation, and most steps of one. */
 export const ENTRIES = ['novice', 'lima', 'salas'] as const
@@ -40,6 +50,9 @@ export const LOCKED = { th0: 'theta0', w0: 'velocity0', L: 'length', g: 'gravity
 export type Lock = keyof typeof LOCKED
 export const LOCKS = Object.keys(LOCKED) as Lock[]
 
+export const SPRING_KINDS = ['duffing', 'cubic-quintic'] as const
+export type SpringKind = (typeof SPRING_KINDS)[number]
+
 /** Where a motion begins. */
 export interface Start {
   readonly theta0: number
@@ -73,6 +86,23 @@ export interface State extends Start {
   /** Step of the derivation, from 1 on. */
   readonly step: number
   readonly from: (typeof DATA_FROM)[number]
+  /** The spring u″ + p u + q u³ (+ s u⁵) = 0 and its start. */
+  readonly spring: SpringKind
+  readonly p: number
+  readonly q: number
+  readonly s: number
+  readonly u0: number
+  readonly springVelocity0: number
+  /** Friction of the pendulum: γ, β and μ. */
+  readonly linear: number
+  readonly quadratic: number
+  readonly dry: number
+  /** Torque on it: constant, and amplitude and frequency of what drives it. */
+  readonly torque: number
+  readonly drive: number
+  readonly driveFrequency: number
+  /** Seconds of the motion with friction. */
+  readonly until: number
   readonly language: Language | 'auto'
   readonly theme: Theme
   readonly handout: (typeof HANDOUTS)[number]
@@ -122,6 +152,19 @@ export const DEFAULTS: State = {
   entry: 'novice',
   step: 1,
   from: 'file',
+  spring: 'duffing',
+  p: 1,
+  q: -0.5,
+  s: 0,
+  u0: 1.2,
+  springVelocity0: 0,
+  linear: 0.05,
+  quadratic: 0,
+  dry: 0,
+  torque: 0,
+  drive: 0,
+  driveFrequency: 2,
+  until: 30,
   language: 'auto',
   theme: 'auto',
   handout: 'worksheet',
@@ -144,7 +187,7 @@ export const LETTERS = 'ABCDEF'
 
 /** A number of the state, its unit, and what it may be. */
 export interface Range {
-  readonly unit: 'deg' | 'rad/s' | 'm' | 'm/s2' | 's' | ''
+  readonly unit: Unit
   readonly least: number
   readonly most: number
 }
@@ -158,6 +201,18 @@ export const RANGES = {
   speed: { unit: '', least: 0.01, most: 10 },
   span: { unit: 's', least: 0.1, most: 600 },
   seed: { unit: '', least: 1, most: 999_999 },
+  p: { unit: '', least: -1e6, most: 1e6 },
+  q: { unit: '', least: -1e6, most: 1e6 },
+  s: { unit: '', least: -1e6, most: 1e6 },
+  u0: { unit: '', least: -1000, most: 1000 },
+  springVelocity0: { unit: '', least: -1e6, most: 1e6 },
+  linear: { unit: '1/s', least: 0, most: 100 },
+  quadratic: { unit: '1/rad', least: 0, most: 100 },
+  dry: { unit: 'rad/s2', least: 0, most: 1000 },
+  torque: { unit: 'rad/s2', least: -1000, most: 1000 },
+  drive: { unit: 'rad/s2', least: 0, most: 1000 },
+  driveFrequency: { unit: 'rad/s', least: 0.01, most: 1000 },
+  until: { unit: 's', least: 1, most: 600 },
 } as const satisfies Record<string, Range>
 
 export type RangeName = keyof typeof RANGES

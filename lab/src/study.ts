@@ -79,6 +79,11 @@ export function windowOf(span: number, t: number): Window {
   return { from: page * span, to: (page + 1) * span }
 }
 
+/** The time within a span that is shown again and again. */
+export function within(t: number, span: number): number {
+  return t - span * Math.floor(t / span)
+}
+
 export function evenTimes({ from, to }: Window, points: number): Float64Array {
   const times = new Float64Array(points + 1)
   for (let i = 0; i <= points; i++) times[i] = from + ((to - from) * i) / points

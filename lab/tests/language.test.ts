@@ -7,6 +7,8 @@ import '../src/language/data'
 import '../src/language/handouts'
 import '../src/language/save'
 import '../src/language/derivation'
+import '../src/language/friction'
+import '../src/language/springs'
 import { filled, pieces, plain } from '../src/language/rich'
 import { LANGUAGES } from '../src/state'
 
@@ -43,6 +45,7 @@ const SAME = new Set([
   'Lab',
   'linear',
   'Latitude',
+  'Duffing',
   'Salas 2019 (35)',
   'Esc',
   'rad/s',

@@ -1,10 +1,10 @@
 // The phase portrait: a start is where the hand is, the axis stays, a rotation is counted on, the separatrix can be hit.
 
 import { beforeAll, describe, expect, it } from 'vitest'
-import { linearScale } from '../src/draw/scale'
+import { grainOf, linearScale } from '../src/draw/scale'
 import { type Model, openModel } from '../src/model'
 import { domainOf } from '../src/views/orbit-angle'
-import { grainOf, reachOf, startAt } from '../src/views/phase'
+import { reachOf, startAt } from '../src/views/phase'
 import { levelCurves } from '../src/views/portrait'
 
 let model: Model

@@ -5,72 +5,20 @@
 //! a list its length, one that can refuse 1; where it refuses it returns 0 (a list: -1), and the text holds the refused
 //! argument, its value and what is allowed, each on a line. The text that a function reads is the name of a formula.
 
-use crate::objects::{Objects, ask, drop, keep};
-use crate::workspace::{self, ROWS, leave, say, with_columns, with_text};
+use crate::objects::{Objects, ask, drop};
+use crate::workspace::{ROWS, leave, say, with_columns, with_text};
+use exchange::{both, each, listed, made, refuse};
 use libration::STANDARD_GRAVITY;
 use libration::approx::{
     ANGLES, AngleApproximation, AngleFormula, Entry, NUMERICALS, NumericalFormula, NumericalSolution,
 };
-use libration::{Domain, Frequency, Orbit, Regime, Turns, VERSION};
+use libration::{Frequency, Orbit, Regime, Turns, VERSION};
 use std::cell::RefCell;
 
 thread_local! {
     static ORBITS: RefCell<Objects<Orbit>> = const { RefCell::new(Objects::new()) };
     static NUMERICAL_SOLUTIONS: RefCell<Objects<NumericalSolution>> = const { RefCell::new(Objects::new()) };
     static ANGLE_APPROXIMATIONS: RefCell<Objects<AngleApproximation>> = const { RefCell::new(Objects::new()) };
-}
-
-/// Leaves a refusal in the text.
-fn refuse(Domain { argument, given, allowed }: &Domain) {
-    say([argument, given.as_str(), allowed.as_ref()].join("\n"));
-}
-
-/// The number of a new object, or 0.
-fn made<T>(place: &'static crate::objects::Place<T>, object: Result<T, Domain>) -> u32 {
-    object.map_or_else(|domain| (refuse(&domain), 0).1, |object| keep(place, object))
-}
-
-/// The length of a list, or -1.
-fn listed(list: Result<Vec<f64>, Domain>) -> i32 {
-    list.map_or_else(|domain| (refuse(&domain), -1).1, leave)
-}
-
-// ------------------------------------------------------------------------------------------------ the workspace
-
-/// Address of the columns.
-#[unsafe(no_mangle)]
-pub extern "C" fn columns() -> *const f64 {
-    workspace::columns()
-}
-
-/// Doubles in a column.
-#[unsafe(no_mangle)]
-pub extern "C" fn rows() -> usize {
-    ROWS
-}
-
-/// Address of the list.
-#[unsafe(no_mangle)]
-pub extern "C" fn list() -> *const f64 {
-    workspace::list()
-}
-
-/// Address of the text.
-#[unsafe(no_mangle)]
-pub extern "C" fn text() -> *const u8 {
-    workspace::text()
-}
-
-/// Bytes of the text.
-#[unsafe(no_mangle)]
-pub extern "C" fn text_length() -> usize {
-    workspace::text_length()
-}
-
-/// Makes the text so many bytes long, to be written; its address.
-#[unsafe(no_mangle)]
-pub extern "C" fn text_room(length: usize) -> *const u8 {
-    workspace::room(length)
 }
 
 /// Leaves the version of the core in the text.
@@ -334,23 +282,6 @@ pub extern "C" fn numerical_steps(solution: u32) -> i32 {
     ask(&NUMERICAL_SOLUTIONS, solution, ends).unwrap_or(0)
 }
 
-/// One answer for each argument, into column 1.
-fn each(rows: usize, answer: impl Fn(f64) -> f64) {
-    with_columns(|[argument, result, ..]| {
-        for (argument, result) in argument.iter().zip(result).take(rows) {
-            *result = answer(*argument);
-        }
-    });
-}
-
-/// Two answers for each argument, into columns 1 and 2.
-fn both(rows: usize, answer: impl Fn(f64) -> [f64; 2]) {
-    with_columns(|[argument, first, second, ..]| {
-        for ((argument, first), second) in argument.iter().zip(first).zip(second).take(rows) {
-            [*first, *second] = answer(*argument);
-        }
-    });
-}
-
+mod exchange;
 #[cfg(feature = "whole")]
 mod whole;

@@ -2,7 +2,7 @@
 
 use super::friction::Friction;
 use super::torque::Torque;
-use crate::domain::Domain;
+use crate::domain::{Domain, shown};
 use crate::pendulum::Frequency;
 
 /// theta'' + 2 gamma theta' + beta |theta'| theta' + mu z + omega0^2 sin theta = torque(t), from an initial state.
@@ -79,13 +79,13 @@ impl DampedPendulum {
             return Ok(());
         }
         if argument == "first torque time" {
-            let given = format!("{first:?} (the last is {last:?})");
+            let given = format!("{} (the last is {})", shown(first), shown(last));
             return Err(Domain::new(argument, given, "such that t = 0 lies between the first and the last"));
         }
         Err(Domain::new(
             argument,
-            format!("{t:?}"),
-            format!("between the torque samples, {first:?} to {last:?}"),
+            shown(t),
+            format!("between the torque samples, {} to {}", shown(first), shown(last)),
         ))
     }
 }

@@ -13,7 +13,7 @@ use super::roots::{first_root, value_and_slope};
 use super::segment::{Event, Segment, Start, step_length};
 use super::taylor::ORDER;
 use super::torque_jet::{TorqueJet, rotated};
-use crate::domain::Domain;
+use crate::domain::{Domain, shown};
 use crate::float::Dd;
 
 /// The largest number of segments of a motion: each takes a third of a kB.
@@ -58,8 +58,8 @@ pub(super) fn integrate(
     let mut jet = Jet::ZERO;
     while segments.is_empty() || state.time.value() <= stop {
         if segments.len() == most {
-            let reached = equation.seconds(state.time.value());
-            let allowed = format!("within {most} steps of the integration, which end at {reached:?} s");
+            let reached = shown(equation.seconds(state.time.value()));
+            let allowed = format!("within {most} steps of the integration, which end at {reached} s");
             return (segments, Some(refused(equation, stop, allowed)));
         }
         if segments.len() % ASKED_EVERY == ASKED_EVERY - 1 && ended() {
@@ -81,8 +81,8 @@ pub(super) fn integrate(
         }
         if !(segment.length > 0.0 || stop == 0.0) || !slopes[ORDER].is_finite() {
             let order = if equation.sense > 0.0 { "before" } else { "after" };
-            let reached = equation.seconds(segment.start.value());
-            let allowed = format!("{order} {reached:?} s, where the motion grows without bound");
+            let reached = shown(equation.seconds(segment.start.value()));
+            let allowed = format!("{order} {reached} s, where the motion grows without bound");
             if segments.is_empty() {
                 // The start is known.
                 segments.push(Start { length: 0.0, ..segment }.with(&[0.0; ORDER + 1]));
@@ -97,7 +97,7 @@ pub(super) fn integrate(
 /// The error of the end of an interval.
 fn refused(equation: &Equation, end: f64, allowed: String) -> Domain {
     let argument = if equation.sense > 0.0 { "stop" } else { "start" };
-    Domain::new(argument, format!("{:?}", equation.seconds(end)), allowed)
+    Domain::new(argument, shown(equation.seconds(end)), allowed)
 }
 
 impl State {

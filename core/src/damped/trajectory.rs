@@ -4,9 +4,10 @@ use super::branch::{Branch, since};
 use super::circular::of_double;
 use super::damped_pendulum::DampedPendulum;
 use super::segment::{Event, Segment};
-use crate::domain::Domain;
+use crate::domain::{Domain, shown};
 use crate::float::{Dd, PI, TWO_PI};
 use crate::pendulum::{Orbit, Turns};
+use crate::sorting::{sort, sort_numbers};
 use std::sync::Arc;
 
 #[derive(Clone, Debug)]
@@ -284,13 +285,14 @@ impl Trajectory {
         for Branch { equation, segments } in branches.iter() {
             for segment in segments.iter().filter(|segment| segment.side == 0.0 && segment.length > 0.0) {
                 let ends = [segment.start.value(), (segment.start + Dd::from(segment.length)).value()];
-                let [a, b] =
-                    ends.map(|time| equation.seconds(time).clamp(self.interval[0], self.interval[1]));
+                // Not `clamp`, whose panic would bring Rust's digits into a page.
+                let [first, last] = self.interval;
+                let [a, b] = ends.map(|time| equation.seconds(time).max(first).min(last));
                 rests.push((a.min(b), a.max(b)));
             }
         }
         rests.retain(|(from, to)| from < to);
-        rests.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort(&mut rests, |a, b| a.0.total_cmp(&b.0));
         // Pieces that touch are one rest.
         let mut joined: Vec<(f64, f64)> = Vec::new();
         for rest in rests {
@@ -324,15 +326,13 @@ impl Trajectory {
     fn check_interval(&self, start: f64, stop: f64) -> Result<(), Domain> {
         for (name, t) in [("start", start), ("stop", stop)] {
             if !self.holds(t) {
-                let allowed = format!(
-                    "in the interval of the trajectory, {:?} to {:?}",
-                    self.interval[0], self.interval[1]
-                );
-                return Err(Domain::new(name, format!("{t:?}"), allowed));
+                let [first, last] = self.interval.map(shown);
+                let allowed = format!("in the interval of the trajectory, {first} to {last}");
+                return Err(Domain::new(name, shown(t), allowed));
             }
         }
         if stop < start {
-            return Err(Domain::new("stop", format!("{stop:?}"), format!("not before start, {start:?}")));
+            return Err(Domain::new("stop", shown(stop), format!("not before start, {}", shown(start))));
         }
         Ok(())
     }
@@ -356,7 +356,7 @@ fn collected(
             }
         }
     }
-    times.sort_by(f64::total_cmp);
+    sort_numbers(&mut times);
     // The start belongs to both senses of time.
     times.dedup();
     times

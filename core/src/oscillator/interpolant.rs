@@ -7,7 +7,7 @@ use super::theta_motion::{Quotient, ThetaMotion};
 use crate::elliptic::theta::neville::NevilleTheta;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::Lane;
+use crate::lanes::{COMPACT, Lane};
 use crate::motion::bounded::{self, BoundedFunctions, Removed};
 use crate::motion::escape::{self, EscapeFunctions};
 use crate::motion::interpolant::{ConformalMap, Interpolant, OneSide};
@@ -57,6 +57,10 @@ impl ThetaMotion {
     /// The polynomials, where few enough terms serve.
     #[inline(always)]
     pub fn interpolant(&self) -> Option<&Interpolant> {
+        // On a page theta functions are fast enough, and polynomials would be a tenth of the module of the springs.
+        if COMPACT {
+            return None;
+        }
         self.interpolant.or_make(|| {
             if self.neville.hyperbolic() {
                 self.new_interpolant::<true>()

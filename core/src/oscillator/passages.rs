@@ -12,6 +12,7 @@ use crate::float::Dd;
 use crate::float::dyadic::Dyadic;
 use crate::float::scaled::Scaled;
 use crate::motion::passages::Interval;
+use crate::sorting::sort_numbers;
 
 impl CubicQuintic {
     /// The argument of a value, and whether the motion turns there; `None` where it does not get.
@@ -97,7 +98,7 @@ impl CubicQuintic {
             }
         };
         times.retain(|t| t.is_finite() && interval.holds(*t));
-        times.sort_by(f64::total_cmp);
+        sort_numbers(&mut times);
         times.dedup();
         Ok(times)
     }

@@ -31,8 +31,6 @@ export interface ValueSpec {
   readonly title?: string
   /** Rounds what a drag gives. */
   readonly grain: number
-  /** Field only. */
-  readonly slim?: boolean
   readonly onText: (text: string) => void
   readonly onDone: () => void
   readonly onSlide: (value: number) => void
@@ -95,9 +93,17 @@ function slider(spec: ValueSpec): TemplateResult {
   </div>`
 }
 
+const faultOf = ({ fault, key }: ValueSpec): TemplateResult | typeof nothing =>
+  fault ? html`<p class="fault" id="field-${key}-fault" role="alert">${icon('warn')}<span>${fault}</span></p>` : nothing
+
 export function value(spec: ValueSpec): TemplateResult {
   return html`<div class="value" data-value=${spec.key} title=${spec.title ?? nothing}>
     <span>${spec.label} ${rich(spec.symbol)}</span>${field(spec, spec.label)}${slider(spec)}
-    ${spec.fault ? html`<p class="fault" id="field-${spec.key}-fault" role="alert">${icon('warn')}<span>${spec.fault}</span></p>` : nothing}
+    ${faultOf(spec)}
   </div>`
+}
+
+/** Label and field on one line. */
+export function entry(spec: ValueSpec): TemplateResult {
+  return html`<div class="value" data-value=${spec.key}><span>${spec.label} ${rich(spec.symbol)}</span>${field(spec, spec.label)}${faultOf(spec)}</div>`
 }

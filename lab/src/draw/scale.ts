@@ -123,3 +123,17 @@ export function tickDecimals(values: readonly number[]): number {
   const text = (value: number) => String(Number(value.toPrecision(12)))
   return Math.max(0, ...values.map((value) => text(value).split('e')[0]?.split('.')[1]?.length ?? 0))
 }
+
+/** The largest of 1, 2, 5 times a power of ten that is less than a pixel, so that a start is a short number and where the hand is. */
+export function grainOf(perPixel: number): number {
+  const power = 10 ** Math.floor(Math.log10(perPixel))
+  return power * ([5, 2, 1].find((each) => each * power <= perPixel) ?? 1)
+}
+
+const ROUND = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10]
+
+/** The first round number from a positive one on. */
+export function roundUp(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value))
+  return power * (ROUND.find((each) => each * power >= value * (1 - 1e-12)) ?? 10)
+}

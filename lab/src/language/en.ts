@@ -3,7 +3,18 @@
 export const en = {
   functionNames: { sin: 'sin', tan: 'tan' } as { readonly sin: string; readonly tan: string },
   machineAssisted: '',
-  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', kg: 'kg', deg: '°', '': '' },
+  units: {
+    'rad/s': 'rad/s',
+    m: 'm',
+    'm/s2': 'm/s²',
+    s: 's',
+    kg: 'kg',
+    deg: '°',
+    '1/s': '1/s',
+    '1/rad': '1/rad',
+    'rad/s2': 'rad/s²',
+    '': '',
+  },
 
   shell: {
     title: 'libration: the exact pendulum',

@@ -5,7 +5,18 @@ import type { FirstCatalogue } from './en'
 export const es: FirstCatalogue = {
   functionNames: { sin: 'sen', tan: 'tan' },
   machineAssisted: 'traducción automática',
-  units: { 'rad/s': 'rad/s', m: 'm', 'm/s2': 'm/s²', s: 's', kg: 'kg', deg: '°', '': '' },
+  units: {
+    'rad/s': 'rad/s',
+    m: 'm',
+    'm/s2': 'm/s²',
+    s: 's',
+    kg: 'kg',
+    deg: '°',
+    '1/s': '1/s',
+    '1/rad': '1/rad',
+    'rad/s2': 'rad/s²',
+    '': '',
+  },
 
   shell: {
     title: 'libration: el péndulo exacto',

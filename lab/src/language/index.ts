@@ -7,15 +7,19 @@ import { en, type FirstCatalogue } from './en'
 import type { DerivationCatalogue } from './en-derivation'
 import type { LaterCatalogue } from './en-later'
 import { es } from './es'
+import type { FrictionWords } from './friction'
 import type { HandoutsWords } from './handouts'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
 import type { SaveWords } from './save'
+import type { SpringWords } from './springs'
 
 /** What comes with the later views. */
 interface Added extends LaterCatalogue {
-  readonly data: DataWords
   readonly derivation: DerivationCatalogue
+  readonly spring: SpringWords
+  readonly damped: FrictionWords
+  readonly data: DataWords
   readonly handouts: HandoutsWords
   readonly save: SaveWords
 }

@@ -69,7 +69,7 @@ function separatrix(pendulum: Pendulum): Exact | null {
 }
 
 /** What is the same wherever it starts: the period of small swings and the energy at the top. */
-const whereverStarted = remember((length: number, gravity: number) => {
+export const whereverStarted = remember((length: number, gravity: number) => {
   const pendulum = new Pendulum({ theta0: 0, length, gravity })
   return { smallPeriod: pendulum.period, top: pendulum.energies({ theta: Math.PI, velocity: 0 }).potential }
 })

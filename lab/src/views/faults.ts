@@ -5,17 +5,19 @@ import { DEFAULTS, type Fault, RANGES, type RangeName } from '../state'
 import { quantityText } from './page'
 
 /** Keys of the link by the names of the state. */
-const KEYS: Readonly<Record<string, string>> = { theta0: 'th0', velocity0: 'w0', length: 'L', gravity: 'g' }
+const KEYS: Readonly<Record<string, string>> = {
+  theta0: 'th0',
+  velocity0: 'w0',
+  length: 'L',
+  gravity: 'g',
+  springVelocity0: 'v0',
+  driveFrequency: 'omega',
+}
 
-/** Names of the state by the keys of the link. */
-const NAMES: Readonly<Record<string, RangeName>> = {
-  th0: 'theta0',
-  w0: 'velocity0',
-  L: 'length',
-  g: 'gravity',
-  t: 't',
-  span: 'span',
-  speed: 'speed',
+/** The name of the state by its key in the link, of a number. */
+function nameOf(key: string): RangeName | null {
+  const name = Object.keys(KEYS).find((each) => KEYS[each] === key) ?? key
+  return Object.hasOwn(RANGES, name) ? (name as RangeName) : null
 }
 
 export function faultText(words: Words, fault: Fault): string {
@@ -56,7 +58,7 @@ export function faultText(words: Words, fault: Fault): string {
         value: fault.value,
       })
     case 'not-a-number': {
-      const name = NAMES[fault.name]
+      const name = nameOf(fault.name)
       const kept = name ? quantityText(words, name, Number(DEFAULTS[name])) : usual
       return words.fill(say['not-a-number'], { name: fault.name, value: fault.value, kept })
     }

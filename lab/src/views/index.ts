@@ -27,6 +27,8 @@ const PARTS = {
     await part.formulaFont()
     return part
   },
+  springs: () => import('./springs'),
+  friction: () => import('./friction'),
   data: () => import('./data'),
   handouts: () => import('./handouts'),
 } satisfies Partial<Record<ViewName, () => Promise<{ readonly part: Part }>>>
@@ -102,6 +104,8 @@ export const VIEWS: readonly View[] = [
   view('period'),
   view('functions'),
   part('derivation'),
+  part('springs'),
+  part('friction'),
   part('data'),
   part('handouts'),
 ]

@@ -4,7 +4,7 @@
 
 import { html, type TemplateResult } from 'lit-html'
 import { plot } from '../draw/plot'
-import { linearScale, roundTicks, type Scale, tickDecimals } from '../draw/scale'
+import { grainOf, linearScale, roundTicks, type Scale, tickDecimals } from '../draw/scale'
 import { isLocked } from '../embedding'
 import { remember } from '../memory'
 import type { Model, Motion } from '../model'
@@ -62,12 +62,6 @@ export function reachOf(motion: Motion, starts: readonly Start[]): number {
 function scales(page: Live, { width, height }: Pick<PlotSize, 'width' | 'height'>): { sx: Scale; sy: Scale } {
   const reach = reachOf(page.motion, allOrbits(page.state))
   return { sx: linearScale([-180, 180], [0, width]), sy: linearScale([-reach, reach], [height, 0]) }
-}
-
-/** The largest of 1, 2, 5 times a power of ten that is less than a pixel, so that a start is a short number and where the hand is. */
-export function grainOf(perPixel: number): number {
-  const power = 10 ** Math.floor(Math.log10(perPixel))
-  return power * ([5, 2, 1].find((each) => each * power <= perPixel) ?? 1)
 }
 
 const rounded = (value: number, grain: number): number => Number((grain * Math.round(value / grain)).toPrecision(12))

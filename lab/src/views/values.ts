@@ -1,7 +1,7 @@
 // The numbers of the state as values of the page: their fields, sliders, and what is wrong with what is typed.
 
 import { html, type TemplateResult } from 'lit-html'
-import { type ValueSpec, value } from '../controls/value'
+import { entry, type ValueSpec, value } from '../controls/value'
 import { icon } from '../draw/icons'
 import { isLocked } from '../embedding'
 import { plain, rich } from '../language/rich'
@@ -9,7 +9,7 @@ import { degrees, parseQuantity, radians } from '../number'
 import { inRange, RANGES, type RangeName } from '../state'
 import { type Page, quantityText, setNumber } from './page'
 
-interface Slide {
+export interface Slide {
   readonly least: number
   readonly most: number
   readonly step: number
@@ -18,10 +18,13 @@ interface Slide {
   readonly ticks: readonly number[]
 }
 
+/** Numbers of the state that are values of their own; the span may be a word. */
+type NumberName = Exclude<RangeName, 't' | 'speed' | 'span' | 'seed'>
+
 /** Gravity of Moon, Mars, Earth and Jupiter in m/s². */
 const PLACES = [1.62, 3.71, 9.81, 24.79]
 
-function slideOf(page: Page, name: RangeName): Slide {
+export function slideOf(page: Page, name: RangeName): Slide {
   switch (name) {
     case 'theta0':
       return { least: -180, most: 180, step: 1, grain: 1, origin: 0, ticks: [-180, -90, 0, 90, 180] }
@@ -46,13 +49,13 @@ export function readField(name: RangeName, text: string): number {
 }
 
 /** What is wrong with a draft, in words; null if it can stand. */
-export function fieldFault(page: Page, name: RangeName, draft: string | undefined): string | null {
+export function fieldFault(page: Page, name: RangeName, draft: string | undefined, called?: string): string | null {
   if (draft === undefined || draft.trim() === '') return null
   const { words, state } = page
   const read = readField(name, draft)
   if (inRange(name, read)) return null
   const range = RANGES[name]
-  const label = words.say.values[name as keyof typeof words.say.values]?.label ?? name
+  const label = called ?? words.say.values[name as keyof typeof words.say.values]?.label ?? name
   const kept =
     name === 'span' && state.span === 'T'
       ? plain(words.say.play.period)
@@ -72,34 +75,37 @@ export function fieldFault(page: Page, name: RangeName, draft: string | undefine
 }
 
 /** A value of which nothing is said but that it is there. */
-function hidden({ words }: Page, name: string): TemplateResult {
+function hidden({ words }: Page, { label, symbol }: Said): TemplateResult {
   const { embedding } = words.say
-  return html`<div class="value" data-value="hidden" title=${embedding.hiddenTitle}><span>${rich(name)}</span><span class="field locked">${embedding.hidden}${icon('lock')}</span></div>`
+  return html`<div class="value" data-value="hidden" title=${embedding.hiddenTitle}><span>${rich(`${label} ${symbol}`)}</span><span class="field locked">${embedding.hidden}${icon('lock')}</span></div>`
 }
 
-/** A value of the state by its name. The motion follows while what is typed is valid. */
-export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' | 'gravity'): TemplateResult {
+/** What a value is called. */
+export interface Said {
+  readonly label: string
+  readonly symbol: string
+}
+
+function specOf(page: Page, name: NumberName, said: Said, slide: Slide): ValueSpec {
   const { words, state, store, session } = page
   const { unit } = RANGES[name]
   const angle = unit === 'deg'
   const number = state[name]
   const shown = angle ? degrees(number) : number
-  const said = words.say.values[name]
   const draft = session.drafts[name]
   const locked = isLocked(state, name)
-  if (state.hide && name === 'gravity') return hidden(page, `${said.label} ${said.symbol}`)
-  const spec: ValueSpec = {
+  return {
     key: name,
     label: said.label,
     symbol: said.symbol,
     unit: angle ? '°' : words.say.units[unit],
     value: shown,
     current: () => (angle ? degrees(store.state[name]) : store.state[name]),
-    ...slideOf(page, name),
+    ...slide,
     text: words.typed(shown),
     spoken: quantityText(words, name, number),
     draft,
-    fault: fieldFault(page, name, draft),
+    fault: fieldFault(page, name, draft, said.label),
     ...(locked ? { locked, title: words.say.embedding.locked } : {}),
     onText: (text) => {
       store.draft(name, text)
@@ -112,5 +118,21 @@ export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' |
     },
     onHold: (held) => store.setSession({ held: held ? name : null }),
   }
-  return value(spec)
+}
+
+/** A number of the state with its field and slider. The motion follows while what is typed is valid. */
+export function numberValue(page: Page, name: NumberName, said: Said, slide: Slide): TemplateResult {
+  return value(specOf(page, name, said, slide))
+}
+
+/** The same without a slider, on one line. */
+export function numberEntry(page: Page, name: NumberName, said: Said, slide: Slide): TemplateResult {
+  return entry(specOf(page, name, said, slide))
+}
+
+/** A value of the pendulum by its name. */
+export function stateValue(page: Page, name: 'theta0' | 'velocity0' | 'length' | 'gravity'): TemplateResult {
+  const said = page.words.say.values[name]
+  if (page.state.hide && name === 'gravity') return hidden(page, said)
+  return numberValue(page, name, said, slideOf(page, name))
 }

@@ -12,6 +12,8 @@ const VIEWS = [
   'period',
   'functions',
   'derivation',
+  'springs',
+  'friction',
   'data',
   'handouts',
   'handouts&handout=code',

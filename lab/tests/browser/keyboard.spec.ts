@@ -62,6 +62,8 @@ test('story 20: the focus is always seen, and Tab comes round in every view', as
     'period',
     'functions',
     'derivation',
+    'springs',
+    'friction',
     'data',
     'data&from=period',
     'handouts',

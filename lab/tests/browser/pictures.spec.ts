@@ -14,6 +14,8 @@ const VIEWS = {
   functions: 'view=functions&th0=150deg&L=1m&g=9.81&t=0.75s',
   derivation: 'view=derivation&th0=150deg&L=1m&g=9.81&t=0.4s&step=5',
   handouts: 'view=handouts&seed=7&t=0s',
+  springs: 'view=springs&spring=cubic-quintic&p=1&q=-4&s=3&u0=0.5&t=3s',
+  friction: `view=friction&L=9.81m&g=9.81&th0=0deg&linear=0.25&drive=1.5&omega=${2 / 3}&until=100s&t=40s`,
 } as const
 const SIZES = {
   '1280-light': [1280, 720],
@@ -42,6 +44,7 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
       await page.setViewportSize({ width, height: width === 360 && !/derivation|handouts/.test(view) ? tall : height })
       if (view === 'derivation') await expect(page.locator('.step.on h2')).toBeInViewport()
       await drawn(page)
+      await expect(page.locator('.section-progress progress')).toHaveCount(0)
       await page.mouse.move(0, 0)
       await picture(page, `${view}-${size}`)
     }

@@ -5,6 +5,8 @@
  * Arrays go through a workspace of fixed columns in blocks, so the memory of the module does not grow with them.
  */
 
+import type { Exchange, Exports } from "./exports.js";
+
 /** Where a module comes from: bytes, a compiled module, an address (also `data:...;base64,...`), or a response. */
 export type Source =
   | ArrayBuffer
@@ -28,57 +30,6 @@ const SECOND: readonly string[] = ["small-m", "small-m-bounded", "cubic", "cubic
 
 /** Numbers to be worked on: any array of numbers. Float64Array is copied fastest. */
 export type Numbers = ArrayLike<number>;
-
-/** What the module exports: wasm/src/abi.rs. */
-interface Exports {
-  memory: WebAssembly.Memory;
-  columns(): number;
-  rows(): number;
-  list(): number;
-  text(): number;
-  text_length(): number;
-  text_room(length: number): number;
-  version(): void;
-  orbit_new(
-    theta0: number,
-    velocity0: number,
-    omega0: number,
-    omega2: number,
-    length: number,
-    gravity: number,
-    given: number,
-  ): number;
-  orbit_drop(orbit: number): void;
-  orbit_facts(orbit: number): number;
-  orbit_theta(orbit: number, rows: number): void;
-  orbit_energies(orbit: number, rows: number): void;
-  orbit_separatrix_velocity(orbit: number, rows: number): void;
-  orbit_next_time(orbit: number, theta: number, after: number): number;
-  orbit_motion(orbit: number, rows: number): void;
-  orbit_turns(orbit: number, rows: number): void;
-  orbit_times(orbit: number, theta: number, start: number, stop: number): number;
-  orbit_turning_times(orbit: number, start: number, stop: number): number;
-  registry(kind: number): number;
-  angle_named(): number;
-  angle_new(orbit: number): number;
-  angle_drop(approximation: number): void;
-  angle_theta(approximation: number, rows: number): void;
-  angle_difference(approximation: number, rows: number): void;
-  angle_period(approximation: number): number;
-  angle_largest_error(approximation: number, periods: number): number;
-  angle_ranges(bound: number, periods: number): number;
-  period_values(by: number, rows: number): number;
-  period_of(orbit: number): number;
-  period_ranges(bound: number): number;
-  numerical_named(step: number): number;
-  numerical_new(orbit: number, step: number, until: number): number;
-  numerical_drop(solution: number): void;
-  numerical_motion(solution: number, rows: number): void;
-  numerical_over_the_top(solution: number): number;
-  numerical_steps(solution: number): number;
-  jacobi(given: number, parameter: number, rows: number): void;
-  complete(given: number, rows: number): void;
-}
 
 /**
  * A refused argument, in the words of the core: `theta0 = NaN: must be finite`.
@@ -151,8 +102,8 @@ function fill(column: Float64Array, from: Numbers, at: number, count: number): v
 }
 
 /** A loaded module. */
-export class Core {
-  readonly exports: Exports;
+export class Core<E extends Exchange = Exports> {
+  readonly exports: E;
   /** Doubles in a column. */
   readonly rows: number;
   /** Whether it uses vectors. */
@@ -160,7 +111,7 @@ export class Core {
   private views: Float64Array[] = [];
 
   constructor(instance: WebAssembly.Instance, vectors: boolean) {
-    this.exports = instance.exports as unknown as Exports;
+    this.exports = instance.exports as unknown as E;
     this.rows = this.exports.rows();
     this.vectors = vectors;
   }
@@ -322,8 +273,9 @@ async function instance(sources: Sources): Promise<void> {
   loaded = await started(source, vectors);
 }
 
-async function started(source: Source, vectors: boolean): Promise<Core> {
-  return new Core(await WebAssembly.instantiate(await moduleOf(source), {}), vectors);
+/** @internal A module of its own, at work. */
+export async function started<E extends Exchange = Exports>(source: Source, vectors: boolean): Promise<Core<E>> {
+  return new Core<E>(await WebAssembly.instantiate(await moduleOf(source), {}), vectors);
 }
 
 async function moduleOf(source: Source): Promise<WebAssembly.Module> {
@@ -359,10 +311,15 @@ interface Kept {
 }
 
 /** The number of a new object of a core, dropped with its owner; throws what the core refuses. */
-export function keep(owner: object, number: number, drop: (number: number) => void, of = core()): number {
+export function keep(owner: object, number: number, drop: (number: number) => void, of: Core<Exchange> = core()): number {
   if (number === 0) throw of.refusal();
-  forgotten.register(owner, { number, drop });
+  forgotten.register(owner, { number, drop }, owner);
   return number;
+}
+
+/** Drops what the core keeps for an object that is not forgotten yet. */
+export function release(owner: object, number: number, drop: (number: number) => void): void {
+  if (forgotten.unregister(owner)) drop(number);
 }
 
 /** The first result for a number or an array. */
@@ -370,7 +327,7 @@ export function first(
   argument: number | Numbers,
   out: Float64Array | undefined,
   work: (rows: number) => void,
-  of = core(),
+  of: Core<Exchange> = core(),
 ): number | Float64Array {
   if (typeof argument === "number") {
     of.once(argument, work);
@@ -386,12 +343,13 @@ export function pair(
   argument: number | Numbers,
   out: [Float64Array, Float64Array] | undefined,
   work: (rows: number) => void,
+  of: Core<Exchange> = core(),
 ): [number, number] | [Float64Array, Float64Array] {
   if (typeof argument === "number") {
-    core().once(argument, work);
-    return [core().column(1)[0]!, core().column(2)[0]!];
+    of.once(argument, work);
+    return [of.column(1)[0]!, of.column(2)[0]!];
   }
   const results = out ?? [new Float64Array(argument.length), new Float64Array(argument.length)];
-  core().through(argument, results, work);
+  of.through(argument, results, work);
   return results;
 }

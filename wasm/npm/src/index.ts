@@ -14,5 +14,8 @@
 
 export * as approx from "./approx/index.js";
 export { DomainError, hasVectors, load, loadSecond, type Numbers, type Source, type Sources, usesVectors, version } from "./core.js";
+export { DampedPendulum, type DampedOptions, type FrictionOptions, type TorqueOptions } from "./damped.js";
 export * as elliptic from "./elliptic.js";
+export { loadMotions } from "./motions.js";
 export { type Energies, type Extremes, type Motion, Pendulum, type PendulumOptions, type Regime, type Turns } from "./pendulum.js";
+export { CubicQuintic, type CubicQuinticOptions, Duffing, type DuffingOptions, type SpringMotion, type SpringRegime } from "./springs.js";

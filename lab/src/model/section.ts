@@ -1,0 +1,75 @@
+// The Poincaré section of a driven pendulum: angle and velocity once in every period of the drive.
+//
+// After a whole number of periods the drive is as at the start, so the motion is cut there: each piece begins where the one before ended,
+// with the angle within one turn. That rounds the state to doubles once in a piece, as a start is, and keeps memory and angles small.
+
+import { dampedOf, type FrictionSetup } from './friction'
+
+/** Periods of a piece: a few milliseconds of work. */
+const PIECE = 16
+/** Longest period after which a motion is found to repeat, in periods of the drive, and how near it has to come back. */
+export const LONGEST = 16
+const NEAR = 1e-6
+/** As often it has to. */
+const TIMES = 3
+
+export class Section {
+  /** Angles in [−π, π) and velocities; as many as `count` hold. */
+  readonly angles: Float64Array
+  readonly velocities: Float64Array
+  count = 0
+  #skipped = 0
+  #state: readonly [number, number]
+
+  /** The first `skip` periods are left out: what the start makes of it dies away. */
+  constructor(
+    readonly setup: FrictionSetup,
+    readonly most: number,
+    readonly skip: number,
+  ) {
+    this.angles = new Float64Array(most)
+    this.velocities = new Float64Array(most)
+    this.#state = [setup.theta0, setup.velocity0]
+  }
+
+  get done(): boolean {
+    return this.count === this.most
+  }
+
+  /** One piece more. */
+  advance(): void {
+    const [theta0, velocity0] = this.#state
+    const damped = dampedOf({ ...this.setup, theta0, velocity0 })
+    const period = (2 * Math.PI) / this.setup.driveFrequency
+    const times = Float64Array.from({ length: PIECE }, (_, i) => period * (i + 1))
+    const { velocity } = damped.motion(times)
+    const { angle } = damped.turns(times)
+    damped.free()
+    for (let i = 0; i < PIECE && !this.done; i++) {
+      if (this.#skipped < this.skip) this.#skipped++
+      else {
+        this.angles[this.count] = angle[i] as number
+        this.velocities[this.count] = velocity[i] as number
+        this.count++
+      }
+    }
+    this.#state = [angle[PIECE - 1] as number, velocity[PIECE - 1] as number]
+  }
+
+  /** Periods of the drive after which the motion repeats at its end; null where it does not, or too few are known. */
+  get repeats(): number | null {
+    const { angles, velocities, count } = this
+    const near = (i: number, j: number) => {
+      const turn = Math.abs((angles[i] as number) - (angles[j] as number))
+      const apart = Math.min(turn, 2 * Math.PI - turn)
+      const scale = 1 + Math.abs(velocities[i] as number)
+      return apart < NEAR && Math.abs((velocities[i] as number) - (velocities[j] as number)) < NEAR * scale
+    }
+    for (let k = 1; k <= LONGEST; k++) {
+      const last = TIMES * k
+      if (count <= last + k) return null
+      if (Array.from({ length: last }, (_, i) => count - 1 - i).every((i) => near(i, i - k))) return k
+    }
+    return null
+  }
+}

@@ -1,0 +1,67 @@
+// Springs to begin with, one for each kind of motion. Each replaces the spring and its start; one line undoes it.
+
+import { html, type TemplateResult } from 'lit-html'
+import { menu } from '../controls/parts'
+import { icon } from '../draw/icons'
+import { plain } from '../language/rich'
+import { companionOf } from '../model/spring'
+import { inRange, type State } from '../state'
+import type { Live } from './page'
+
+type Chosen = Pick<State, 'spring' | 'p' | 'q' | 's' | 'u0' | 'springVelocity0'>
+
+const duffing = (p: number, q: number, u0: number, springVelocity0 = 0): Chosen => {
+  return { spring: 'duffing', p, q, s: 0, u0, springVelocity0 }
+}
+const quintic = (p: number, q: number, s: number, u0: number): Chosen => {
+  return { spring: 'cubic-quintic', p, q, s, u0, springVelocity0: 0 }
+}
+
+/** Those on a separatrix are on it exactly: their energies are sums of few bits. */
+export const SPRING_PRESETS = {
+  hardening: duffing(1, 1, 1.5),
+  softening: duffing(1, -0.5, 1.2),
+  escape: duffing(1, -0.5, 1.6),
+  saddles: duffing(1, -0.5, 0, 1),
+  inside: duffing(-1, 0.5, 1.9),
+  on: duffing(-1, 0.5, 2),
+  outside: duffing(-1, 0.5, 2.1),
+  bistable: quintic(1, -4, 3, 0.5),
+  quintic: quintic(1, 1, -1, 1.3),
+} as const satisfies Record<string, Chosen>
+
+type PresetName = keyof typeof SPRING_PRESETS | 'companion'
+
+/** That of the pendulum in the Lab, if it is a spring that can stand here. */
+function companion({ theta0, velocity0, length, gravity }: State): Chosen | null {
+  const found = companionOf(theta0, velocity0, length, gravity)
+  if (!found || !(['p', 'q', 'u0', 'springVelocity0'] as const).every((name) => inRange(name, found[name]))) return null
+  return { spring: 'duffing', s: 0, ...found }
+}
+
+export function springPresets(page: Live): TemplateResult {
+  const { store, session, words } = page
+  const { spring, shell } = words.say
+  const names: readonly PresetName[] = [...(Object.keys(SPRING_PRESETS) as PresetName[]), 'companion']
+  return menu({
+    key: 'springs',
+    label: html`${spring.examples}${icon('down')}`,
+    name: spring.examples,
+    open: session.menu === 'springs',
+    toggle: (open) => store.setSession({ menu: open ? 'springs' : null }),
+    className: 'right',
+    items: names.map((name) => {
+      const chosen = name === 'companion' ? companion(store.state) : SPRING_PRESETS[name]
+      return {
+        text: spring.presets[name],
+        ...(name === 'companion' ? { note: words.formula(spring.companionNote) } : {}),
+        disabled: chosen === null,
+        act: () => {
+          if (!chosen) return
+          const text = words.fill(shell.replaced, { name: plain(spring.presets[name]) })
+          store.replace({ ...store.moment, ...chosen, t: 0 }, { key: 'example', text })
+        },
+      }
+    }),
+  })
+}

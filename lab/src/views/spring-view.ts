@@ -1,0 +1,48 @@
+// What the charts of a spring are drawn from: the motion, its axes, and where it is at the time shown.
+
+import type { Words } from '../language'
+import { remember } from '../memory'
+import { forceOf, SpringOrbit } from '../model/spring'
+import type { State } from '../state'
+import { within } from '../study'
+import type { Live } from './page'
+import { type Frame, frameOf, springSpan } from './spring-frame'
+
+export interface SpringView {
+  /** The page at the time within what is shown: at the end it begins again. */
+  readonly page: Live
+  readonly orbit: SpringOrbit
+  readonly frame: Frame
+  /** NaN after an escape. */
+  readonly now: { readonly u: number; readonly velocity: number }
+}
+
+const orbitBy = remember(
+  (kind: State['spring'], p: number, q: number, s: number, u0: number, velocity0: number) =>
+    new SpringOrbit(forceOf(kind, p, q, s), u0, velocity0),
+)
+
+export function orbitOf({ spring, p, q, s, u0, springVelocity0 }: State): SpringOrbit {
+  return orbitBy(spring, p, q, s, u0, springVelocity0)
+}
+
+const usualFrame = remember(frameOf)
+let last: Frame | null = null
+
+/** While a hand moves the start the axes stand still, so that the start stays under the hand. */
+function frameNow({ session }: Live, orbit: SpringOrbit): Frame {
+  last = session.held === 'spring-start' && last ? { ...last, span: springSpan(orbit) } : usualFrame(orbit)
+  return last
+}
+
+export function springView(page: Live): SpringView {
+  const orbit = orbitOf(page.state)
+  const frame = frameNow(page, orbit)
+  const t = within(page.t, frame.span)
+  return { page: { ...page, t }, orbit, frame, now: orbit.at(t) }
+}
+
+/** Four digits at most, and no zeros behind them. */
+export function shortNumber(words: Words, value: number): string {
+  return words.given(Number(value.toPrecision(4)))
+}

@@ -1,0 +1,167 @@
+// Friction: what the page makes of the core's motions, and the section in pieces against the motion in one.
+
+import { load, loadMotions } from 'libration'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { AveragedLaw } from '../src/model/averaged'
+import { DampedMotion, dampedOf, type FrictionSetup } from '../src/model/friction'
+import { Motion } from '../src/model/motion'
+import { Section } from '../src/model/section'
+import { radians } from '../src/number'
+import { envelopeOf } from '../src/views/friction-charts'
+import { withinOneTurn } from '../src/views/friction-phase'
+import { FRICTION_PRESETS } from '../src/views/friction-presets'
+
+beforeAll(async () => {
+  await load()
+  await loadMotions()
+})
+
+const SETUP: FrictionSetup = {
+  theta0: radians(60),
+  velocity0: 0,
+  length: 1,
+  gravity: 9.81,
+  linear: 0.03,
+  quadratic: 0,
+  dry: 0,
+  torque: 0,
+  drive: 0,
+  driveFrequency: 2,
+}
+const of = (patch: Partial<FrictionSetup>, until = 60) => new DampedMotion({ ...SETUP, ...patch }, until)
+
+describe('friction', () => {
+  it('takes half of the energy at the time it says', () => {
+    const motion = of({})
+    const outcome = motion.outcome()
+    if (outcome.kind !== 'halves') throw new Error(outcome.kind)
+    expect(Math.abs(motion.energyAt(outcome.t) / motion.energyAt(0) - 0.5)).toBeLessThan(1e-12)
+    // About ln 2 / 2γ, as small swings: a little longer, since it is slow at large angles.
+    expect(Math.abs(outcome.t / (Math.log(2) / 0.06) - 1)).toBeLessThan(0.1)
+    expect(of({ linear: 0.0001 }).outcome()).toMatchObject({ kind: 'keeps' })
+    expect(of({ linear: 0 }).outcome()).toEqual({ kind: 'exact' })
+  })
+
+  it('has energies as parts of that at the top', () => {
+    const motion = of({ linear: 0 })
+    // sin² of half the release angle.
+    expect(Math.abs(motion.energyAt(0) - 0.25)).toBeLessThan(1e-15)
+    // The page takes those of a curve from the states, by the pendulum without friction.
+    const damped = of({ quadratic: 0.1 })
+    const times = Float64Array.of(0, 1, 2.5, 17)
+    const { total } = new Motion({ ...damped.setup, theta0: 0 }).energy(damped.sample(times))
+    for (const [i, t] of times.entries())
+      expect(Math.abs((total[i] as number) - damped.energyAt(t))).toBeLessThan(1e-15)
+  })
+
+  it('stops a pendulum where the core says that it is held', () => {
+    const motion = of({ linear: 0, dry: 0.3, theta0: radians(40) }, 30)
+    const [rest] = dampedOf(motion.setup).rests(0, 30)
+    expect(motion.outcome()).toEqual({ kind: 'stops', t: rest?.[0], theta: motion.at(30).theta })
+    // Where it is held the pull is less than the friction.
+    expect(9.81 * Math.abs(Math.sin(motion.at(30).theta))).toBeLessThan(0.3)
+    expect(of({ theta0: 0.001, linear: 0, dry: 1 }).outcome()).toEqual({ kind: 'still' })
+  })
+
+  it('counts turns over the top, and knows whether it still turns', () => {
+    const thrown = of({ theta0: 0, velocity0: 12, linear: 0.1, quadratic: 0.03 }, 30)
+    expect([thrown.turnsOver, thrown.turnsStill]).toEqual([3, false])
+    expect(of({ theta0: 0, velocity0: -12, linear: 0.1, quadratic: 0.03 }, 30).turnsOver).toBe(-3)
+    expect(of({ theta0: 0, velocity0: 12, linear: 0.001 }, 5).turnsStill).toBe(true)
+  })
+
+  it('under a constant torque is aside, or goes round at the velocity that balances it', () => {
+    const aside = of({ theta0: 0, linear: 0.5, torque: 2 }, 60).outcome()
+    if (aside.kind !== 'settles') throw new Error(aside.kind)
+    expect(Math.abs(aside.theta - Math.asin(2 / 9.81))).toBeLessThan(1e-9)
+    const { until, ...setup } = FRICTION_PRESETS.josephson
+    const round = new DampedMotion(setup, until).outcome()
+    if (round.kind !== 'rotates') throw new Error(round.kind)
+    // τ/2γ without gravity; gravity takes some of it.
+    expect(round.velocity).toBeGreaterThan(0.8 * 2.4)
+    expect(round.velocity).toBeLessThan(2.4)
+  })
+
+  it('joins turning points above and below', () => {
+    const motion = of({}, 20)
+    const [above, below] = envelopeOf(motion.turning)
+    expect(above?.x[0]).toBe(0)
+    expect(above?.y.every((theta, i, all) => theta > 0 && (i === 0 || theta < (all[i - 1] as number)))).toBe(true)
+    expect(below?.y.every((theta) => theta < 0)).toBe(true)
+    expect((above?.x.length ?? 0) + (below?.x.length ?? 0)).toBe(motion.turning.t.length)
+    expect(envelopeOf({ t: Float64Array.of(0, 1), theta: Float64Array.of(1, -1) })).toEqual([])
+  })
+
+  it('has the averaged law beside its turning points: near them where friction is weak', () => {
+    for (const [patch, within] of [
+      [{}, 0.01],
+      [{ velocity0: 2, theta0: -0.3 }, 0.01],
+      [{ linear: 0.01, quadratic: 0.02, dry: 0.01 }, 0.02],
+    ] as const) {
+      const motion = of(patch, 20)
+      const law = new AveragedLaw(motion, 6)
+      while (!law.done) law.advance()
+      const [above] = envelopeOf(motion.turning)
+      for (let i = 0; i < law.count - 1; i++) {
+        const t = law.t[i] as number
+        const after = above?.x.findIndex((each) => each >= t) ?? -1
+        if (after < 1) continue
+        const [t0, t1] = [above?.x[after - 1] as number, above?.x[after] as number]
+        const [y0, y1] = [above?.y[after - 1] as number, above?.y[after] as number]
+        const joined = y0 + ((y1 - y0) * (t - t0)) / (t1 - t0)
+        expect(Math.abs((law.above[i] as number) / joined - 1), JSON.stringify(patch)).toBeLessThan(within)
+      }
+      expect(law.below[0]).toBe(-(law.above[0] as number))
+    }
+    expect(new AveragedLaw(of({ torque: 1 }, 20), 6).done).toBe(true)
+    // After three turns it swings about three.
+    const thrown = new AveragedLaw(of({ theta0: 0, velocity0: 12, linear: 0.1, quadratic: 0.03 }, 30), 6)
+    thrown.advance()
+    expect(((thrown.above[0] as number) + (thrown.below[0] as number)) / 2).toBeCloseTo(6 * Math.PI, 10)
+  })
+
+  it('in the phase plane is lifted where it goes over the top', () => {
+    const { x, y } = withinOneTurn(Float64Array.of(3, 3.2, 3.4), Float64Array.of(1, 2, 3))
+    expect(Array.from(x, (each) => Math.round(each))).toEqual([172, -177, -177, -165])
+    expect(Array.from(y)).toEqual([1, Number.NaN, 2, 3])
+  })
+})
+
+describe('friction: the section of a driven pendulum', () => {
+  const section = (drive: number, most = 400, skip = 100): Section => {
+    const { until: _, ...setup } = FRICTION_PRESETS.one
+    const made = new Section({ ...setup, drive }, most, skip)
+    while (!made.done) made.advance()
+    return made
+  }
+
+  it('has the points of one long motion', () => {
+    const made = section(0.9, 40, 0)
+    const whole = dampedOf(made.setup)
+    const period = (2 * Math.PI) / made.setup.driveFrequency
+    for (const n of [1, 16, 17, 40]) {
+      expect(Math.abs((made.angles[n - 1] as number) - whole.turns(n * period).angle)).toBeLessThan(1e-10)
+      expect(Math.abs((made.velocities[n - 1] as number) - whole.motion(n * period).velocity)).toBeLessThan(1e-10)
+    }
+    // A point of another phase of the drive is another one.
+    expect(Math.abs((made.angles[39] as number) - whole.turns(40.01 * period).angle)).toBeGreaterThan(1e-4)
+  })
+
+  it('repeats every period, every second one, or never: the cases of Baker and Gollub', () => {
+    expect([0.9, 1.07, 1.5].map((drive) => section(drive).repeats)).toEqual([1, 2, null])
+    const chaos = section(1.5)
+    const cells = new Set(
+      Array.from(chaos.angles, (angle, i) => `${angle.toFixed(2)} ${(chaos.velocities[i] as number).toFixed(2)}`),
+    )
+    expect(cells.size).toBeGreaterThan(150)
+  })
+
+  it('is filled piece by piece, with what was asked for', () => {
+    const { until: _, ...setup } = FRICTION_PRESETS.chaos
+    const made = new Section(setup, 50, 10)
+    made.advance()
+    expect([made.count, made.done, made.repeats]).toEqual([6, false, null])
+    while (!made.done) made.advance()
+    expect(made.count).toBe(50)
+  })
+})

@@ -1,0 +1,88 @@
+//! The functions that JavaScript calls: springs here, friction in abi/friction.rs. `unsafe` stands in this file and abi/ only: in the
+//! attribute that gives a function its name outside.
+//!
+//! As in wasm/src/abi.rs: column 0 holds arguments, the next ones results; a function that makes an object returns its number, one
+//! that leaves a list its length; where it refuses it returns 0 (a list: -1), and the text says what.
+
+#[path = "../../src/abi/exchange.rs"]
+mod exchange;
+mod friction;
+
+use crate::objects::{Objects, ask, drop};
+use crate::workspace::with_columns;
+use exchange::{both, made, refuse};
+use libration::{CubicQuintic, Duffing, Frequency, OscillatorRegime};
+use std::cell::RefCell;
+
+thread_local! {
+    static SPRINGS: RefCell<Objects<CubicQuintic>> = const { RefCell::new(Objects::new()) };
+}
+
+/// The motion of u'' + p u + q u^3 = 0.
+#[unsafe(no_mangle)]
+pub extern "C" fn duffing_new(u0: f64, velocity0: f64, p: f64, q: f64) -> u32 {
+    made(&SPRINGS, Duffing::new(u0, velocity0, p, q).map(|spring| spring.as_cubic_quintic().clone()))
+}
+
+/// The motion of u'' + alpha u + beta u^3 + gamma u^5 = 0.
+#[unsafe(no_mangle)]
+pub extern "C" fn cubic_quintic_new(u0: f64, velocity0: f64, alpha: f64, beta: f64, gamma: f64) -> u32 {
+    made(&SPRINGS, CubicQuintic::new(u0, velocity0, alpha, beta, gamma))
+}
+
+/// Drops a spring.
+#[unsafe(no_mangle)]
+pub extern "C" fn spring_drop(spring: u32) {
+    drop(&SPRINGS, spring);
+}
+
+/// Column 0: period, lowest and highest u, energy, when it escapes, when it came from infinity. Returns the regime: rest, linear,
+/// libration, well, homoclinic, heteroclinic, escape from 0 on.
+#[unsafe(no_mangle)]
+pub extern "C" fn spring_facts(spring: u32) -> u32 {
+    let regime = ask(&SPRINGS, spring, |spring| {
+        let (lowest, highest) = spring.range();
+        let facts = [
+            spring.period(),
+            lowest,
+            highest,
+            spring.energy(),
+            spring.escape_time(),
+            spring.escape_time_backward(),
+        ];
+        with_columns(|columns| columns[0][..facts.len()].copy_from_slice(&facts));
+        match spring.regime() {
+            OscillatorRegime::Rest => 0,
+            OscillatorRegime::Linear => 1,
+            OscillatorRegime::Libration => 2,
+            OscillatorRegime::Well => 3,
+            OscillatorRegime::Homoclinic => 4,
+            OscillatorRegime::Heteroclinic => 5,
+            _ => 6,
+        }
+    });
+    regime.unwrap_or(0)
+}
+
+/// t to u and velocity.
+#[unsafe(no_mangle)]
+pub extern "C" fn spring_motion(spring: u32, rows: usize) {
+    ask(&SPRINGS, spring, |spring| {
+        both(rows, |t| spring.motion(t).into());
+    });
+}
+
+/// Column 0: u0, velocity0, p and q of the oscillator that moves like a pendulum, u = tan(theta/2).
+#[unsafe(no_mangle)]
+pub extern "C" fn duffing_of_pendulum(theta0: f64, velocity0: f64, length: f64, gravity: f64) -> u32 {
+    let companion = Frequency::from_arguments(None, None, Some(length), Some(gravity))
+        .and_then(|frequency| Duffing::of_pendulum(theta0, velocity0, frequency));
+    match companion {
+        Err(domain) => (refuse(&domain), 0).1,
+        Ok(spring) => {
+            let facts = [spring.u0(), spring.velocity0(), spring.p(), spring.q()];
+            with_columns(|columns| columns[0][..facts.len()].copy_from_slice(&facts));
+            1
+        }
+    }
+}
