@@ -1,21 +1,61 @@
 // Puts script, style and every file of the page into its HTML: a page that is one file and works from disk.
 //
-// Vite makes the fonts into `data:` addresses (assetsInlineLimit), this plugin the modules of the core, compressed; script
-// and style follow. A classic script: a module cannot be loaded from file:// in every browser.
+// Vite makes the fonts into `data:` addresses (assetsInlineLimit), this plugin the modules of the core; script and style follow, in one
+// compressed text. A classic script: a module cannot be loaded from file:// in every browser.
 
 import { readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import type { Plugin } from 'vite'
 
-/** Unpacks the script beside it and runs it. What is written in the page stays a plain text: base64 has no mark of HTML. */
-const BEGIN = `(async () => {
-  const packed = document.getElementById('packed').textContent
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
-  const script = document.createElement('script')
-  script.textContent = await new Response(stream).text()
-  document.body.append(script)
+/** The letters of the packed text: base 85 without `<`, so that it has no mark of HTML; four bytes are five letters. */
+function letters(bytes: Buffer): string {
+  const padded = Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4)])
+  let text = ''
+  for (let i = 0; i < padded.length; i += 4) {
+    let rest = padded.readUInt32BE(i)
+    let five = ''
+    for (let k = 0; k < 5; k++) {
+      const code = 35 + (rest % 85)
+      five = String.fromCharCode(code < 60 ? code : code + 1) + five
+      rest = Math.floor(rest / 85)
+    }
+    text += five
+  }
+  return text
+}
+
+/** Style and script in one text that unpacks itself: the style, a null letter, the script. */
+function packed(style: string, script: string): string {
+  const bytes = gzipSync(`${style}\0${script}`, { level: 9 })
+  const begin = `(async () => {
+  const still = document.getElementById('still')
+  still.hidden = true
+  try {
+    const text = document.getElementById('packed').textContent
+    const view = new DataView(new ArrayBuffer((text.length / 5) * 4))
+    for (let i = 0, at = 0; i < text.length; at += 4) {
+      let four = 0
+      for (let k = 0; k < 5; k++) {
+        const code = text.charCodeAt(i++)
+        four = four * 85 + code - (code < 60 ? 35 : 36)
+      }
+      view.setUint32(at, four)
+    }
+    const bytes = new Uint8Array(view.buffer, 0, ${bytes.length})
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
+    const [style, script] = (await new Response(stream).text()).split('\\0')
+    document.head.append(Object.assign(document.createElement('style'), { textContent: style }))
+    document.body.append(Object.assign(document.createElement('script'), { textContent: script }))
+  } catch (error) {
+    still.hidden = false
+    throw error
+  }
 })()`
+  return `<script type="text/plain" id="packed">${letters(bytes)}</script>\n<script>${begin}</script>`
+}
+
+/** What the part that needs no script looks like without the style of the page. */
+const PLAIN = '<style>body { font: 1rem/1.4 sans-serif; margin: 1rem auto; max-width: 60rem; padding: 0 1rem }</style>'
 
 export function oneFile(name: string): Plugin {
   return {
@@ -25,7 +65,7 @@ export function oneFile(name: string): Plugin {
     resolveId(source, importer) {
       if (source === './data' && importer?.endsWith('/views/index.ts'))
         return importer.replace('index.ts', 'data-absent.ts')
-      return source === './webm' ? (importer?.replace('video.ts', 'webm-absent.ts') ?? null) : null
+      return source === '../save/video' ? (importer?.replace('views/film.ts', 'save/video-absent.ts') ?? null) : null
     },
     load(id) {
       if (!id.endsWith('.wasm?url')) return null
@@ -46,23 +86,25 @@ export function oneFile(name: string): Plugin {
         const page = files.find((each) => each.fileName.endsWith('.html'))
         if (page?.type !== 'asset') throw new Error('the page is not in the bundle')
         let html = String(page.source)
+        let style = ''
+        let script = ''
         for (const file of files) {
           if (file === page) continue
-          if (file.type === 'chunk') {
-            const tag = new RegExp(`\\s*<script[^>]*src="[^"]*${file.fileName}"[^>]*></script>`)
-            if (!tag.test(html)) throw new Error(`${file.fileName} is not asked for by the page`)
-            html = html.replace(tag, '')
-            const packed = gzipSync(file.code, { level: 9 }).toString('base64')
-            const tags = `<script type="text/plain" id="packed">${packed}</script>\n<script>${BEGIN}</script>`
-            html = html.replace('</body>', () => `${tags}\n</body>`)
-          } else if (file.fileName.endsWith('.css')) {
-            const tag = new RegExp(`<link[^>]*href="[^"]*${file.fileName}"[^>]*>`)
-            html = html.replace(tag, () => `<style>${String(file.source)}</style>`)
-          } else {
-            throw new Error(`${file.fileName} is not in the page`)
-          }
+          const chunk = file.type === 'chunk'
+          if (!chunk && !file.fileName.endsWith('.css')) throw new Error(`${file.fileName} is not in the page`)
+          const tag = new RegExp(
+            chunk
+              ? `\\s*<script[^>]*src="[^"]*${file.fileName}"[^>]*></script>`
+              : `<link[^>]*href="[^"]*${file.fileName}"[^>]*>`,
+          )
+          if (!tag.test(html)) throw new Error(`${file.fileName} is not asked for by the page`)
+          html = html.replace(tag, '')
+          if (chunk) script += file.code
+          else style += file.source
           delete bundle[file.fileName]
         }
+        html = html.replace('</head>', () => `<noscript>${PLAIN}</noscript>\n</head>`)
+        html = html.replace('</body>', () => `${packed(style, script)}\n</body>`)
         page.source = html
         page.fileName = name
       },

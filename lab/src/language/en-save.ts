@@ -33,7 +33,7 @@ export const enSave = {
   delays: 'A GIF counts hundredths of a second: a round takes {seconds} and not {true}.',
   exact: 'Only the exact motion is in the film, in the light colours.',
   noMp4: 'This browser writes no MP4 (H.264): the film is WebM (VP9).',
-  noVideo: 'This browser writes no video: the film is a GIF.',
+  noVideo: 'No video can be written here: the film is a GIF.',
   probing: 'Asking the browser what it can write …',
   rest: 'At rest nothing moves: there is no film.',
   separatrix:

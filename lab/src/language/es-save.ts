@@ -33,7 +33,7 @@ export const esSave: SaveCatalogue = {
   delays: 'Un GIF cuenta centésimas de segundo: una vuelta dura {seconds}, y no {true}.',
   exact: 'Solo el movimiento exacto está en la película, en los colores claros.',
   noMp4: 'Este navegador no escribe MP4 (H.264): la película es WebM (VP9).',
-  noVideo: 'Este navegador no escribe video: la película es un GIF.',
+  noVideo: 'Aquí no se puede escribir video: la película es un GIF.',
   probing: 'Preguntando al navegador qué sabe escribir …',
   rest: 'En reposo nada se mueve: no hay película.',
   separatrix:

@@ -33,7 +33,7 @@ export const ptBRSave: SaveCatalogue = {
   delays: 'Um GIF conta centésimos de segundo: uma rodada dura {seconds}, e não {true}.',
   exact: 'Só o movimento exato está no filme, nas cores claras.',
   noMp4: 'Este navegador não escreve MP4 (H.264): o filme é WebM (VP9).',
-  noVideo: 'Este navegador não escreve vídeo: o filme é um GIF.',
+  noVideo: 'Aqui não se pode escrever vídeo: o filme é um GIF.',
   probing: 'Perguntando ao navegador o que ele sabe escrever …',
   rest: 'Em repouso nada se move: não há filme.',
   separatrix:

@@ -8,9 +8,9 @@ import {
   Mp4OutputFormat,
   Output,
   type OutputFormat,
+  WebMOutputFormat,
 } from 'mediabunny'
 import type { Film, Sink } from './film'
-import { webm } from './webm'
 
 /** Bits for a pixel of a frame: lines stay sharp. */
 const BITS = 0.25
@@ -36,18 +36,14 @@ const KINDS: readonly Kind[] = [
     extra: { avc: { format: 'avc' } },
     format: () => new Mp4OutputFormat({ fastStart: 'in-memory' }),
   },
-  ...(webm
-    ? [
-        {
-          ending: 'webm' as const,
-          codec: 'vp9' as const,
-          type: 'video/webm',
-          strings: ['vp09.00.40.08'],
-          extra: {},
-          format: webm,
-        },
-      ]
-    : []),
+  {
+    ending: 'webm',
+    codec: 'vp9',
+    type: 'video/webm',
+    strings: ['vp09.00.40.08'],
+    extra: {},
+    format: () => new WebMOutputFormat(),
+  },
 ]
 
 export interface Encoding extends Kind {

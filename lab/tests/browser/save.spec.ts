@@ -209,7 +209,5 @@ test('story 15: the offline file saves from disk without a network', async ({ br
   const gif = await film(page, { format: 'GIF', rate: 10 })
   const { bobs, width, height } = await decodedGif(page, gif.bytes, [0])
   expectBobs(bobs, [place(radians(150), width, height)])
-  const mp4 = await film(page, { format: 'MP4', rate: 10 })
-  expect(boxAt(mp4.bytes, 'ftyp').toString('latin1', 0, 4)).toBe('isom')
   await context.close()
 })
