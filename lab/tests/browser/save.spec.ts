@@ -2,7 +2,7 @@
 
 import { readFile } from 'node:fs/promises'
 import { load } from 'libration'
-import { boxAt, decodedGif, expectBobs, place } from './decoded'
+import { decodedGif, expectBobs, place } from './decoded'
 import { column, csvOf, expect, linkOf, opened, radians, ready, sheet, show, test } from './lab'
 import { film, LINK, SWING, saved } from './saved'
 import { DIST } from './server'
