@@ -206,6 +206,26 @@ fn lazy_trajectories_are_trajectories() {
     assert_eq!(lazy.over(0.0, f64::NAN).unwrap_err().to_string(), "stop = NaN: must be finite");
 }
 
+/// So many of the first derivatives as are asked for are those of all, bit for bit; others are not.
+#[test]
+fn the_first_derivatives_are_those_of_all() {
+    for trajectory in trajectories() {
+        let whole = DampedSensitivity::new(&trajectory).unwrap();
+        for count in [1, 4, 5, 8, 9, 11] {
+            let first = DampedSensitivity::first(&trajectory, count).unwrap();
+            for t in times(&trajectory) {
+                let (a, b) = (first.at(t), whole.at(t));
+                assert_eq!(a.theta.map(bits)[..count], b.theta.map(bits)[..count], "{count} at {t}");
+                assert_eq!(a.velocity.map(bits)[..count], b.velocity.map(bits)[..count], "{count} at {t}");
+            }
+        }
+    }
+    let trajectory = &trajectories()[0];
+    let (few, all) =
+        (DampedSensitivity::first(trajectory, 4).unwrap(), DampedSensitivity::new(trajectory).unwrap());
+    assert_ne!(few.at(20.0).theta.map(bits)[4..], all.at(20.0).theta.map(bits)[4..]);
+}
+
 /// Of the same states: the energy of an orbit; also where it hangs from the other side.
 #[test]
 fn energies_are_those_of_orbits() {

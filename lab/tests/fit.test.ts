@@ -8,6 +8,7 @@ import { Measurement } from '../src/measurement'
 import { FitModule, FitRefusal, type Statements } from '../src/model/fit-module'
 import { measure, type Told } from '../src/model/fit-protocol'
 import type { Fitter } from '../src/model/fitter'
+import { archive } from './archive'
 
 const place = createRequire(import.meta.url)
 const text = (name: string) => readFile(new URL(name, import.meta.url), 'utf8')
@@ -94,10 +95,10 @@ describe('the record of 70°', () => {
 })
 
 describe('refusals are the lines of the command', () => {
-  const refusal = async (of: string, stated: Statements) => {
+  const refusal = async (of: string | Uint8Array, stated: Statements) => {
     const fits = await FitModule.start(module)
     try {
-      fits.read(bytes(of), stated)
+      fits.read(typeof of === 'string' ? bytes(of) : of, stated)
       fits.fit(stated)
     } catch (error) {
       if (error instanceof FitRefusal) return error.message
@@ -106,15 +107,22 @@ describe('refusals are the lines of the command', () => {
     return ''
   }
 
-  it.each([
-    ['', 'swing.csv: is empty'],
-    ['t,theta\n0,1\n', 'swing.csv: '],
-    ['t,theta,phi\n0,10,1\n0.1,9,2\n0.2,7,4\n', 'write --column angle='],
-    ['PK\u0003\u0004', 'swing.csv: an archive or a workbook; give a table from it as text'],
-  ])('%j', async (of, line) => {
-    const found = await refusal(of, [['file', 'swing.csv']])
-    expect(found).toContain(line)
-    expect(found).not.toContain('\n')
+  /** Each with the line of `libration fit NAME`, to which python/tests/test_fit_page.py holds the command. */
+  it('malformed files', async () => {
+    const files: readonly { name: string; text?: string; base64?: string; line: string }[] = JSON.parse(
+      await text('malformed.json'),
+    )
+    expect(files.length).toBeGreaterThan(15)
+    for (const { name, text, base64, line } of files) {
+      const content = base64 === undefined ? bytes(text ?? '') : new Uint8Array(Buffer.from(base64, 'base64'))
+      expect(await refusal(content, [['file', name]]), name).toBe(line)
+    }
+  })
+
+  it('an old workbook, which the command reads', async () => {
+    const old = new Uint8Array([0xd0, 0xcf, 0x11, 0xe0, 0xa1, 0xb1, 0x1a, 0xe1, 0, 0])
+    const line = 'a.xls: an old workbook (XLS); save it as XLSX or CSV and give that'
+    expect(await refusal(old, [['file', 'a.xls']])).toBe(line)
   })
 
   it('both length and gravity: g/L is all that a motion holds', async () => {
@@ -125,6 +133,58 @@ describe('refusals are the lines of the command', () => {
   it('a role and a number that are none', async () => {
     expect(await refusal('', [['column', 'colour=red']])).toContain('must be ROLE=NAME')
     expect(await refusal('', [['rate', 'fast']])).toBe('rate = "fast": is not understood')
+  })
+})
+
+describe('story 16: archives and workbooks are read as the table in them', () => {
+  const swing = Array.from({ length: 40 }, (_, i) => [0.1 * i, 1.5 * Math.cos(0.35 * i) * 0.99 ** i] as const)
+  const table = (between: string, point: string) =>
+    [['"Time (s)"', '"Gyroscope x (rad/s)"'], ...swing.map((row) => row.map((x) => x.toFixed(6).replace('.', point)))]
+      .map((row) => row.join(between))
+      .join('\n')
+  const device = '"property","value"\n"version","1"\n'
+
+  it.each([
+    [',', '.'],
+    [';', ','],
+    ['\t', '.'],
+  ])('phyphox, columns by %j and decimals by %j', async (between, point) => {
+    const fits = await FitModule.start(module)
+    const stated: Statements = [['file', 'a.zip']]
+    const { understood, ...alone } = fits.read(bytes(table(between, point)), stated)
+    const packed = archive({ 'Gyroscope.csv': table(between, point), 'meta/device.csv': device })
+    expect(fits.read(packed, stated)).toEqual({ understood, ...alone })
+    expect(alone.measured).toBe('velocity')
+    expect(alone.y).toEqual(swing.map(([, velocity]) => Number(velocity.toFixed(6))))
+    // Of two files that with the better quantity.
+    const two = { 'Accelerometer.csv': 'Time (s),Linear Acceleration x (m/s^2)\n0,1\n1,2\n2,1\n' }
+    const read = fits.read(archive({ ...two, 'Gyroscope.csv': table(between, point) }), stated)
+    expect(read.understood[0]).toBe('Of the files, Gyroscope.csv is read.')
+    expect(read.y).toEqual(alone.y)
+  })
+
+  it('a workbook', async () => {
+    const fits = await FitModule.start(module)
+    const cell = (place: string, value: number) => `<c r="${place}"><v>${value}</v></c>`
+    const rows = swing.map(
+      ([t, angle], i) => `<row r="${i + 2}">${cell(`A${i + 2}`, t)}${cell(`B${i + 2}`, angle)}</row>`,
+    )
+    const text = (place: string, is: string) => `<c r="${place}" t="inlineStr"><is><t>${is}</t></is></c>`
+    const head = `<row r="1">${text('A1', 't (s)')}${text('B1', 'theta (rad)')}</row>`
+    const sheet = `<worksheet><sheetData>${head}${rows.join('')}</sheetData></worksheet>`
+    const { measured, y } = fits.read(
+      archive({ 'xl/workbook.xml': '<workbook/>', 'xl/worksheets/sheet1.xml': sheet }),
+      [['file', 'a.xlsx']],
+    )
+    expect(measured).toBe('angle')
+    expect(y).toEqual(swing.map(([, angle]) => angle))
+  })
+
+  it('a spoiled byte is found', async () => {
+    const fits = await FitModule.start(module)
+    const packed = archive({ 'Gyroscope.csv': table(',', '.') })
+    packed[packed.length - 100] = (packed[packed.length - 100] as number) ^ 1
+    expect(() => fits.read(packed, [['file', 'a.zip']])).toThrow('a.zip: a ZIP archive that cannot be unpacked: ')
   })
 })
 

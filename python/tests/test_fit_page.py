@@ -1,9 +1,10 @@
 """The record of the lab's test of its fit: what the command line gives for it is what lab/tests/fit.test.ts holds the page to.
 
 The JSON beside the record is what `libration fit record-70deg.csv --length 0.800±0.001 --json` printed. Both sides are compared
-with it to 1e-12, so they agree with each other.
+with it to 1e-12, so they agree with each other. So it is with the malformed files and their lines.
 """
 
+import base64
 import json
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import pytest
 
 import libration
+from libration.cli import main
 
 RECORD = Path(__file__).parents[2] / "lab/tests/record-70deg.csv"
 KEYS = (
@@ -55,3 +57,20 @@ def test_a_record_with_another_time_does_not(tmp_path: Path) -> None:
     spoiled.write_text(RECORD.read_text(encoding="utf-8").replace("0.1,", "0.1001,", 1), encoding="utf-8")
     wanted = json.loads(RECORD.with_suffix(".json").read_text(encoding="utf-8"))
     assert difference(libration.fit(spoiled, length=(0.8, 0.001)).to_dict()["g"], wanted["g"]) > 1e-9
+
+
+MALFORMED = json.loads(RECORD.with_name("malformed.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("file", MALFORMED, ids=lambda file: str(file["name"]))
+def test_malformed_files_have_the_line_of_the_page(
+    file: dict[str, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    content = base64.b64decode(file["base64"]) if "base64" in file else file["text"].encode()
+    Path(file["name"]).write_bytes(content)
+    assert main(["fit", file["name"]]) == 2
+    assert capsys.readouterr().err == f"libration fit: {file['line']}\n"

@@ -7,7 +7,7 @@ use super::branch::{Branch, since};
 use super::integrator::ASKED_EVERY;
 use super::segment::Segment;
 use super::trajectory::Trajectory;
-use super::variational::{ColumnJet, Columns, PARAMETERS, SiFactors};
+use super::variational::{ColumnJet, Columns, LANE, LANES, PARAMETERS, SiFactors};
 use crate::domain::Domain;
 use std::sync::Arc;
 
@@ -45,6 +45,8 @@ pub struct DampedSensitivity {
     starts: [Vec<Columns>; 2],
     factors: [SiFactors; 2],
     interval: (f64, f64),
+    /// Of the columns that are known: a lane holds four.
+    lanes: usize,
 }
 
 /// The series of the segment that was asked for last, and its branch and number.
@@ -68,12 +70,29 @@ impl DampedSensitivity {
         DampedSensitivity::new_unless(trajectory, &|| false)
     }
 
+    /// [`DampedSensitivity::new`] of the first `parameters` of [`PARAMETERS`], each bit for bit as among all; the others mean nothing.
+    /// Four, or eight, take a third, or two thirds, of the operations: a fit without a torque needs no others.
+    ///
+    /// # Errors
+    /// As for [`DampedSensitivity::new`].
+    pub fn first(trajectory: &Trajectory, parameters: usize) -> Result<DampedSensitivity, Domain> {
+        DampedSensitivity::of_lanes(trajectory, parameters.div_ceil(LANE), &|| false)
+    }
+
     /// [`DampedSensitivity::new`], where `ended` is asked now and then: once it is true, the derivatives mean nothing.
     ///
     /// # Errors
     /// As for [`DampedSensitivity::new`].
     pub fn new_unless(
         trajectory: &Trajectory,
+        ended: &dyn Fn() -> bool,
+    ) -> Result<DampedSensitivity, Domain> {
+        DampedSensitivity::of_lanes(trajectory, LANES, ended)
+    }
+
+    fn of_lanes(
+        trajectory: &Trajectory,
+        lanes: usize,
         ended: &dyn Fn() -> bool,
     ) -> Result<DampedSensitivity, Domain> {
         let (start, stop) = trajectory.interval();
@@ -84,9 +103,9 @@ impl DampedSensitivity {
                 (_, Some(refused)) => return Err(refused),
             },
         };
-        let starts = [0, 1].map(|i| along(&branches[i], ended));
+        let starts = [0, 1].map(|i| along(&branches[i], lanes, ended));
         let factors = [0, 1].map(|i| SiFactors::new(&branches[i].equation));
-        Ok(DampedSensitivity { branches, starts, factors, interval: (start, stop) })
+        Ok(DampedSensitivity { branches, starts, factors, interval: (start, stop), lanes })
     }
 
     /// The derivatives at t (in s).
@@ -138,10 +157,10 @@ impl DampedSensitivity {
             [start.theta, start.velocity]
         } else {
             if last.of != Some((side, number)) {
-                last.jet.fill(equation, segment, start);
+                last.jet.fill(self.lanes, equation, segment, start);
                 last.of = Some((side, number));
             }
-            last.jet.motion(since(segment, time))
+            last.jet.motion(self.lanes, since(segment, time))
         };
         let [theta, velocity] = self.factors[side].of(motion);
         DampedJacobian { theta, velocity }
@@ -149,7 +168,7 @@ impl DampedSensitivity {
 }
 
 /// The derivatives at the start of every segment.
-fn along(Branch { equation, segments }: &Branch, ended: &dyn Fn() -> bool) -> Vec<Columns> {
+fn along(Branch { equation, segments }: &Branch, lanes: usize, ended: &dyn Fn() -> bool) -> Vec<Columns> {
     let mut starts: Vec<Columns> = Vec::with_capacity(segments.len());
     let mut now = Columns::start(equation);
     let mut jet = ColumnJet::ZERO;
@@ -164,8 +183,8 @@ fn along(Branch { equation, segments }: &Branch, ended: &dyn Fn() -> bool) -> Ve
         }
         starts.push(now);
         if segment.side != 0.0 && !gave_up {
-            jet.fill(equation, segment, &now);
-            now = jet.at(segment.length);
+            jet.fill(lanes, equation, segment, &now);
+            now = jet.at(lanes, segment.length);
         }
     }
     starts

@@ -13,6 +13,7 @@ mod integrator;
 mod jet;
 mod jet_sum;
 mod lazy_trajectory;
+mod motion_series;
 mod roots;
 mod segment;
 mod taylor;

@@ -63,8 +63,8 @@ pub(super) fn number<L: Lane>(value: Unnormalised<L>) -> Dd {
 /// Sine and cosine put back on the circle after a step: their errors along it are those of the step.
 #[inline(always)]
 pub(super) fn on_circle<L: Lane>(s: &mut Unnormalised<L>, c: &mut Unnormalised<L>) {
-    let (first, first_error) = s.hi.two_product(s.hi);
-    let (second, second_error) = c.hi.two_product(c.hi);
+    let (first, first_error) = s.hi.two_product_in_range(s.hi);
+    let (second, second_error) = c.hi.two_product_in_range(c.hi);
     let cross = s.hi.mul_add(s.lo, c.hi * c.lo);
     // The larger square is above 0.49: so 1 is taken from it exactly, and the rest is as small as the excess.
     let swapped = first.less(second);

@@ -11,8 +11,9 @@
 
 use super::equation::Equation;
 use super::jet::Piece;
+use super::motion_series::{LAST, MotionSeries, Short};
 use super::segment::{Event, Segment};
-use super::taylor::{INVERSE, ORDER, Series, places};
+use super::taylor::INVERSE;
 use crate::float::Dd;
 use crate::lanes::{Kernel, Lane, four};
 
@@ -33,8 +34,10 @@ const PHASE: usize = 10;
 
 /// The columns, and one that is not used: lanes come in fours.
 pub(super) const WIDTH: usize = 12;
+/// Columns of a lane.
+pub(super) const LANE: usize = 4;
 /// How many lanes hold a row.
-const LANES: usize = WIDTH / 4;
+pub(super) const LANES: usize = WIDTH / LANE;
 
 type Row = [f64; WIDTH];
 
@@ -48,10 +51,10 @@ pub(super) struct Columns {
 
 /// Their Taylor coefficients.
 pub(super) struct ColumnJet {
-    theta: [Row; ORDER + 1],
-    velocity: [Row; ORDER + 1],
+    theta: [Row; LAST + 1],
+    velocity: [Row; LAST + 1],
     /// Zero where presliding does not act, as `slips` says.
-    slip: [Row; ORDER + 1],
+    slip: [Row; LAST + 1],
     slips: bool,
 }
 
@@ -121,19 +124,29 @@ impl SiFactors {
 
 impl ColumnJet {
     pub const ZERO: ColumnJet = ColumnJet {
-        theta: [[0.0; WIDTH]; ORDER + 1],
-        velocity: [[0.0; WIDTH]; ORDER + 1],
-        slip: [[0.0; WIDTH]; ORDER + 1],
+        theta: [[0.0; WIDTH]; LAST + 1],
+        velocity: [[0.0; WIDTH]; LAST + 1],
+        slip: [[0.0; WIDTH]; LAST + 1],
         slips: false,
     };
 
-    /// On a segment that moves, from its start.
-    pub fn fill(&mut self, equation: &Equation, segment: &Segment, start: &Columns) {
+    /// On a segment that moves, from its start: the columns of so many lanes. The others keep what they were.
+    pub fn fill(&mut self, lanes: usize, equation: &Equation, segment: &Segment, start: &Columns) {
+        let settled = equation.presliding == 0.0 || segment.slip == 0.0;
+        match lanes {
+            1 if equation.quadratic == 0.0 && settled => self.filled::<1>(equation, segment, start),
+            1 | 2 => self.filled::<2>(equation, segment, start),
+            _ => self.filled::<LANES>(equation, segment, start),
+        }
+    }
+
+    fn filled<const N: usize>(&mut self, equation: &Equation, segment: &Segment, start: &Columns) {
         let settled = equation.presliding == 0.0 || segment.slip == 0.0;
         let piece = equation.piece_of(segment.side, settled);
-        let sinusoid = sinusoids(equation, segment.start);
+        // Of the last lane alone.
+        let sinusoid = if N == LANES { sinusoids(equation, segment.start) } else { [[0.0; LAST]; 3] };
         let signs = equation.sense * segment.side;
-        four(ColumnRecurrence {
+        four(ColumnRecurrence::<N> {
             jet: self,
             piece: &piece,
             presliding: equation.presliding,
@@ -146,41 +159,50 @@ impl ColumnJet {
     }
 
     /// The derivatives a time since the start.
-    pub fn at(&self, since: f64) -> Columns {
-        let [theta, velocity] = self.motion(since);
-        let slip = if self.slips { four(ColumnSum { rows: [&self.slip], since })[0] } else { self.slip[0] };
+    pub fn at(&self, lanes: usize, since: f64) -> Columns {
+        let [theta, velocity] = self.motion(lanes, since);
+        let slip = if self.slips { sums(lanes, [&self.slip], since)[0] } else { self.slip[0] };
         Columns { theta, velocity, slip }
     }
 
     /// Those of angle and velocity.
-    pub fn motion(&self, since: f64) -> [Row; 2] {
-        four(ColumnSum { rows: [&self.theta, &self.velocity], since })
+    pub fn motion(&self, lanes: usize, since: f64) -> [Row; 2] {
+        sums(lanes, [&self.theta, &self.velocity], since)
+    }
+}
+
+fn sums<const ROWS: usize>(lanes: usize, rows: [&[Row; LAST + 1]; ROWS], since: f64) -> [Row; ROWS] {
+    match lanes {
+        1 => four(ColumnSum::<1, ROWS> { rows, since }),
+        2 => four(ColumnSum::<2, ROWS> { rows, since }),
+        _ => four(ColumnSum::<LANES, ROWS> { rows, since }),
     }
 }
 
 /// Coefficients of what the torque changes by with the amplitude, the frequency and the phase of its sinusoid.
-fn sinusoids(equation: &Equation, time: Dd) -> [[f64; ORDER]; 3] {
+fn sinusoids(equation: &Equation, time: Dd) -> [[f64; LAST]; 3] {
     let (sine, cosine) = equation.sinusoid(time);
     let turns = [cosine.value(), -sine.value(), -cosine.value(), sine.value()];
-    let mut all = [[0.0; ORDER]; 3];
+    let mut all = [[0.0; LAST]; 3];
     let mut factor = 1.0;
-    for k in 0..ORDER {
+    for k in 0..LAST {
         all[0][k] = turns[k % 4] * factor;
         // -A sin(phase), whose derivatives are a quarter of a turn ahead of those of the cosine.
         all[2][k] = equation.amplitude * turns[(k + 1) % 4] * factor;
         factor *= equation.frequency * INVERSE[k + 1].hi;
     }
-    for k in 0..ORDER {
+    for k in 0..LAST {
         all[1][k] = time.value() * all[2][k] + if k > 0 { all[2][k - 1] } else { 0.0 };
     }
     all
 }
 
-struct ColumnRecurrence<'a> {
+/// Of the columns of N lanes. One lane is for a motion without drag and presliding.
+struct ColumnRecurrence<'a, const N: usize> {
     jet: &'a mut ColumnJet,
     piece: &'a Piece,
     presliding: f64,
-    sinusoid: &'a [[f64; ORDER]; 3],
+    sinusoid: &'a [[f64; LAST]; 3],
     sense: f64,
     /// Sense times side.
     signs: f64,
@@ -188,67 +210,48 @@ struct ColumnRecurrence<'a> {
     start: &'a Columns,
 }
 
-/// Coefficient k of the product of a series with every column.
+/// Coefficient k of the product of a series with every column, for k = 0, 1, 2, ... in this order. Those of two orders are formed in
+/// one pass, the terms in the same order as in two: what is `begun` for the next order lacks its last row alone, which is not yet known.
 #[inline(always)]
-fn products<L: Lane>(series: &Series, columns: &[Row; ORDER + 1], k: usize) -> [L; LANES] {
-    let mut sums = [L::splat(0.0); LANES];
-    for (factor, row) in series[..=k].iter().rev().zip(&columns[..=k]) {
-        let factor = L::splat(*factor);
-        let mut i = 0;
-        while i < LANES {
-            sums[i] = L::load(&row[4 * i..]).mul_add(factor, sums[i]);
-            i += 1;
-        }
+fn products<L: Lane, const N: usize>(
+    series: &Short,
+    columns: &[Row; LAST + 1],
+    k: usize,
+    begun: &mut [L; N],
+) -> [L; N] {
+    if !k.is_multiple_of(2) {
+        return with::<L, N>(*begun, series[0], &columns[k]);
+    }
+    let mut sums = [L::splat(0.0); N];
+    let mut next = sums;
+    let factors = series[..=k].iter().rev().zip(series[1..=k + 1].iter().rev());
+    for ((factor, after), row) in factors.zip(&columns[..=k]) {
+        sums = with::<L, N>(sums, *factor, row);
+        next = with::<L, N>(next, *after, row);
+    }
+    *begun = next;
+    sums
+}
+
+/// Sums with one more term each.
+#[inline(always)]
+fn with<L: Lane, const N: usize>(mut sums: [L; N], factor: f64, row: &Row) -> [L; N] {
+    let factor = L::splat(factor);
+    let mut i = 0;
+    while i < N {
+        sums[i] = L::load_at(row, LANE * i).mul_add(factor, sums[i]);
+        i += 1;
     }
     sums
 }
 
-/// The series of the motion that the columns are multiplied by.
-struct MotionSeries {
-    v: Series,
-    s: Series,
-    c: Series,
-    u: Series,
-    /// v^2, u v.
-    square: Series,
-    slipping: Series,
-}
-
-impl MotionSeries {
-    #[inline(always)]
-    fn new<L: Lane>(segment: &Segment, slip: f64) -> MotionSeries {
-        let none = [0.0; ORDER + 1];
-        let mut motion = MotionSeries { v: none, s: none, c: none, u: none, square: none, slipping: none };
-        for (k, (v, slope)) in motion.v.iter_mut().zip(&segment.slopes).enumerate() {
-            *v = slope * (k + 1) as f64;
-        }
-        (motion.s[0], motion.c[0], motion.u[0]) = (segment.sine, segment.cosine, segment.slip);
-        let mut factors = [L::splat(0.0); ORDER + 1];
-        let mut k = 0;
-        while k < ORDER {
-            factors[k] = L::load(&[motion.c[k], -motion.s[k], motion.u[k], motion.v[k]]);
-            let mut sum = L::splat(0.0);
-            for (v, factor) in motion.v[..=k].iter().rev().zip(&factors[..=k]) {
-                sum = factor.mul_add(L::splat(*v), sum);
-            }
-            let inverse = INVERSE[k + 1].hi;
-            let [sine, cosine, slipping, square] = places(sum);
-            (motion.s[k + 1], motion.c[k + 1]) = (sine * inverse, cosine * inverse);
-            motion.u[k + 1] = -(slip * slipping * inverse);
-            (motion.slipping[k], motion.square[k]) = (slipping, square);
-            k += 1;
-        }
-        motion
-    }
-}
-
-impl Kernel for ColumnRecurrence<'_> {
+impl<const N: usize> Kernel for ColumnRecurrence<'_, N> {
     type Output = ();
     type Place = ColumnJet;
     #[inline(always)]
     fn run<L: Lane>(self) {
         let ColumnRecurrence { jet, piece, presliding, sinusoid, sense, signs, segment, start } = self;
-        let MotionSeries { v, s, c, u, square, slipping } = MotionSeries::new::<L>(segment, piece.slip);
+        let MotionSeries { v, s, c, u, square, slipping } = MotionSeries::new::<L, N>(segment, piece.slip);
         let ColumnJet { theta, velocity, slip: slips, slips: slides } = jet;
         (theta[0], velocity[0], slips[0]) = (start.theta, start.velocity, start.slip);
         *slides = piece.slip != 0.0;
@@ -256,8 +259,10 @@ impl Kernel for ColumnRecurrence<'_> {
         let (dry, drag) = (L::splat(piece.dry), L::splat(2.0 * piece.quadratic));
         let slip = L::splat(piece.slip);
         let by_presliding = if piece.slip == 0.0 { 0.0 } else { piece.slip / presliding };
+        let (mut pull_begun, mut drag_begun) = ([L::splat(0.0); N], [L::splat(0.0); N]);
+        let (mut own_begun, mut moved_begun) = (pull_begun, pull_begun);
         let mut k = 0;
-        while k < ORDER {
+        while k < LAST {
             let first = if k == 0 { 1.0 } else { 0.0 };
             let mut own = [0.0; WIDTH];
             own[OMEGA2] = -s[k];
@@ -268,38 +273,41 @@ impl Kernel for ColumnRecurrence<'_> {
             own[AMPLITUDE] = sinusoid[0][k];
             own[FREQUENCY] = sinusoid[1][k];
             own[PHASE] = sinusoid[2][k];
-            let mut force = [L::splat(0.0); LANES];
+            let mut force = [L::splat(0.0); N];
             let mut i = 0;
-            while i < LANES {
-                force[i] = L::load(&own[4 * i..]);
+            while i < N {
+                force[i] = L::load_at(&own, LANE * i);
                 i += 1;
             }
-            if piece.quadratic != 0.0 {
-                let dragged = products::<L>(&v, velocity, k);
+            if N > 1 && piece.quadratic != 0.0 {
+                let dragged = products::<L, N>(&v, velocity, k, &mut drag_begun);
                 let mut i = 0;
-                while i < LANES {
+                while i < N {
                     force[i] = force[i] - drag * dragged[i];
                     i += 1;
                 }
             }
             let inverse = L::splat(INVERSE[k + 1].hi);
-            if piece.slip != 0.0 {
-                let (own, moved) = (products::<L>(&v, slips, k), products::<L>(&u, velocity, k));
+            if N > 1 && piece.slip != 0.0 {
+                let (own, moved) = (
+                    products::<L, N>(&v, slips, k, &mut own_begun),
+                    products::<L, N>(&u, velocity, k, &mut moved_begun),
+                );
                 let mut i = 0;
-                while i < LANES {
-                    force[i] = dry.mul_add(L::load(&slips[k][4 * i..]), force[i]);
-                    (-(slip * (own[i] + moved[i]) * inverse)).store(&mut slips[k + 1][4 * i..]);
+                while i < N {
+                    force[i] = dry.mul_add(L::load_at(&slips[k], LANE * i), force[i]);
+                    (-(slip * (own[i] + moved[i]) * inverse)).store_at(&mut slips[k + 1], LANE * i);
                     i += 1;
                 }
                 slips[k + 1][PRESLIDING] += by_presliding * slipping[k] * INVERSE[k + 1].hi;
             }
-            let pull = products::<L>(&c, theta, k);
+            let pull = products::<L, N>(&c, theta, k, &mut pull_begun);
             let mut i = 0;
-            while i < LANES {
-                let now = L::load(&velocity[k][4 * i..]);
+            while i < N {
+                let now = L::load_at(&velocity[k], LANE * i);
                 let rest = force[i] - linear * now;
-                (now * inverse).store(&mut theta[k + 1][4 * i..]);
-                ((rest - omega2 * pull[i]) * inverse).store(&mut velocity[k + 1][4 * i..]);
+                (now * inverse).store_at(&mut theta[k + 1], LANE * i);
+                ((rest - omega2 * pull[i]) * inverse).store_at(&mut velocity[k + 1], LANE * i);
                 i += 1;
             }
             k += 1;
@@ -307,37 +315,37 @@ impl Kernel for ColumnRecurrence<'_> {
     }
 }
 
-struct ColumnSum<'a, const N: usize> {
-    rows: [&'a [Row; ORDER + 1]; N],
+struct ColumnSum<'a, const N: usize, const ROWS: usize> {
+    rows: [&'a [Row; LAST + 1]; ROWS],
     since: f64,
 }
 
-impl<const N: usize> Kernel for ColumnSum<'_, N> {
-    type Output = [Row; N];
+impl<const N: usize, const ROWS: usize> Kernel for ColumnSum<'_, N, ROWS> {
+    type Output = [Row; ROWS];
     type Place = ColumnJet;
     #[inline(always)]
-    fn run<L: Lane>(self) -> [Row; N] {
+    fn run<L: Lane>(self) -> [Row; ROWS] {
         let t = L::splat(self.since);
-        let mut sums = [[L::splat(0.0); LANES]; N];
-        let mut k = ORDER + 1;
+        let mut sums = [[L::splat(0.0); N]; ROWS];
+        let mut k = LAST + 1;
         while k > 0 {
             k -= 1;
             let mut n = 0;
-            while n < N {
+            while n < ROWS {
                 let mut i = 0;
-                while i < LANES {
-                    sums[n][i] = sums[n][i].mul_add(t, L::load(&self.rows[n][k][4 * i..]));
+                while i < N {
+                    sums[n][i] = sums[n][i].mul_add(t, L::load_at(&self.rows[n][k], LANE * i));
                     i += 1;
                 }
                 n += 1;
             }
         }
-        let mut values = [[0.0; WIDTH]; N];
+        let mut values = [[0.0; WIDTH]; ROWS];
         let mut n = 0;
-        while n < N {
+        while n < ROWS {
             let mut i = 0;
-            while i < LANES {
-                sums[n][i].store(&mut values[n][4 * i..]);
+            while i < N {
+                sums[n][i].store_at(&mut values[n], LANE * i);
                 i += 1;
             }
             n += 1;

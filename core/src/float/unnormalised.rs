@@ -49,7 +49,7 @@ impl<L: Lane> Unnormalised<L> {
     }
     #[inline(always)]
     pub fn square(self) -> Self {
-        let (hi, error) = self.hi.two_product(self.hi);
+        let (hi, error) = self.hi.two_product_in_range(self.hi);
         Unnormalised::new(hi, (self.hi + self.hi).mul_add(self.lo, error))
     }
     /// Sum with one that is not larger.
@@ -93,8 +93,8 @@ impl<L: Lane> Unnormalised<L> {
     pub fn inverse_root(self) -> Self {
         let one = L::splat(1.0);
         let first = one / self.hi.sqrt();
-        let (square, error) = first.two_product(first);
-        let (whole, whole_error) = square.two_product(self.hi);
+        let (square, error) = first.two_product_in_range(first);
+        let (whole, whole_error) = square.two_product_in_range(self.hi);
         // What self first^2 lacks of 1: half of that is what the root lacks.
         let rest = (one - whole) - (whole_error + square.mul_add(self.lo, error * self.hi));
         Unnormalised::new(first, first * L::splat(0.5) * rest)
@@ -139,7 +139,7 @@ impl<L: Lane> Mul for Unnormalised<L> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let (hi, error) = self.hi.two_product(other.hi);
+        let (hi, error) = self.hi.two_product_in_range(other.hi);
         Unnormalised::new(hi, self.hi.mul_add(other.lo, self.lo.mul_add(other.hi, error)))
     }
 }

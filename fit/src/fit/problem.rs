@@ -257,7 +257,9 @@ impl<'a> Problem<'a> {
     /// d residual/d value for every free value, a column each, without the loss.
     pub fn derivatives(&self) -> Option<DMatrix<f64>> {
         let (trajectory, _) = self.state.as_ref()?;
-        let sensitivity = DampedSensitivity::new(trajectory).ok()?;
+        // Those of the core come first among the values.
+        let core = self.free.iter().filter(|value| **value <= PRESLIDING).max().map_or(0, |last| last + 1);
+        let sensitivity = DampedSensitivity::first(trajectory, core.max(1)).ok()?;
         let t = &self.samples.t;
         let mut matrix = DMatrix::zeros(t.len(), self.free.len());
         let mut columns = vec![vec![0.0; CHUNK.min(t.len())]; 22];

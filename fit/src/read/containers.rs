@@ -7,16 +7,19 @@ use super::record::{Quantity, Record};
 use super::refusal::{Refusal, listed, plain};
 use super::text;
 use super::workbook::Sheet;
+#[cfg(feature = "xls")]
 use super::workbook_binary;
 use super::workbook_xml;
 
 /// The record in an archive or a workbook.
 pub(super) fn record(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
     if bytes.starts_with(b"PK") {
-        archived(bytes, options)
-    } else {
-        of_sheets(workbook_binary::sheets(bytes)?, options)
+        return archived(bytes, options);
     }
+    #[cfg(feature = "xls")]
+    return of_sheets(workbook_binary::sheets(bytes)?, options);
+    #[cfg(not(feature = "xls"))]
+    Err(Refusal::fault(None, "an old workbook (XLS); save it as XLSX or CSV and give that"))
 }
 
 /// The record in an archive: a workbook, or the one table of phyphox that holds a motion.

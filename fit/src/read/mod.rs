@@ -13,14 +13,12 @@
 //! they are; an archive may unpack to 200 times its size and 1 MB.
 
 mod angle;
-#[cfg(feature = "containers")]
 mod archive;
 mod axes;
 mod circle;
 mod clock;
 mod column;
 mod columns;
-#[cfg(feature = "containers")]
 mod containers;
 mod dialect;
 mod encoding;
@@ -46,11 +44,9 @@ mod track;
 mod tracker_project;
 mod units;
 mod vectors;
-#[cfg(feature = "containers")]
 mod workbook;
-#[cfg(feature = "containers")]
+#[cfg(feature = "xls")]
 mod workbook_binary;
-#[cfg(feature = "containers")]
 mod workbook_xml;
 
 pub use column::{Unread, Values, Wanted, column};
@@ -99,10 +95,7 @@ fn record(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
         return Err(Refusal::fault(None, format!("has {} bytes; at most {LARGEST} are read", bytes.len())));
     }
     if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
-        #[cfg(feature = "containers")]
         return containers::record(bytes, options);
-        #[cfg(not(feature = "containers"))]
-        return Err(Refusal::fault(None, "an archive or a workbook; give a table from it as text"));
     }
     if bytes.starts_with(b"MATLAB 5.0") || bytes.starts_with(b"\x89HDF") || bytes.starts_with(b"PAR1") {
         let reason = "a MATLAB, HDF or Parquet file; load it and hand over its arrays, or save it as CSV";

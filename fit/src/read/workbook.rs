@@ -54,6 +54,7 @@ impl Sheet {
 }
 
 /// A number as text that reads back to the same double.
+#[cfg(feature = "xls")]
 pub(super) fn number(value: f64) -> String {
     if value.is_finite() { format!("{value:?}") } else { String::new() }
 }
