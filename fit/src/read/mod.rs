@@ -2,7 +2,7 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | bytes to text | `text`, `encoding`, `containers`, `archive`, `workbook`, `workbook_xml`, `workbook_binary`, `tracker_project` |
+//! | bytes to text | `text`, `encoding`, `containers`, `others`, `archive`, `workbook`, `workbook_xml`, `workbook_binary`, `tracker_project` |
 //! | text to columns of numbers | `lines`, `dialect`, `numbers`, `header`, `table` |
 //! | what a column is | `heads`, `names`, `units`, `columns`, `groups`, `profile`, `select`, `axes`, `vectors` |
 //! | runs and instants | `runs`, `clock`, `stamps` |
@@ -31,6 +31,7 @@ mod motion;
 mod names;
 mod numbers;
 mod options;
+mod others;
 mod profile;
 mod record;
 mod refusal;
@@ -100,6 +101,9 @@ fn record(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
     if bytes.starts_with(b"MATLAB 5.0") || bytes.starts_with(b"\x89HDF") || bytes.starts_with(b"PAR1") {
         let reason = "a MATLAB, HDF or Parquet file; load it and hand over its arrays, or save it as CSV";
         return Err(Refusal::fault(None, reason));
+    }
+    if let Some(what) = others::named(bytes) {
+        return Err(Refusal::fault(None, what));
     }
     text::record(bytes, options)
 }

@@ -3,7 +3,6 @@
 import csv
 import importlib
 import io
-import json
 from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
@@ -13,13 +12,6 @@ import numpy as np
 Series: TypeAlias = list[tuple[str, np.ndarray]]
 
 INSTALL = "pip install 'libration[files]'"
-# The first bytes of files that are no table, in small letters, and what they are.
-OTHERS = (
-    (b"\x1f\x8b", "packed by gzip; unpack it first"),
-    (b"%pdf", "a PDF; give the file of the raw data"),
-    (b"<!doctype html", "a page of HTML; save the table as CSV"),
-    (b"<html", "a page of HTML; save the table as CSV"),
-)
 # Of a matrix, as many columns at most are series of a record.
 MOST_COLUMNS = 16
 # Fewer values are parameters, no record.
@@ -38,22 +30,7 @@ def as_text(content: bytes) -> bytes:
                 reason = " ".join(str(error).split()) or type(error).__name__
                 raise ValueError(f"{kind} that cannot be read: {reason[:200]}") from error
             return found if isinstance(found, bytes) else table(found)
-    refuse_others(content)
     return content
-
-
-def refuse_others(content: bytes) -> None:
-    """A ValueError of what a reader of tables would misread."""
-    start = content[:1000].lstrip(b"\xef\xbb\xbf \t\r\n").lower()
-    for mark, what in OTHERS:
-        if start.startswith(mark):
-            raise ValueError(f"is {what}")
-    if start[:1] in (b"{", b"["):
-        try:
-            json.loads(content)
-        except ValueError:
-            return
-        raise ValueError("is JSON; write a table of text, or give its times and values to libration.fit in Python")
 
 
 def of_parquet(content: bytes, parquet: Any, compute: Any, text: Any) -> bytes:
