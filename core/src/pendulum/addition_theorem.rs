@@ -182,7 +182,7 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for SharedState<'_, '_
         let omega = Unnormalised::new(L::splat(self.omega), L::splat(0.0));
         let (theta, velocity) = (L::splat(self.theta), L::splat(self.velocity));
         let start = StateOnLanes::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
-        sweep::<L, _, _, _>(&start, [self.dt], &mut self.results)
+        sweep::<L, _, _, _>(&start, [self.dt], &mut self.results, &[])
     }
 }
 
