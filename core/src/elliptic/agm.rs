@@ -30,20 +30,19 @@ pub fn agm(b: Dd) -> Dd {
     (a + b).scale(0.5)
 }
 
-/// agm(1, b) over lanes, of b in [0.7, 1] and 1 - b^2; lambda, from which the nome of 1 - b^2 follows; and sqrt b.
+/// agm(1, b) over lanes, of b in [0.7, 1], sqrt b and 1 - b^2; and lambda, from which the nome of 1 - b^2 follows.
 ///
 /// With t = (1 - sqrt b)/(1 + sqrt b) = 2 lambda, the means after two steps are (1 + sqrt b)^2/4 times 1 +- t^2.
 #[inline(always)]
 pub(crate) fn agm_near<L: Lane>(
-    b: Unnormalised<L>,
+    [b, root]: [Unnormalised<L>; 2],
     one_minus_square: Unnormalised<L>,
-) -> [Unnormalised<L>; 3] {
+) -> [Unnormalised<L>; 2] {
     let one = Unnormalised::from_double(L::splat(1.0));
-    let root = b.root();
     let sum = one.plus_smaller(root);
     let mean = sum.square().scale(L::splat(0.25));
     let t = one_minus_square.over(one.plus_smaller(b) * mean).scale(L::splat(0.25));
-    [mean * agm_of_pair(t.square()), t.scale(L::splat(0.5)), root]
+    [mean * agm_of_pair(t.square()), t.scale(L::splat(0.5))]
 }
 
 /// agm(1 + x, 1 - x) for |x| <= 0.02, to 2^-100.

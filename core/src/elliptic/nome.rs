@@ -10,14 +10,14 @@
 
 use super::agm::agm;
 use super::given::Given;
-use super::nome_lanes::NomeOfParameter;
+use super::nome_lanes::{NomeByComplement, NomeBySeries, NomeOfParameter};
 use super::parameter::Parameter;
 use super::rows::{column_of_parameter, one_of_parameter};
 use crate::float::elementary::horner;
 use crate::float::logarithm::long_ln;
 use crate::float::unnormalised::Unnormalised;
 use crate::float::{Dd, PI, Scaled, elementary};
-use crate::lanes::Lane;
+use crate::lanes::{BLOCK, COMPACT, Classes, Columns, Evaluation, Lane};
 
 /// The nome of 0 <= m <= 1/2, from m and the complementary modulus k'.
 pub(crate) fn small_nome(m: Dd, kc: Dd) -> Dd {
@@ -90,7 +90,22 @@ pub fn nome(parameter: Parameter) -> f64 {
 /// assert_eq!(format!("{:.10} {:.10}", q[0], q[1]), "0.0432139183 0.8169761535");
 /// ```
 pub fn nome_into(given: Given, parameters: &[f64], q: &mut [f64]) {
-    column_of_parameter(&NomeOfParameter, [], (given, parameters), q, careful_nome);
+    if COMPACT {
+        return column_of_parameter(&NomeOfParameter, [], (given, parameters), q, careful_nome);
+    }
+    assert!(parameters.len() == q.len(), "columns of different lengths");
+    let (mut rare, mut codes) = (Classes::<4, 1, 2>::new(), [0.0; BLOCK]);
+    given.blocks(parameters, |parts, rows| {
+        let (q, codes) = (&mut q[rows.clone()], &mut codes[..rows.len()]);
+        Columns::new(parts, [&mut *q, &mut *codes]).of(&NomeBySeries);
+        // The exponential is long, and few ask for it: side by side.
+        rare.only(1, codes, parts, &mut [&mut *q], |_, columns| columns.of(&NomeByComplement));
+        for (value, parameter) in q.iter_mut().zip(&parameters[rows]) {
+            if value.is_nan() {
+                *value = careful_nome([], given.parameter(*parameter));
+            }
+        }
+    });
 }
 
 pub(crate) fn careful_nome([]: [f64; 0], parameter: Parameter) -> f64 {

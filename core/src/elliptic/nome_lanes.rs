@@ -33,50 +33,107 @@ fn beyond<L: Lane>(lambda: L) -> L {
     fourth * horner(&SERIES, fourth)
 }
 
+/// The nome by the series in lambda, where m and mc are in range, else NaN; and the flags of the rows that ask for
+/// [`by_complement`].
+#[inline(always)]
+fn by_series<L: Lane>([m, m_rest, mc, mc_rest]: [L; 4]) -> (L, L::Mask) {
+    let (one, half) = (L::splat(1.0), L::splat(0.5));
+    let (m, mc) = (in_range(m), positive_in_range(mc));
+    let k = mc.sqrt();
+    let root = k.sqrt();
+    // (1 + k')(1 + sqrt k')^2 = (1 + k')((1 + k') + 2 sqrt k') from both roots as doubles; 1/sqrt k' and its inverse by one
+    // division.
+    let (sum, sum_error) = two_sum(one, k);
+    let (second, second_error) = two_sum(sum, root + root);
+    let (product, product_error) = sum.two_product_in_range(second);
+    let both = one / (root * product);
+    let (inverse_root, inverse) = (both * product, both * root);
+    let k_rest = (mc.remainder(k, k) + mc_rest) * (half * inverse_root * inverse_root);
+    let root_rest = (k.remainder(root, root) + k_rest) * (half * inverse_root);
+    let sum_rest = sum_error + k_rest;
+    let second_rest = second_error + (sum_rest + (root_rest + root_rest));
+    let product_rest = sum.mul_add(second_rest, second.mul_add(sum_rest, product_error));
+    let lambda = m * half * inverse;
+    let rest = (m * half).remainder(lambda, product) + m_rest.mul_add(half, -(lambda * product_rest));
+    let near = lambda + rest.mul_add(inverse, lambda * beyond(lambda));
+    let (small, large) = ordered(mc);
+    (near, (small / large).less(L::splat(FAR)))
+}
+
+/// The nome by that of the complement, or 1/2 to the power of something where the flags do not hold.
+#[inline(always)]
+fn by_complement<L: Lane>(far: L::Mask, m: L, mc: L) -> L {
+    let (one, half) = (L::splat(1.0), L::splat(0.5));
+    let (m, (small, large)) = (in_range(m), ordered(positive_in_range(mc)));
+    // The complement is mc or 1/mc, the parameter m or -m/mc.
+    let ratio = m.abs() / large;
+    let k = ratio.sqrt();
+    let sum = one + k;
+    let root = k.sqrt();
+    let lambda = (half * (small / large)) / (sum * (sum + (root + root)));
+    let q = lambda + lambda * beyond(lambda);
+    // Rows that are not far have a number below 1 too.
+    let log = long_ln(Dd::from_double(L::select(far, q, half)));
+    exp(quotient(Dd::splat(PI_SQUARE), log)).value().copysign(m)
+}
+
+/// m where it is not next to 0 and not huge, else NaN.
+#[inline(always)]
+fn in_range<L: Lane>(m: L) -> L {
+    let nan = L::splat(f64::NAN);
+    let m = L::select(L::splat(LEAST).less(m.abs()), m, nan);
+    L::select(m.abs().less(L::splat(1.0 / LEAST)), m, nan)
+}
+
+/// mc where it is not next to 0, else NaN.
+#[inline(always)]
+fn positive_in_range<L: Lane>(mc: L) -> L {
+    L::select(L::splat(LEAST).less(mc), mc, L::splat(f64::NAN))
+}
+
+/// mc and 1, the smaller first.
+#[inline(always)]
+fn ordered<L: Lane>(mc: L) -> (L, L) {
+    let one = L::splat(1.0);
+    let above = one.less(mc);
+    (L::select(above, one, mc), L::select(above, mc, one))
+}
+
 /// The nome of m.hi, m.lo, mc.hi, mc.lo.
 pub(crate) struct NomeOfParameter;
 
 impl Formula<4, 1> for NomeOfParameter {
     type Place = Self;
     #[inline(always)]
-    fn at<L: Lane>(&self, [m, m_rest, mc, mc_rest]: [L; 4]) -> [L; 1] {
-        let (one, half, nan) = (L::splat(1.0), L::splat(0.5), L::splat(f64::NAN));
-        let mc = L::select(L::splat(LEAST).less(mc), mc, nan);
-        let m = L::select(L::splat(LEAST).less(m.abs()), m, nan);
-        let m = L::select(m.abs().less(L::splat(1.0 / LEAST)), m, nan);
-        let k = mc.sqrt();
-        let root = k.sqrt();
-        // (1 + k')(1 + sqrt k')^2 = (1 + k')((1 + k') + 2 sqrt k') from both roots as doubles; 1/sqrt k' and its inverse by one
-        // division.
-        let (sum, sum_error) = two_sum(one, k);
-        let (second, second_error) = two_sum(sum, root + root);
-        let (product, product_error) = sum.two_product_in_range(second);
-        let both = one / (root * product);
-        let (inverse_root, inverse) = (both * product, both * root);
-        let k_rest = (mc.remainder(k, k) + mc_rest) * (half * inverse_root * inverse_root);
-        let root_rest = (k.remainder(root, root) + k_rest) * (half * inverse_root);
-        let sum_rest = sum_error + k_rest;
-        let second_rest = second_error + (sum_rest + (root_rest + root_rest));
-        let product_rest = sum.mul_add(second_rest, second.mul_add(sum_rest, product_error));
-        let lambda = m * half * inverse;
-        let rest = (m * half).remainder(lambda, product) + m_rest.mul_add(half, -(lambda * product_rest));
-        let near = lambda + rest.mul_add(inverse, lambda * beyond(lambda));
-        let small = L::select(one.less(mc), one, mc);
-        let large = L::select(one.less(mc), mc, one);
-        let far = (small / large).less(L::splat(FAR));
+    fn at<L: Lane>(&self, arguments: [L; 4]) -> [L; 1] {
+        let (near, far) = by_series(arguments);
         if !L::any(far) {
             return [near];
         }
-        // The complement is mc or 1/mc, the parameter m or -m/mc.
-        let ratio = m.abs() / large;
-        let k = ratio.sqrt();
-        let sum = one + k;
-        let root = k.sqrt();
-        let lambda = (half * (small / large)) / (sum * (sum + (root + root)));
-        let q = lambda + lambda * beyond(lambda);
-        // Rows that are not far have a number below 1 too.
-        let log = long_ln(Dd::from_double(L::select(far, q, half)));
-        let size = exp(quotient(Dd::splat(PI_SQUARE), log)).value();
-        [L::select(far, size.copysign(m), near)]
+        let [m, _, mc, _] = arguments;
+        [L::select(far, by_complement(far, m, mc), near)]
+    }
+}
+
+/// The same where it is by the series; and 1 where it is not, else 0.
+pub(crate) struct NomeBySeries;
+
+impl Formula<4, 2> for NomeBySeries {
+    type Place = NomeOfParameter;
+    #[inline(always)]
+    fn at<L: Lane>(&self, arguments: [L; 4]) -> [L; 2] {
+        let (near, far) = by_series(arguments);
+        [near, L::select(far, L::splat(1.0), L::splat(0.0))]
+    }
+}
+
+/// The same where it is not.
+pub(crate) struct NomeByComplement;
+
+impl Formula<4, 1> for NomeByComplement {
+    type Place = NomeOfParameter;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [m, _, mc, _]: [L; 4]) -> [L; 1] {
+        [by_complement(L::splat(0.0).equal(L::splat(0.0)), m, mc)]
     }
 }

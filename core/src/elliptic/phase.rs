@@ -135,6 +135,29 @@ impl<L: Lane> Phase<L> {
         (n, f)
     }
 
+    /// [`Phase::count`] with the whole number as one of the same parity, to which 1.5 2^52 is added: the `rounder`, or 1 more where
+    /// the parity is to be the other one.
+    #[inline(always)]
+    pub fn parity(&self, t: L, rounder: f64, end: f64) -> (L, Dd<L>) {
+        let rounder = L::splat(rounder);
+        let (turned, error) = t.two_product_in_range(self.rate.hi);
+        let (sum, rest) = two_sum(turned, self.start.hi);
+        let shifted = sum + rounder;
+        let n = shifted - rounder;
+        let rest = rest + (error + t.mul_add(self.rate.lo, self.start.lo));
+        // Exact as in `count`, also where the whole number was rounded to a neighbour.
+        let f = Dd::ordered_sum(sum - n, rest);
+        let far = L::splat(NEAR).less(n.abs());
+        if L::any(far) {
+            let (whole, f_far) = counted_far(n, sum, rest, end);
+            let half = whole * L::splat(0.5);
+            let pairs = half.round();
+            let odd = whole - (pairs + pairs);
+            return (L::select(far, odd + rounder, shifted), Dd::select(far, f_far, f));
+        }
+        (shifted, f)
+    }
+
     /// The reduced phase at t.
     #[inline(always)]
     pub fn reduce(&self, t: L) -> ReducedPhase<L> {
@@ -152,8 +175,9 @@ impl<L: Lane> Phase<L> {
 fn counted_far<L: Lane>(n: L, sum: L, rest: L, end: f64) -> (L, Dd<L>) {
     let carry = ((sum - n) + rest).round();
     let whole = n + carry;
-    // Exact: the part is a whole number of last places of the sum, and at most 1.
-    (whole, within(whole, end, Dd::sum((sum - n) - carry, rest)))
+    // Exact: the part is a whole number of last places of the sum, and at most 1. The rest is less than two of them, so the part is
+    // 0 or its exponent is not the smaller one.
+    (whole, within(whole, end, Dd::ordered_sum((sum - n) - carry, rest)))
 }
 
 /// f where |count| is below the end, else a NaN.

@@ -60,6 +60,13 @@ compiled_once! {
     }
 }
 
+/// Sine of |z| <= pi/4 (a little beyond does no harm), in double.
+#[inline(always)]
+pub fn sine<L: Lane>(z: L) -> L {
+    let square = z * z;
+    (square * z).mul_add(horner(&SINE, square), z)
+}
+
 /// ln 2 as 42 bits (so that small multiples are exact) and the rest.
 const LN_2_HEAD: f64 = 0.6931471805598903;
 const LN_2_TAIL: f64 = 5.497923018708371e-14;

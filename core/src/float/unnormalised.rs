@@ -68,8 +68,37 @@ impl<L: Lane> Unnormalised<L> {
     #[inline(always)]
     pub fn root(self) -> Self {
         let root = self.hi.sqrt();
+        self.near_root(root, L::splat(0.5) / root)
+    }
+    /// Square roots of two numbers likewise, by one division.
+    #[inline(always)]
+    pub fn two_roots(self, other: Self) -> [Self; 2] {
+        let (first, second) = (self.hi.sqrt(), other.hi.sqrt());
+        let inverse = L::splat(0.5) / (first * second);
+        [self.near_root(first, inverse * second), other.near_root(second, inverse * first)]
+    }
+    /// Square root, and the root of that, by one division.
+    #[inline(always)]
+    pub fn root_and_fourth(self) -> [Self; 2] {
+        let first = self.hi.sqrt();
+        let second = first.sqrt();
+        let inverse = L::splat(1.0) / second;
+        let half = L::splat(0.5) * inverse;
+        let root = self.near_root(first, half * inverse);
+        [root, root.near_root(second, half)]
+    }
+    /// Square root from its high word and half the inverse of that.
+    #[inline(always)]
+    fn near_root(self, root: L, half_inverse: L) -> Self {
         let rest = self.hi.remainder(root, root) + self.lo;
-        Unnormalised::new(root, rest * (L::splat(0.5) / root))
+        Unnormalised::new(root, rest * half_inverse)
+    }
+    /// Root and inverse, by one division.
+    #[inline(always)]
+    pub fn root_and_inverse(self) -> [Self; 2] {
+        let inverse = self.inverse();
+        let root = self.hi.sqrt();
+        [self.near_root(root, L::splat(0.5) * root * inverse.hi), inverse]
     }
     /// Quotient.
     #[inline(always)]

@@ -43,21 +43,29 @@ impl<const A: usize, const R: usize, const COUNT: usize> Classes<A, R, COUNT> {
             return fill(codes[0] as usize, Columns::new(arguments, results));
         }
         for class in 0..COUNT {
-            let code = class as f64;
-            let count =
-                wide(Members { codes, code, moved: Gathering { arguments, members: &mut self.arguments } });
-            if count == 0 {
-                continue;
-            }
-            let members = self.arguments.each_ref().map(|column| &column[..count]);
-            let sorted = self.results.each_mut().map(|column| &mut column[..count]);
-            fill(class, Columns::new(members, sorted));
-            wide(Members {
-                codes,
-                code,
-                moved: Scattering { members: &self.results, results: &mut results },
-            });
+            self.only(class, codes, arguments, &mut results, &fill);
         }
+    }
+
+    /// Has `fill` fill the columns of one class, if it occurs; the other rows keep their results.
+    pub fn only(
+        &mut self,
+        class: usize,
+        codes: &[f64],
+        arguments: [&[f64]; A],
+        results: &mut [&mut [f64]; R],
+        fill: impl Fn(usize, Columns<A, R>),
+    ) {
+        let code = class as f64;
+        let count =
+            wide(Members { codes, code, moved: Gathering { arguments, members: &mut self.arguments } });
+        if count == 0 {
+            return;
+        }
+        let members = self.arguments.each_ref().map(|column| &column[..count]);
+        let sorted = self.results.each_mut().map(|column| &mut column[..count]);
+        fill(class, Columns::new(members, sorted));
+        wide(Members { codes, code, moved: Scattering { members: &self.results, results } });
     }
 }
 
@@ -228,7 +236,7 @@ mod tests {
                         [&arguments],
                         [&mut results],
                         |class, columns| {
-                            let Columns { arguments: [from], results: [to] } = columns;
+                            let Columns { arguments: [from], results: [to], .. } = columns;
                             Columns::new([from], [&mut *to]).of(&Tenfold);
                             to.iter_mut().for_each(|value| *value += class as f64);
                         },

@@ -4,6 +4,7 @@
 //! [`Evaluation`]; so a formula is compiled once for every lane type, whatever chooses it.
 
 use super::dispatch::{single, wide};
+use super::host;
 use super::instruction_set::InstructionSet;
 use super::lane::{COMPACT, Kernel, Lane, WIDEST};
 
@@ -13,16 +14,41 @@ pub trait Formula<const A: usize, const N: usize> {
     type Place;
     /// Whether WebAssembly evaluates columns of it on vectors: [`Kernel::VECTORS`].
     const VECTORS: bool = false;
+    /// Whether columns of it are evaluated in two steps, a block of rows each: where the chain of one row is so long that a
+    /// processor cannot begin the next ones. Then `at` is the second step of the first.
+    const STEPS: bool = false;
     /// The results at one lane of each argument; `#[inline(always)]`.
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N];
+    /// The first step: what the second one needs; `#[inline(always)]`.
+    #[inline(always)]
+    fn begun<L: Lane>(&self, _arguments: [L; A]) -> [L; BETWEEN] {
+        [L::splat(0.0); BETWEEN]
+    }
+    /// The second step; `#[inline(always)]`.
+    #[inline(always)]
+    fn ended<L: Lane>(&self, arguments: [L; A], _between: [L; BETWEEN]) -> [L; N] {
+        self.at(arguments)
+    }
 }
+
+/// How many numbers the first step of a formula leaves to the second.
+pub const BETWEEN: usize = 4;
 
 impl<F: Formula<A, N>, const A: usize, const N: usize> Formula<A, N> for &F {
     type Place = F::Place;
     const VECTORS: bool = F::VECTORS;
+    const STEPS: bool = F::STEPS;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
         (**self).at(arguments)
+    }
+    #[inline(always)]
+    fn begun<L: Lane>(&self, arguments: [L; A]) -> [L; BETWEEN] {
+        (**self).begun(arguments)
+    }
+    #[inline(always)]
+    fn ended<L: Lane>(&self, arguments: [L; A], between: [L; BETWEEN]) -> [L; N] {
+        (**self).ended(arguments, between)
     }
 }
 
@@ -41,6 +67,8 @@ pub struct Once<const A: usize>(pub [f64; A]);
 pub struct Columns<'a, 'b, const A: usize, const R: usize> {
     pub(super) arguments: [&'a [f64]; A],
     pub(super) results: [&'b mut [f64]; R],
+    /// Columns whose rows the memory is asked for meanwhile: what comes next.
+    ahead: &'a [*const f64],
 }
 
 /// The evaluation with the first two results exchanged.
@@ -53,7 +81,17 @@ impl<'a, 'b, const A: usize, const R: usize> Columns<'a, 'b, A, R> {
         let fits = arguments.iter().all(|argument| argument.len() == rows)
             && results.iter().all(|result| result.len() == rows);
         assert!(fits, "columns of different lengths");
-        Columns { arguments, results }
+        Columns { arguments, results, ahead: &[] }
+    }
+
+    /// How many rows.
+    pub fn rows(&self) -> usize {
+        self.arguments[0].len()
+    }
+
+    /// The same, and the memory is asked for as many rows of these columns meanwhile. Nothing is read, so they may be anything.
+    pub fn asking(self, ahead: &'a [*const f64]) -> Self {
+        Columns { ahead, ..self }
     }
 
     /// The same value in every row.
@@ -89,7 +127,8 @@ impl<const A: usize, const N: usize, const R: usize> Evaluation<A, N> for Column
             }
             return;
         }
-        wide(Rows::<F, A, N, R> { formula, arguments: self.arguments, results: &mut self.results })
+        let Columns { arguments, results, ahead } = &mut self;
+        wide(Rows::<F, A, N, R> { formula, arguments: *arguments, results, ahead })
     }
 }
 
@@ -106,13 +145,26 @@ struct Swapped<'a, F>(&'a F);
 impl<const A: usize, const N: usize, F: Formula<A, N>> Formula<A, N> for Swapped<'_, F> {
     type Place = F::Place;
     const VECTORS: bool = F::VECTORS;
+    const STEPS: bool = F::STEPS;
     #[inline(always)]
     fn at<L: Lane>(&self, arguments: [L; A]) -> [L; N] {
-        let results = self.0.at(arguments);
-        let mut swapped = results;
-        (swapped[0], swapped[1]) = (results[1], results[0]);
-        swapped
+        swapped(self.0.at(arguments))
     }
+    #[inline(always)]
+    fn begun<L: Lane>(&self, arguments: [L; A]) -> [L; BETWEEN] {
+        self.0.begun(arguments)
+    }
+    #[inline(always)]
+    fn ended<L: Lane>(&self, arguments: [L; A], between: [L; BETWEEN]) -> [L; N] {
+        swapped(self.0.ended(arguments, between))
+    }
+}
+
+#[inline(always)]
+fn swapped<L: Lane, const N: usize>(results: [L; N]) -> [L; N] {
+    let mut swapped = results;
+    (swapped[0], swapped[1]) = (results[1], results[0]);
+    swapped
 }
 
 /// The kernel of one point: no loop, no memory.
@@ -148,6 +200,7 @@ struct Rows<'s, 'a, 'b, F, const A: usize, const N: usize, const R: usize> {
     formula: &'s F,
     arguments: [&'a [f64]; A],
     results: &'s mut [&'b mut [f64]; R],
+    ahead: &'s [*const f64],
 }
 
 impl<F: Formula<A, N>, const A: usize, const N: usize, const R: usize> Kernel
@@ -158,7 +211,11 @@ impl<F: Formula<A, N>, const A: usize, const N: usize, const R: usize> Kernel
     const VECTORS: bool = F::VECTORS;
     #[inline(always)]
     fn run<L: Lane>(self) {
-        sweep::<L, A, N, R>(&self.formula, self.arguments, self.results)
+        if F::STEPS {
+            sweep_in_steps::<L, F, A, N, R>(self.formula, self.arguments, self.results)
+        } else {
+            sweep::<L, A, N, R>(&self.formula, self.arguments, self.results, self.ahead)
+        }
     }
 }
 
@@ -182,35 +239,123 @@ pub fn sweep<L: Lane, const A: usize, const N: usize, const R: usize>(
     sampler: &impl Sampler<L, A, N>,
     arguments: [&[f64]; A],
     results: &mut [&mut [f64]; R],
+    ahead: &[*const f64],
 ) {
     // No closures: they are compiled without the instruction set. The sampler is long and is called in one place only.
     let rows = arguments[0].len();
-    let mut padded = [0.0; WIDEST];
-    let mut lanes = [L::splat(0.0); A];
     let mut at = 0;
     while at < rows {
-        let rest = rows - at;
         let mut i = 0;
-        while i < A {
-            lanes[i] = if rest >= L::WIDTH {
-                L::load(&arguments[i][at..])
-            } else {
-                padded[..rest].copy_from_slice(&arguments[i][at..]);
-                L::load(&padded)
-            };
+        while i < ahead.len() {
+            prefetch_rows::<L>(ahead[i], at);
             i += 1;
         }
-        let values = sampler.at(lanes);
-        let mut i = 0;
-        while i < R {
-            if rest >= L::WIDTH {
-                values[i].store(&mut results[i][at..]);
-            } else {
-                values[i].store(&mut padded);
-                results[i][at..].copy_from_slice(&padded[..rest]);
-            }
-            i += 1;
-        }
+        store_rows(results, at, sampler.at(load_rows(arguments, at)));
         at += L::WIDTH;
+    }
+}
+
+/// Rows that [`sweep_in_steps`] begins before it ends them, which stay in the nearest cache: whole lanes.
+const ROWS_OF_A_STEP: usize = 128;
+
+/// [`sweep`] of a formula in two steps: each is a chain so short that a processor works on several lanes at once.
+#[inline(always)]
+fn sweep_in_steps<L: Lane, F: Formula<A, N>, const A: usize, const N: usize, const R: usize>(
+    formula: &F,
+    arguments: [&[f64]; A],
+    results: &mut [&mut [f64]; R],
+) {
+    let rows = arguments[0].len();
+    let mut block = [[0.0; ROWS_OF_A_STEP]; BETWEEN];
+    let mut from = 0;
+    while from < rows {
+        let to = if rows - from < ROWS_OF_A_STEP { rows } else { from + ROWS_OF_A_STEP };
+        let mut at = from;
+        while at < to {
+            // The same rows of the next block: this step needs no results, and the other no new arguments, so that the memory has
+            // the time of a step.
+            let mut i = 0;
+            while i < R {
+                prefetch_rows::<L>(results[i].as_ptr(), at + ROWS_OF_A_STEP);
+                i += 1;
+            }
+            let between = formula.begun(load_rows::<L, A>(arguments, at));
+            i = 0;
+            while i < BETWEEN {
+                between[i].store(&mut block[i][at - from..]);
+                i += 1;
+            }
+            at += L::WIDTH;
+        }
+        at = from;
+        while at < to {
+            let mut i = 0;
+            while i < A {
+                prefetch_rows::<L>(arguments[i].as_ptr(), at + ROWS_OF_A_STEP);
+                i += 1;
+            }
+            let mut between = [L::splat(0.0); BETWEEN];
+            i = 0;
+            while i < BETWEEN {
+                between[i] = L::load(&block[i][at - from..]);
+                i += 1;
+            }
+            store_rows(results, at, formula.ended(load_rows(arguments, at), between));
+            at += L::WIDTH;
+        }
+        from = to;
+    }
+}
+
+/// Asks the memory for the rows of a lane in a column, wherever it ends: it may go on in the next call.
+#[inline(always)]
+fn prefetch_rows<L: Lane>(column: *const f64, at: usize) {
+    let mut line = 0;
+    while line < L::WIDTH {
+        host::prefetch(column.wrapping_add(at + line));
+        line += LINE;
+    }
+}
+
+/// Doubles of a line of a cache.
+const LINE: usize = 8;
+
+/// The arguments of the rows of a lane, those beyond the end 0.
+#[inline(always)]
+fn load_rows<L: Lane, const A: usize>(arguments: [&[f64]; A], at: usize) -> [L; A] {
+    let rest = arguments[0].len() - at;
+    let mut lanes = [L::splat(0.0); A];
+    let mut i = 0;
+    while i < A {
+        lanes[i] = if rest >= L::WIDTH {
+            L::load(&arguments[i][at..])
+        } else {
+            let mut padded = [0.0; WIDEST];
+            padded[..rest].copy_from_slice(&arguments[i][at..]);
+            L::load(&padded)
+        };
+        i += 1;
+    }
+    lanes
+}
+
+/// The first results to the rows of a lane.
+#[inline(always)]
+fn store_rows<L: Lane, const N: usize, const R: usize>(
+    results: &mut [&mut [f64]; R],
+    at: usize,
+    values: [L; N],
+) {
+    let mut i = 0;
+    while i < R {
+        let to = &mut results[i][at..];
+        if to.len() >= L::WIDTH {
+            values[i].store(to);
+        } else {
+            let mut padded = [0.0; WIDEST];
+            values[i].store(&mut padded);
+            to.copy_from_slice(&padded[..to.len()]);
+        }
+        i += 1;
     }
 }

@@ -33,7 +33,7 @@ mod host;
 
 pub(crate) use classes::{BLOCK, Classes, by_class, repeats};
 pub use dispatch::{four, single, wide};
-pub use formula::{Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
+pub use formula::{BETWEEN, Columns, Evaluation, Formula, Once, Sampler, Second, sweep};
 pub use instruction_set::InstructionSet;
 pub(crate) use lane::compiled_once;
 pub use lane::{COMPACT, Kernel, Lane, PIECES, ROUNDER, WIDEST};

@@ -45,6 +45,10 @@ pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
     wide_fused(kernel)
 }
 
+/// Not asked for here.
+#[inline(always)]
+pub fn prefetch(_place: *const f64) {}
+
 vector! {
     /// Two doubles of NEON.
     F64x2 = 2 in float64x2_t, flags in uint64x2_t, of a, b, c;

@@ -89,6 +89,13 @@ pub fn wide_avx512<K: Kernel>(kernel: K) -> K::Output {
     unsafe { K::Place::wide_avx512(kernel) }
 }
 
+/// Asks for the line of the cache at a place, which need not be one.
+#[inline(always)]
+pub fn prefetch(place: *const f64) {
+    // SAFETY: SSE is part of x86-64. Nothing is read, and a place that cannot be is left alone.
+    unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast()) };
+}
+
 vector! {
     /// Eight doubles of AVX-512.
     F64x8 = 8 in __m512d, flags in __mmask8, of a, b, c;
@@ -117,6 +124,10 @@ vector! {
     less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b);
     equal = _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(a, b);
     select = _mm512_mask_blend_pd(a, c, b);
+    alternated = _mm512_castsi512_pd(_mm512_xor_si512(
+        _mm512_castpd_si512(a), _mm512_slli_epi64::<63>(_mm512_castpd_si512(b))));
+    larger = _mm512_max_pd(b, a);
+    smaller = _mm512_min_pd(b, a);
     pack = _mm512_storeu_pd(c, _mm512_maskz_compress_pd(a, b));
     unpack = _mm512_mask_expand_pd(b, a, _mm512_loadu_pd(c));
 }
@@ -147,6 +158,9 @@ vector! {
     less = _mm256_cmp_pd::<_CMP_LT_OQ>(a, b);
     equal = _mm256_cmp_pd::<_CMP_EQ_OQ>(a, b);
     select = _mm256_blendv_pd(c, b, a);
+    alternated = _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_slli_epi64::<63>(_mm256_castpd_si256(b))));
+    larger = _mm256_max_pd(b, a);
+    smaller = _mm256_min_pd(b, a);
 }
 
 /// Entries of a table of sixteen by the last four bits of each integer. By single loads: a gather is no faster, and on many

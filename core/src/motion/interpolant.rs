@@ -166,11 +166,11 @@ impl Monomials {
     /// At t.
     #[inline(always)]
     fn at<L: Lane>(&self, count: usize, t: L) -> Dd<L> {
-        // Odd and even powers separately: two chains of half the length.
         let square = t * t;
         let (mut odd, mut even) = (L::splat(0.0), L::splat(0.0));
         if COMPACT {
-            // The slice would be a call in every row: see Lane::load_at.
+            // Odd and even powers separately: two chains of half the length. The slice would be a call in every row: see
+            // Lane::load_at.
             let mut i = count / 2;
             while i > 0 {
                 i -= 1;
@@ -179,10 +179,21 @@ impl Monomials {
                 even = even.mul_add(square, L::splat(b));
             }
         } else {
-            for [a, b] in self.pairs[..count / 2].iter().rev() {
-                odd = odd.mul_add(square, L::splat(*a));
-                even = even.mul_add(square, L::splat(*b));
+            // Four chains of a quarter of the length: two would wait for their own results. Counts are multiples of four, and the
+            // last power of the last group is none.
+            let fourth = square * square;
+            let (groups, last) = (self.pairs.as_chunks().0, count / 4 - 1);
+            let [[a, b], [c, _]] = groups[last];
+            (odd, even) = (L::splat(a), L::splat(b));
+            let (mut third, mut above) = (L::splat(c), L::splat(0.0));
+            for [[a, b], [c, d]] in groups[..last].iter().rev() {
+                odd = odd.mul_add(fourth, L::splat(*a));
+                even = even.mul_add(fourth, L::splat(*b));
+                third = third.mul_add(fourth, L::splat(*c));
+                above = above.mul_add(fourth, L::splat(*d));
             }
+            odd = third.mul_add(square, odd);
+            even = above.mul_add(square, even);
         }
         let (hi, error) = fast_two_sum(L::splat(self.lead.hi), t * even.mul_add(t, odd));
         Dd::new(hi, error + t.mul_add(L::splat(self.first_rest), L::splat(self.lead.lo)))
@@ -230,7 +241,7 @@ impl Interpolant {
 
     /// t of half periods f, |f| up to about 1/2.
     #[inline(always)]
-    fn mapped<L: Lane>(&self, f: Dd<L>) -> L {
+    pub fn mapped<L: Lane>(&self, f: Dd<L>) -> L {
         let x = f.hi * f.hi;
         let flat = L::splat(1.0 - self.map.moebius);
         if self.map.moebius == 0.0 {
@@ -242,13 +253,25 @@ impl Interpolant {
     /// The first function, |f| up to about 1/2; hi + lo not normalised.
     #[inline(always)]
     pub fn first<L: Lane>(&self, f: Dd<L>) -> Unnormalised<L> {
-        self.first.at(self.map.count, self.mapped(f)).into()
+        self.first_at(self.mapped(f))
     }
 
     /// The second, likewise.
     #[inline(always)]
     pub fn second<L: Lane>(&self, f: Dd<L>) -> Unnormalised<L> {
-        self.second.at(self.map.count, self.mapped(f)).into()
+        self.second_at(self.mapped(f))
+    }
+
+    /// The first function where f is mapped to t.
+    #[inline(always)]
+    pub fn first_at<L: Lane>(&self, t: L) -> Unnormalised<L> {
+        self.first.at(self.map.count, t).into()
+    }
+
+    /// The second, likewise.
+    #[inline(always)]
+    pub fn second_at<L: Lane>(&self, t: L) -> Unnormalised<L> {
+        self.second.at(self.map.count, t).into()
     }
 }
 

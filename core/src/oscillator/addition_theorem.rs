@@ -307,6 +307,6 @@ impl<const PAIR: bool, const HYPERBOLIC: bool> Kernel for SharedStart<'_, '_, PA
             L::splat(p),
             L::splat(q),
         );
-        sweep::<L, _, _, _>(&start, [self.t], &mut self.results)
+        sweep::<L, _, _, _>(&start, [self.t], &mut self.results, &[])
     }
 }

@@ -70,8 +70,7 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
             StateLanes::new(theta, velocity, omega);
         let across = high.root() * sine.scale(parity);
         let (lattices, stretch, k, k_inverse) = if ROTATION {
-            let inverse = one.over(m);
-            let k = m.root();
+            let [k, inverse] = m.root_and_inverse();
             (NevilleThetaLanes::new::<HYPERBOLIC>(inverse, -(mc * inverse)), omega * k, k, k * inverse)
         } else {
             (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one, one)
@@ -183,7 +182,7 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> Kernel for SharedState<'_, '_
         let omega = Unnormalised::new(L::splat(self.omega), L::splat(0.0));
         let (theta, velocity) = (L::splat(self.theta), L::splat(self.velocity));
         let start = StateOnLanes::<L, ROTATION, HYPERBOLIC>::new(theta, velocity, omega);
-        sweep::<L, _, _, _>(&start, [self.dt], &mut self.results)
+        sweep::<L, _, _, _>(&start, [self.dt], &mut self.results, &[])
     }
 }
 

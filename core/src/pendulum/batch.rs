@@ -7,9 +7,11 @@ use super::frequency::Frequency;
 use super::orbit::Orbit;
 use crate::elliptic::phase::alternating;
 use crate::elliptic::theta::neville_lanes::LEAST_COMPLEMENT;
-use crate::float::angle_reduction::{FAR, half_turns};
-use crate::float::elementary::sin_cos;
+use crate::float::PI;
+use crate::float::angle_reduction::FAR;
+use crate::float::elementary::sine;
 use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, Once, repeats, wide};
+use core::cell::Cell;
 
 /// The formula that a row asks for.
 pub(super) mod class {
@@ -41,10 +43,12 @@ impl Formula<3, 1> for Classify {
     #[inline(always)]
     fn at<L: Lane>(&self, [theta, velocity, omega]: [L; 3]) -> [L; 1] {
         let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
-        let (j, rest) = half_turns(theta);
+        // The nearest half turns as `half_turns` counts them; the rest is not 0 but at the bottom itself.
+        let j = (theta * L::splat(core::f64::consts::FRAC_1_PI)).round();
+        let rest = j.mul_add(L::splat(-PI.lo), j.mul_add(L::splat(-PI.hi), theta));
         let x = (velocity / (omega + omega)).abs();
-        let (small, _) = sin_cos(rest.scale(half));
-        let square = small.hi * small.hi;
+        let small = sine(rest * half);
+        let square = small * small;
         let (low, high) = (square, one - square);
         let even = zero.less(alternating(j));
         let m = x.mul_add(x, L::select(even, low, high));
@@ -65,7 +69,7 @@ impl Formula<3, 1> for Classify {
         let found = L::select(x.less(L::splat(LARGE)), found, fallback);
         let found = L::select(L::splat(SMALL).less(omega), found, fallback);
         let found = L::select(omega.less(L::splat(LARGE)), found, fallback);
-        let amplitude = rest.hi.abs() + x;
+        let amplitude = rest.abs() + x;
         let at_rest = amplitude.equal(zero);
         let tiny = L::select(at_rest, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
         let found = L::select(tiny, L::select(at_rest, found, fallback), found);
@@ -105,8 +109,13 @@ pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Op
     evaluated(class as usize, omega_rest, Once([theta, velocity, dt, omega]))
 }
 
-/// Up to a block of rows, by their classes; NaN for the fallback.
-fn block(sorted: &mut Classes<4, 2, { class::COUNT }>, arguments: [&[f64]; 4], results: [&mut [f64]; 2]) {
+/// Up to a block of rows, by their classes; NaN for the fallback. The memory is asked for the columns of the next block meanwhile.
+fn block(
+    sorted: &mut Classes<4, 2, { class::COUNT }>,
+    arguments: [&[f64]; 4],
+    results: [&mut [f64]; 2],
+    next: [*const f64; 6],
+) {
     let rows = arguments[0].len();
     let mut codes = [0.0; BLOCK];
     let [theta, velocity, _, omega] = arguments;
@@ -115,9 +124,14 @@ fn block(sorted: &mut Classes<4, 2, { class::COUNT }>, arguments: [&[f64]; 4], r
     if codes[0] as usize != class::FALLBACK && repeats([codes, theta, velocity, omega]) {
         return from_shared_state(codes[0] as usize, arguments, results);
     }
+    let asked = Cell::new(0);
     sorted.filled(codes, arguments, results, |class, columns| match class {
         class::FALLBACK => columns.fill(f64::NAN),
-        class => _ = evaluated(class, 0.0, columns),
+        class => {
+            let from = asked.replace(asked.get() + columns.rows());
+            let ahead = next.map(|column| column.wrapping_add(from));
+            evaluated(class, 0.0, columns.asking(&ahead));
+        }
     });
 }
 
@@ -135,8 +149,10 @@ pub(super) fn fill(
     let mut from = 0;
     while from < rows {
         let to = rows.min(from + BLOCK);
+        let [a, b, c, d] = arguments.map(|argument| argument.as_ptr());
+        let next = [a, b, c, d, theta.as_ptr(), velocity.as_ptr()].map(|column| column.wrapping_add(to));
         let arguments = arguments.map(|argument| &argument[from..to]);
-        block(&mut sorted, arguments, [&mut theta[from..to], &mut velocity[from..to]]);
+        block(&mut sorted, arguments, [&mut theta[from..to], &mut velocity[from..to]], next);
         from = to;
     }
     for row in 0..rows {

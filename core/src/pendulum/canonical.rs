@@ -5,7 +5,7 @@
 
 use crate::elliptic::phase::{LAST_HALF_PERIOD, alternating};
 use crate::float::Dd;
-use crate::lanes::Lane;
+use crate::lanes::{BETWEEN, Lane};
 
 /// The canonical motion at one time: angle 2 pi turns + 2 sign atan2(opposite, adjacent), and velocity.
 pub(super) struct Canonical<L: Lane> {
@@ -32,9 +32,27 @@ pub(super) trait CanonicalMotion {
     const TURNS: bool;
     /// Whether `opposite` is the angle itself.
     const DIRECT: bool = false;
+    /// Whether its direction is that of the frame: the sign of the frame is in its values.
+    const DIRECTED: bool = false;
     /// At one lane of times, `#[inline(always)]`. What is not asked for, angle or velocity, may be left at any value: the
     /// compiler does not drop it by itself.
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L>;
+    /// Whether it is evaluated in two steps: [`Formula::STEPS`](crate::lanes::Formula::STEPS).
+    const STEPS: bool = false;
+    /// The first step, `#[inline(always)]`.
+    #[inline(always)]
+    fn begun<L: Lane>(&self, _t: L) -> [L; BETWEEN] {
+        [L::splat(0.0); BETWEEN]
+    }
+    /// The second step, of which [`CanonicalMotion::at`] makes use too; `#[inline(always)]`.
+    #[inline(always)]
+    fn ended<const ANGLE: bool, const VELOCITY: bool, L: Lane>(
+        &self,
+        t: L,
+        _between: [L; BETWEEN],
+    ) -> Canonical<L> {
+        self.at::<ANGLE, VELOCITY, L>(t)
+    }
 }
 
 /// Where the count of half periods of a libration, or of turns of a rotation, ends: 2^52 turns are 2^53 half periods.

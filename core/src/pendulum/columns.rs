@@ -153,7 +153,7 @@ impl<const ROTATION: bool, const VELOCITY: bool> Kernel for AtPhases<'_, ROTATIO
             };
             theta.store_at(&mut block.theta, here);
             if VELOCITY {
-                let speed = motion.speed(f);
+                let speed = motion.speed(motion.1.second(f), f);
                 let velocity = if ROTATION { speed } else { speed.alternated(shifted) };
                 let scale = if ROTATION { orbit.velocity_scale } else { orbit.velocity_scale.abs() };
                 (velocity * L::splat(scale)).store_at(&mut block.velocity, here);
@@ -181,7 +181,7 @@ impl Orbit {
         mut velocity: Option<&mut [f64]>,
     ) -> bool {
         let Some(interpolant) = self.polynomials::<ROTATION>(elliptic) else { return false };
-        let motion = &ByInterpolant::<ROTATION>(elliptic, interpolant);
+        let motion = &ByInterpolant::<ROTATION>(elliptic, interpolant, self.frame.side);
         let none = [0.0; ROWS];
         let mut made = Block {
             t: none,
@@ -195,8 +195,7 @@ impl Orbit {
         };
         let block = &mut made;
         let (phase, time_scale) = (elliptic.phase, self.time_scale);
-        // A libration that goes downwards at first is one that goes upwards half a period away.
-        let rounder = if !ROTATION && self.frame.side < 0.0 { ROUNDER + 1.0 } else { ROUNDER };
+        let rounder = motion.rounder();
         let far = NEAR / (phase.rate.hi * time_scale);
         for (i, t) in t.chunks(ROWS).enumerate() {
             let (from, rows) = (i * ROWS, t.len());

@@ -14,7 +14,7 @@ use crate::float::Dd;
 use crate::float::double_double::fast_two_sum;
 use crate::float::elementary::arctangent;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::Lane;
+use crate::lanes::{BETWEEN, Lane, ROUNDER};
 use crate::motion::interpolant::{EvenFunctions, Interpolant, Node, rounded_product, to_ends};
 use crate::motion::pieces::Pieces;
 use std::sync::Arc;
@@ -74,39 +74,59 @@ impl<const ROTATION: bool, const HYPERBOLIC: bool> EvenFunctions for EvenParts<'
     }
 }
 
-/// A libration or a rotation that is not next to the separatrix, by polynomials.
-pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Interpolant);
+/// A libration or a rotation that is not next to the separatrix, by polynomials; with the side of the frame.
+pub(super) struct ByInterpolant<'a, const ROTATION: bool>(pub &'a Elliptic, pub &'a Interpolant, pub f64);
 
 impl<const ROTATION: bool> CanonicalMotion for ByInterpolant<'_, ROTATION> {
     const TURNS: bool = ROTATION;
     const DIRECT: bool = true;
+    const DIRECTED: bool = !ROTATION;
+    const STEPS: bool = true;
     #[inline(always)]
     fn at<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, t: L) -> Canonical<L> {
-        let (n, f) = self.0.phase.spread::<L>().count(t, last_count(ROTATION));
-        self.at_phase::<ANGLE, VELOCITY, L>(n, f)
+        self.ended::<ANGLE, VELOCITY, L>(t, self.begun(t))
+    }
+    #[inline(always)]
+    fn begun<L: Lane>(&self, t: L) -> [L; BETWEEN] {
+        let (phase, end) = (self.0.phase.spread::<L>(), last_count(ROTATION));
+        if ROTATION {
+            let (n, f) = phase.count(t, end);
+            return [n, f.hi, f.lo, self.1.mapped(f)];
+        }
+        let (shifted, f) = phase.parity(t, self.rounder(), end);
+        // The angle is odd about the bottom.
+        [shifted, f.hi.alternated(shifted), f.lo.alternated(shifted), self.1.mapped(f)]
+    }
+    #[inline(always)]
+    fn ended<const ANGLE: bool, const VELOCITY: bool, L: Lane>(
+        &self,
+        _: L,
+        [count, hi, lo, mapped]: [L; BETWEEN],
+    ) -> Canonical<L> {
+        let (f, zero, one) = (Dd::new(hi, lo), L::splat(0.0), L::splat(1.0));
+        let mut motion = Canonical::at_bottom(if ROTATION { count } else { zero }, one);
+        if ANGLE {
+            motion.opposite = angle_of(self.1.first_at(mapped), f);
+        }
+        if VELOCITY {
+            let speed = self.speed(self.1.second_at(mapped), f);
+            motion.velocity = if ROTATION { speed } else { speed.alternated(count) };
+        }
+        motion
     }
 }
 
 impl<const ROTATION: bool> ByInterpolant<'_, ROTATION> {
-    /// The motion at n + f half periods.
+    /// 1.5 2^52, and 1 more where a libration goes downwards at first: it is one that goes upwards half a period away.
     #[inline(always)]
-    fn at_phase<const ANGLE: bool, const VELOCITY: bool, L: Lane>(&self, n: L, f: Dd<L>) -> Canonical<L> {
-        let (turns, sign) = turns_and_sign::<ROTATION, L>(n);
-        let mut motion = Canonical::at_bottom(turns, sign);
-        if ANGLE {
-            motion.opposite = angle_of(self.1.first(f), f);
-        }
-        if VELOCITY {
-            motion.velocity = self.speed(f) * sign;
-        }
-        motion
+    pub fn rounder(&self) -> f64 {
+        if !ROTATION && self.2 < 0.0 { ROUNDER + 1.0 } else { ROUNDER }
     }
 
-    /// The velocity at the rest of the phase, but for its sign.
+    /// The velocity from R and the rest of the phase, but for its sign.
     #[inline(always)]
-    pub fn speed<L: Lane>(&self, f: Dd<L>) -> L {
-        let ByInterpolant(elliptic, interpolant) = self;
-        let r = interpolant.second(f);
+    pub fn speed<L: Lane>(&self, r: Unnormalised<L>, f: Dd<L>) -> L {
+        let ByInterpolant(elliptic, interpolant, _) = self;
         let pole = removed(&elliptic.lattice, interpolant.count());
         if ROTATION && pole.is_none() {
             return r.hi + r.lo;

@@ -9,7 +9,7 @@ use super::orbit::{Orbit, Solution};
 use super::theta_quotients::{ByThetaFunctions, Elliptic};
 use crate::float::elementary::arctangent;
 use crate::float::{Dd, TWO_PI};
-use crate::lanes::{COMPACT, Columns, Evaluation, Formula, Lane, Once, Second};
+use crate::lanes::{BETWEEN, COMPACT, Columns, Evaluation, Formula, Lane, Once, Second};
 
 /// A canonical motion in the frame of an orbit, asked for the angle, the velocity, or both.
 struct InFrame<'a, M, const ANGLE: bool, const VELOCITY: bool>(&'a Orbit, M);
@@ -18,10 +18,22 @@ impl<M: CanonicalMotion, const ANGLE: bool, const VELOCITY: bool> Formula<1, RES
     for InFrame<'_, M, ANGLE, VELOCITY>
 {
     type Place = M;
+    const STEPS: bool = M::STEPS;
     #[inline(always)]
     fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; RESULTS] {
         let InFrame(orbit, motion) = self;
         let canonical = motion.at::<ANGLE, VELOCITY, L>(t * L::splat(orbit.time_scale));
+        orbit.in_frame::<M, ANGLE, L>(t, canonical)
+    }
+    #[inline(always)]
+    fn begun<L: Lane>(&self, [t]: [L; 1]) -> [L; BETWEEN] {
+        let InFrame(orbit, motion) = self;
+        motion.begun(t * L::splat(orbit.time_scale))
+    }
+    #[inline(always)]
+    fn ended<L: Lane>(&self, [t]: [L; 1], between: [L; BETWEEN]) -> [L; RESULTS] {
+        let InFrame(orbit, motion) = self;
+        let canonical = motion.ended::<ANGLE, VELOCITY, L>(t * L::splat(orbit.time_scale), between);
         orbit.in_frame::<M, ANGLE, L>(t, canonical)
     }
 }
@@ -38,14 +50,17 @@ impl Orbit {
         let frame = &orbit.frame;
         // The start is returned as it was given.
         let start = t.equal(L::splat(0.0));
-        let velocity = canonical.velocity * L::splat(orbit.velocity_scale);
+        let velocity_scale = if M::DIRECTED { orbit.velocity_scale.abs() } else { orbit.velocity_scale };
+        let velocity = canonical.velocity * L::splat(velocity_scale);
         let velocity = L::select(start, L::splat(orbit.velocity0), velocity);
         if !ANGLE {
             return [velocity; RESULTS];
         }
         let (side, two) = (L::splat(frame.side), L::splat(2.0));
         let (turns, sign) = (canonical.turns * side, canonical.sign * side);
-        let (turns, local) = if M::DIRECT {
+        let (turns, local) = if M::DIRECTED {
+            (turns, canonical.opposite)
+        } else if M::DIRECT {
             (turns, canonical.opposite.scale(sign))
         } else if frame.half_turn == 0.0 {
             (turns, arctangent(canonical.opposite, canonical.adjacent).scale(sign * two))
@@ -96,7 +111,10 @@ impl Orbit {
         // On a page columns.rs has the motion by polynomials, of single times too.
         let polynomials = if COMPACT { None } else { self.polynomials::<ROTATION>(elliptic) };
         if let Some(interpolant) = polynomials {
-            self.framed::<ANGLE, VELOCITY, _, E>(ByInterpolant::<ROTATION>(elliptic, interpolant), evaluation)
+            self.framed::<ANGLE, VELOCITY, _, E>(
+                ByInterpolant::<ROTATION>(elliptic, interpolant, self.frame.side),
+                evaluation,
+            )
         } else if !COMPACT && let Some(pieces) = self.pieces::<ROTATION>(elliptic) {
             self.framed::<ANGLE, VELOCITY, _, E>(ByPieces::<ROTATION>(elliptic, pieces), evaluation)
         } else if elliptic.lattice.by_hyperbolic() {

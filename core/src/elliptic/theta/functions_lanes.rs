@@ -87,7 +87,7 @@ impl Nome {
                 let ParameterLanes { m, mc, negative, above, .. } = ParameterLanes::new(given, value);
                 let outside = L::select(above, nan, zero);
                 let (b, rest) = if HYPERBOLIC { (m.root(), mc) } else { (mc.root(), m) };
-                let [_, lambda, _] = agm_near(b, rest);
+                let [_, lambda] = agm_near([b, b.root()], rest);
                 let log = if HYPERBOLIC { minus_log_short_nome(lambda).tight() } else { none };
                 NomeLanes { q: short_nome(lambda), log, negative, outside }
             }

@@ -86,9 +86,10 @@ impl<L: Lane> NevilleThetaLanes<L> {
     /// From m and 1 - m >= 1e-200; HYPERBOLIC where m is above 1/2 (a rounding error beyond does no harm).
     #[inline(always)]
     pub fn new<const HYPERBOLIC: bool>(m: Unnormalised<L>, mc: Unnormalised<L>) -> Self {
-        let kc = mc.root();
-        let (b, one_minus_square) = if HYPERBOLIC { (m.root(), mc) } else { (kc, m) };
-        let [mean, lambda, root] = agm_near(b, one_minus_square);
+        let (square, one_minus_square) = if HYPERBOLIC { (m, mc) } else { (mc, m) };
+        let [b, root] = square.root_and_fourth();
+        let kc = if HYPERBOLIC { mc.root() } else { b };
+        let [mean, lambda] = agm_near([b, root], one_minus_square);
         let nome = short_nome(lambda);
         let (frequency, angle) = if HYPERBOLIC {
             let angle = minus_log_short_nome(lambda);
@@ -182,7 +183,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
         let (sn_square, cn_square) = (sn.square(), cn.square());
         let dn_square = cn_square + self.mc * sn_square;
         let unit_square = cn_square + sn_square;
-        let (dn, unit) = (dn_square.root(), unit_square.root());
+        let [dn, unit] = dn_square.two_roots(unit_square);
         Point { sn, cn, dn, unit, cn_square, dn_square, unit_square, folded, angle }
     }
 }
