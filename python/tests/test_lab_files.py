@@ -1,6 +1,6 @@
 """What the lab's tests hold its view Data to is what the command line prints: lab/tests/fits.json and lab/tests/gravity.json.
 
-lab/tests/data.test.ts compares the page with the same two files to 1e-12, so they agree with each other.
+lab/tests/data.test.ts compares the page with the same two files to 1e-12, parts of uncertainties to 1e-11, so they agree with each other.
 """
 
 import json

@@ -92,7 +92,7 @@ test('story 15: an MP4 is avc1 in ftyp isom, and its frames are the core at t = 
 test('story 15: without H.264 the film is WebM, without video a GIF, and the page says so', async ({ browser }) => {
   for (const [refused, format, said] of [
     ['avc1', 'WebM', 'writes no MP4 (H.264): the film is WebM (VP9)'],
-    ['', 'GIF', 'writes no video: the film is a GIF'],
+    ['', 'GIF', 'No video can be written here: the film is a GIF'],
   ] as const) {
     const context = await browser.newContext({ serviceWorkers: 'block' })
     const page = await context.newPage()
