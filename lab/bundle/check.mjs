@@ -13,7 +13,7 @@ const DIST = new URL('../dist/', import.meta.url).pathname
 const FIRST_LOAD = 150_000
 const OFFLINE = 600_000
 /** The module of the reader and the fit, gzipped: what the view Data asks for when it opens. */
-const FIT = 320_000
+const FIT = 340_000
 /** The module of springs and friction, gzipped: what their views ask for when one opens. */
 const MOTIONS = 90_000
 

@@ -108,7 +108,7 @@ test('story 16: one clear question, and the answer to it', async ({ browser }) =
   // Malformed files: the lines of the command.
   for (const [text, line] of [
     ['', 'bad.csv: is empty'],
-    ['PK\u0003\u0004', 'bad.csv: an archive or a workbook; give a table from it as text'],
+    ['PK\u0003\u0004', 'bad.csv: a ZIP archive that cannot be unpacked: Missing end of central directory'],
   ] as const) {
     await give(page, 'bad.csv', text)
     await expect(page.locator('#data-refusal')).toHaveText(line)
