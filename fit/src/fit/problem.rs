@@ -6,8 +6,7 @@ use super::data::Measured;
 pub(super) use super::loss::Loss;
 use super::loss::soft;
 use super::options::Stop;
-use core::cell::Cell;
-use core::f64::consts::PI;
+use core::{cell::Cell, f64::consts::PI};
 use levenberg_marquardt::LeastSquaresProblem;
 use libration::damped::ASKED_EVERY;
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
@@ -258,8 +257,8 @@ impl<'a> Problem<'a> {
     pub fn derivatives(&self) -> Option<DMatrix<f64>> {
         let (trajectory, _) = self.state.as_ref()?;
         // Those of the core come first among the values.
-        let core = self.free.iter().filter(|value| **value <= PRESLIDING).max().map_or(0, |last| last + 1);
-        let sensitivity = DampedSensitivity::first(trajectory, core.max(1)).ok()?;
+        let last = self.free.iter().filter(|value| **value <= PRESLIDING).max().copied();
+        let sensitivity = DampedSensitivity::first(trajectory, last.unwrap_or(THETA) + 1).ok()?;
         let t = &self.samples.t;
         let mut matrix = DMatrix::zeros(t.len(), self.free.len());
         let mut columns = vec![vec![0.0; CHUNK.min(t.len())]; 22];
@@ -293,8 +292,12 @@ impl<'a> Problem<'a> {
                         QUADRATIC | DRY => {
                             scale * (shown[*value][row] + with_linear[value - QUADRATIC] * shown[LINEAR][row])
                         }
-                        PRESLIDING if self.values[PRESLIDING] < PRESLIDING_RANGE.0 => 0.0,
-                        PRESLIDING if self.values[PRESLIDING] > PRESLIDING_RANGE.1 => 0.0,
+                        PRESLIDING
+                            if !(PRESLIDING_RANGE.0..=PRESLIDING_RANGE.1)
+                                .contains(&self.values[PRESLIDING]) =>
+                        {
+                            0.0
+                        }
                         SCALE => {
                             (self.plain()[start + row] + self.samples.y[start + row] - self.values[OFFSET])
                                 / scale
