@@ -256,9 +256,9 @@ impl<'a> Problem<'a> {
     /// d residual/d value for every free value, a column each, without the loss.
     pub fn derivatives(&self) -> Option<DMatrix<f64>> {
         let (trajectory, _) = self.state.as_ref()?;
-        // Those of the core come first among the values.
-        let last = self.free.iter().filter(|value| **value <= PRESLIDING).max().copied();
-        let sensitivity = DampedSensitivity::first(trajectory, last.unwrap_or(THETA) + 1).ok()?;
+        let last_of_core = self.free.iter().filter(|value| **value <= PRESLIDING).max();
+        let sensitivity =
+            DampedSensitivity::first(trajectory, last_of_core.map_or(1, |last| last + 1)).ok()?;
         let t = &self.samples.t;
         let mut matrix = DMatrix::zeros(t.len(), self.free.len());
         let mut columns = vec![vec![0.0; CHUNK.min(t.len())]; 22];
@@ -292,12 +292,8 @@ impl<'a> Problem<'a> {
                         QUADRATIC | DRY => {
                             scale * (shown[*value][row] + with_linear[value - QUADRATIC] * shown[LINEAR][row])
                         }
-                        PRESLIDING
-                            if !(PRESLIDING_RANGE.0..=PRESLIDING_RANGE.1)
-                                .contains(&self.values[PRESLIDING]) =>
-                        {
-                            0.0
-                        }
+                        PRESLIDING if self.values[PRESLIDING] < PRESLIDING_RANGE.0 => 0.0,
+                        PRESLIDING if self.values[PRESLIDING] > PRESLIDING_RANGE.1 => 0.0,
                         SCALE => {
                             (self.plain()[start + row] + self.samples.y[start + row] - self.values[OFFSET])
                                 / scale
