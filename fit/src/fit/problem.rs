@@ -281,9 +281,8 @@ impl<'a> Problem<'a> {
                 Measured::Angle => &columns[..11],
                 Measured::Velocity | Measured::Acceleration => &columns[11..],
             };
-            let with_linear = by_least_linear(&self.values);
+            let (with_linear, scale) = (by_least_linear(&self.values), self.values[SCALE]);
             for (column, value) in self.free.iter().enumerate() {
-                let scale = self.values[SCALE];
                 for row in 0..part.len() {
                     matrix[(start + row, column)] = match *value {
                         OFFSET => 1.0,
