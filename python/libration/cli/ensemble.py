@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from libration.cli.files import Json, strict
@@ -101,20 +101,37 @@ def run(options: EnsembleOptions) -> None:
         raise Refusal("missing --out, such as --out run.zarr; --dry-run works without")
     path = target(options.out)
     memory = bounded(spec, hands)
-    numbers = begun(path, spec, options, hands)
-    if not options.json:
-        print_lines(asked(spec, hands, memory))
-        print(end="", flush=True)
-    start = time.monotonic()
-    complete = done(path, spec, numbers, hands, options)
+    with scheduler(hands) as client:
+        numbers = begun(path, spec, options, hands)
+        if not options.json:
+            print_lines(asked(spec, hands, memory))
+            print(end="", flush=True)
+        start = time.monotonic()
+        complete = done(path, spec, numbers, hands, client, str(options.out))
+        seconds = time.monotonic() - start
     answer: dict[str, Json] = {"out": options.out, "chunks": spec.chunks, "chunks_written": len(numbers)}
-    answer |= {"complete": complete, "seconds": time.monotonic() - start, **sizes(spec), "memory_bytes": memory}
+    answer |= {"complete": complete, "seconds": seconds, **sizes(spec), "memory_bytes": memory}
     if options.json:
         print(strict(answer))
         return
-    words = f"{len(numbers)} of {spec.chunks} chunks in {duration(time.monotonic() - start)}"
+    words = f"{len(numbers)} of {spec.chunks} chunks in {duration(seconds)}"
     rest = "" if complete else f"; {of_chunks(path, spec)} are there, the rest is for the other parts"
     print_lines([("done", words + rest), ("written", options.out)])
+
+
+@contextlib.contextmanager
+def scheduler(hands: Hands) -> Iterator[Any]:
+    """The client of the scheduler that is asked for, if one is."""
+    if hands.scheduler is None:
+        yield None
+        return
+    from libration.ensemble._workers import LostWorker, connected
+
+    try:
+        with connected(hands.scheduler) as client:
+            yield client
+    except LostWorker as error:
+        raise refusal("--scheduler", hands.scheduler, str(error)) from error
 
 
 def who(options: EnsembleOptions) -> Hands:
@@ -234,14 +251,14 @@ def bounded(spec: "Specification", hands: Hands) -> int:
     return memory
 
 
-def done(path: str, spec: "Specification", numbers: list[int], hands: Hands, options: EnsembleOptions) -> bool:
+def done(path: str, spec: "Specification", numbers: list[int], hands: Hands, client: Any, out: str) -> bool:
     """Do the chunks, then join the sums; whether the store is complete."""
     from libration._bar import bar
     from libration.ensemble import _store, _workers
 
     work: Generator[int, None, None]
-    if hands.scheduler is not None:
-        work = _workers.by_scheduler(path, spec, numbers, hands.scheduler)
+    if client is not None:
+        work = _workers.by_scheduler(path, spec, numbers, client)
     elif hands.workers is None:
         work = _workers.by_this_process(path, spec, numbers)
     else:
@@ -256,7 +273,7 @@ def done(path: str, spec: "Specification", numbers: list[int], hands: Hands, opt
         # The workers are gone, and with them who would rename what they began.
         with contextlib.suppress(OSError):
             _store.swept(path, spec, hands.part or (0, 1))
-        reason = ended(error, hands, str(options.out))
+        reason = ended(error, hands, out)
         if reason is None:
             raise
         raise Refusal(f"{reason}; {of_chunks(path, spec)} are done, and --resume goes on") from error

@@ -113,7 +113,7 @@ def specification(text: str) -> Specification:
     times = _times(tables["time"])
     plan = _plan(tables["reduce"], times, omega0) if "reduce" in tables else None
     variables = _variables(tables.get("output", {}), plan)
-    chunk = _chunk(tables.get("output", {}), particles, len(times) if variables else 1)
+    chunk = _chunk(tables.get("output", {}), particles, len(times))
     asked = {
         "title": title,
         "states": bunch_of or {name: _stated(states.get(name), axis) for name, axis in zip(GRID, axes, strict=True)},

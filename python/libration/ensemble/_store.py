@@ -24,7 +24,7 @@ from ._reduce import Sums, histogram_cells, joined, nothing, sums_at, sums_datas
 from ._specification import AT_TIMES, OF_MOTION, Specification
 
 # All-NaN chunks are written too: a chunk that is not there would be computed for ever.
-CONFIG = {"write_empty_chunks": True}
+CONFIG: Any = {"write_empty_chunks": True}
 DIGEST, VERSION, CANONICAL = "libration_spec_sha256", "libration_version", "libration_spec"
 # Chunks whose sums are read at a time.
 WAVE = 1024
@@ -93,8 +93,8 @@ def _arrays(root: Any, spec: Specification) -> None:
         if name != "t":
             # Counts are 0 and the rest NaN until every chunk is there.
             fill = 0 if each.dtype.kind == "i" else np.nan
-            about = {"dimension_names": list(each.dims), "attributes": dict(each.attrs)}
-            made = array(root, name, each.shape, each.shape, each.dtype, fill, config=CONFIG, **about)
+            told: Any = {"dimension_names": list(each.dims), "attributes": dict(each.attrs)}
+            made = array(root, name, each.shape, each.shape, each.dtype, fill, config=CONFIG, **told)
             if name in each.dims:
                 made[...] = each.values
 
@@ -158,7 +158,8 @@ def _array(path: str, _digest: str) -> Any:
     """An array to write to, opened once by a worker; a store of another specification is another array."""
     import zarr
 
-    return zarr.open_array(path, mode="r+", config=CONFIG)
+    # What `open_array` itself is told of it counts for a new array alone.
+    return zarr.open_array(path, mode="r+").with_config(CONFIG)
 
 
 def written(path: str, spec: Specification, number: int) -> int:
@@ -195,12 +196,10 @@ def finished(path: str, spec: Specification) -> bool:
     if missing(path, spec):
         return False
     if spec.plan is not None:
-        import zarr
-
         found = _dataset(spec, _joined(path, spec))
         for name, each in found.variables.items():
             if name not in each.dims:
-                zarr.open_array(f"{path}/{name}", mode="r+", config=CONFIG)[...] = each.values
+                _array(f"{path}/{name}", spec.digest)[...] = each.values
     return True
 
 

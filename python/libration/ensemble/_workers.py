@@ -131,29 +131,41 @@ def _plain(error: Exception) -> Exception:
     return MemoryError() if isinstance(error, MemoryError) else RuntimeError(repr(error))
 
 
-def by_scheduler(path: str, spec: Specification, numbers: Sequence[int], address: str) -> Generator[int, None, None]:
-    """By the workers of a scheduler of Dask."""
+@contextlib.contextmanager
+def connected(address: str) -> Iterator[Any]:
+    """A client of a scheduler of Dask, whose workers have this library, and one thread of it each."""
     import logging
 
     distributed: Any = importlib.import_module("distributed")
-    quiet: Any = logging.getLogger("distributed")
+    quiet = logging.getLogger("distributed")
     level = quiet.level
     quiet.setLevel(logging.CRITICAL)
+    client: Any = None
     try:
-        client: Any = distributed.Client(address, timeout=ANSWER, set_as_default=False)
-    except (OSError, ValueError, TypeError) as error:
-        quiet.setLevel(level)
-        raise LostWorker("no scheduler of Dask answers there") from error
-    futures: set[Any] = set()
-    try:
-        threads = sum(client.nthreads().values())
-        if not threads:
+        try:
+            client = distributed.Client(address, timeout=ANSWER, set_as_default=False)
+        except (OSError, ValueError, TypeError) as error:
+            raise LostWorker("no scheduler of Dask answers there") from error
+        if not client.nthreads():
             raise LostWorker("the scheduler has no workers")
         # A variable of the environment is read when the library is loaded; this sets it for C and Rust.
         client.run(os.putenv, "LIBRATION_NUM_THREADS", "1")
         _same_version(client)
-        left, done = iter(numbers), distributed.as_completed()
-        for number in islice(left, WAITING * threads):
+        yield client
+    finally:
+        if client is not None:
+            with contextlib.suppress(Exception):
+                client.close(timeout=2)
+        quiet.setLevel(level)
+
+
+def by_scheduler(path: str, spec: Specification, numbers: Sequence[int], client: Any) -> Generator[int, None, None]:
+    """By the workers of a scheduler of Dask."""
+    distributed: Any = importlib.import_module("distributed")
+    left, done = iter(numbers), distributed.as_completed(loop=client.loop)
+    futures: set[Any] = set()
+    try:
+        for number in islice(left, WAITING * sum(client.nthreads().values())):
             _submitted(client, done, futures, path, spec, number)
         for future in done:
             futures.discard(future)
@@ -163,13 +175,10 @@ def by_scheduler(path: str, spec: Specification, numbers: Sequence[int], address
                 _submitted(client, done, futures, path, spec, following)
             yield number
     except (distributed.KilledWorker, CancelledError) as error:
-        raise LostWorker("a worker was lost, again and again") from error
+        raise LostWorker("a worker was lost, or the scheduler") from error
     finally:
         with contextlib.suppress(Exception):
             client.cancel(list(futures), force=True)
-        with contextlib.suppress(Exception):
-            client.close(timeout=2)
-        quiet.setLevel(level)
 
 
 def _same_version(client: Any) -> None:
