@@ -41,7 +41,7 @@ BUNCH = "distribution n seed sigma_theta action temperature energy_ratio omega0 
 GRID = "theta0 velocity0 omega0".split()
 SPAN = "from to count".split()
 # If no size is given, values of one variable in a chunk, some MB, and particles.
-VALUES, PARTICLES = 2**19, 2**18
+VALUES, PARTICLES = 2**21, 2**18
 # Values of an axis.
 LONGEST = 10**6
 
