@@ -26,7 +26,7 @@ COMMAND = [sys.executable, "-m", "libration", "ensemble"]
 BEAM = '[states]\ndistribution = "gaussian"\nn = {n}\nseed = 1\nsigma_theta = 0.8\n'
 KILLED = (
     BEAM
-    + "[time]\nfrom = 0\nto = 9\ncount = 10\n[output]\nchunk = 2_500\n[reduce]\nhistogram = {{theta = [-3.2, 3.2, 64]}}\n"
+    + "[time]\nfrom = 0\nto = 9\ncount = 10\n[output]\nchunk = 1_000\n[reduce]\nhistogram = {{theta = [-3.2, 3.2, 64]}}\n"
 )
 KILLED = KILLED.replace("chunk =", 'variables = ["theta", "velocity"]\nchunk =')
 STORED = BEAM + "[time]\nfrom = 0\nto = 9\ncount = 10\n[output]\nvariables = ['theta']\n"
@@ -55,7 +55,7 @@ def started(spec: str, out: Path) -> tuple[subprocess.Popen[bytes], float]:
 
 def kills(folder: Path) -> str:
     """Kills at random moments, each followed by a resumed run."""
-    spec = asked(folder, KILLED, n=1_000_000)
+    spec = asked(folder, KILLED, n=400_000)
     run, begun = started(spec, folder / "straight.zarr")
     assert run.wait() == 0
     whole = time.perf_counter() - begun

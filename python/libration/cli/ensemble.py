@@ -286,7 +286,7 @@ def ended(error: BaseException, hands: Hands, out: str) -> str | None:
     if isinstance(error, LostWorker):
         return f"--scheduler = {hands.scheduler}: {error}" if hands.scheduler else str(error)
     if isinstance(error, MemoryError):
-        return "not enough memory; a smaller [output] chunk is another SPEC, fewer --workers are not"
+        return "not enough memory; give fewer --workers, or begin again with a smaller [output] chunk"
     if isinstance(error, OSError):
         return f"--out = {shown(out)}: cannot be written: {error.strerror or error}"
     return None

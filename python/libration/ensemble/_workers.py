@@ -57,15 +57,13 @@ def by_processes(path: str, spec: Specification, numbers: Sequence[int], workers
                 there.close()
                 pipes[here] = process
         for here in pipes:
-            here.send(next(left))
+            _asked(here, next(left))
         for _ in numbers:
             number, here = _answer(pipes)
             following = next(left, None)
             if following is not None:
-                here.send(following)
+                _asked(here, following)
             yield number
-    except (BrokenPipeError, ConnectionResetError):
-        raise LostWorker("a worker was lost") from None
     finally:
         # What a worker leaves in the middle of a chunk is written again.
         for process in pipes.values():
@@ -73,6 +71,12 @@ def by_processes(path: str, spec: Specification, numbers: Sequence[int], workers
         for here, process in pipes.items():
             process.join()
             here.close()
+
+
+def _asked(here: Any, number: int) -> None:
+    """Gives a worker its next chunk; that it is gone, its pipe tells as the next answer."""
+    with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+        here.send(number)
 
 
 def _answer(pipes: dict[Any, Any]) -> tuple[int, Any]:
