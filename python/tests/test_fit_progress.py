@@ -7,8 +7,7 @@ import time
 import numpy as np
 import pytest
 
-from libration import DampedPendulum, Friction, _core
-from libration.measurement import _progress
+from libration import DampedPendulum, Friction, _bar, _core
 from libration.measurement._known import known_of
 from libration.measurement._progress import STEPS, told_steps
 
@@ -44,8 +43,8 @@ def test_an_error_of_who_is_told_ends_the_fit():
 
 def test_the_bar_is_drawn_and_wiped(monkeypatch):
     terminal = Terminal()
-    monkeypatch.setattr(_progress.sys, "stderr", terminal)
-    monkeypatch.setattr(_progress, "DELAY", 0.0)
+    monkeypatch.setattr(_bar.sys, "stderr", terminal)
+    monkeypatch.setattr(_bar, "DELAY", 0.0)
     monkeypatch.setenv("TERM", "xterm")
     with told_steps(["[a].csv", "b.csv"], True) as told:
         for step in ("start", "dry", "start", "uncertainty"):
@@ -65,10 +64,10 @@ def plain(terminal):
 
 def test_no_bar_where_nobody_sees_it(monkeypatch):
     for stream in (io.StringIO(), None):
-        monkeypatch.setattr(_progress.sys, "stderr", stream)
+        monkeypatch.setattr(_bar.sys, "stderr", stream)
         with told_steps(["a"], True) as told:
             assert told is None
-    monkeypatch.setattr(_progress.sys, "stderr", Terminal())
+    monkeypatch.setattr(_bar.sys, "stderr", Terminal())
     with told_steps(["a"], False) as told:
         assert told is None
 
@@ -77,7 +76,7 @@ def test_no_bar_without_rich(monkeypatch):
     def missing(name):
         raise ModuleNotFoundError(name=name)
 
-    monkeypatch.setattr(_progress.sys, "stderr", Terminal())
-    monkeypatch.setattr(_progress.importlib, "import_module", missing)
+    monkeypatch.setattr(_bar.sys, "stderr", Terminal())
+    monkeypatch.setattr(_bar.importlib, "import_module", missing)
     with told_steps(["a"], True) as told:
         assert told is None

@@ -2,11 +2,24 @@
 
 import click
 
-from libration.cli import at, compare, completion, cubic_quintic, duffing, fit, gravity, lab, papers, period, solve
+from libration.cli import (
+    at,
+    compare,
+    completion,
+    cubic_quintic,
+    duffing,
+    ensemble,
+    fit,
+    gravity,
+    lab,
+    papers,
+    period,
+    solve,
+)
 from libration.cli.help import Topic
 from libration.cli.parser import Command, Refusal, nearest, quoted, unknown
 
-MODULES = (solve, at, period, compare, duffing, cubic_quintic, fit, gravity, papers, lab, completion)
+MODULES = (solve, at, period, compare, duffing, cubic_quintic, fit, gravity, ensemble, papers, lab, completion)
 COMMANDS: dict[str, click.Command] = {str(each.COMMAND.name): each.COMMAND for each in MODULES}
 
 TEXT = """\

@@ -132,9 +132,11 @@ def reduce(
         raise ValueError(f"t of shape {times.shape}: must be a number, or an array of one dimension and not empty")
     if isinstance(moments, bool) or moments not in (0, 1, 2):
         raise ValueError(f"moments = {shown(moments)}: must be 0, 1 or 2")
-    plan = Plan(tuple(times.ravel().tolist()), positive("omega0", omega0), moments, _bins(histogram), _means(mean))
+    plan = Plan(
+        tuple(times.ravel().tolist()), positive("omega0", omega0), moments, histogram_bins(histogram), _means(mean)
+    )
     parts = [(first, min(size, total - first)) for first in range(0, total, size)]
-    sums = [_nothing(plan) for _ in plan.times]
+    sums = [nothing(plan) for _ in plan.times]
     delayed: Any = importlib.import_module("dask")
     pace = {} if threads is None else {"scheduler": "threads", "num_workers": threads}
     for wave in range(0, len(parts), WAVE):
@@ -144,7 +146,7 @@ def reduce(
         ]
         for found in delayed.compute(*tasks, **pace):
             sums = [joined(one, other) for one, other in zip(sums, found, strict=True)]
-    return _dataset(plan, sums, times)
+    return sums_dataset(plan, sums, times)
 
 
 def of_chunk(source: Any, first: int, many: int, plan: Plan) -> list[Sums]:
@@ -157,10 +159,11 @@ def of_chunk(source: Any, first: int, many: int, plan: Plan) -> list[Sums]:
         if len(pair) != 2 or any(each.shape != (many,) or each.dtype.kind not in "biuf" for each in pair):
             raise ValueError(f"states({many}, first={first}): must give two arrays of {many} real numbers")
         theta0, velocity0 = (each.astype(float) for each in pair)
-    return [_at(theta0, velocity0, time, plan) for time in plan.times]
+    return [sums_at(theta0, velocity0, time, plan) for time in plan.times]
 
 
-def _at(theta0: Floats, velocity0: Floats, time: float, plan: Plan) -> Sums:
+def sums_at(theta0: Floats, velocity0: Floats, time: float, plan: Plan) -> Sums:
+    """The sums of a chunk at one time."""
     theta, velocity = motion(time, theta0, velocity0, plan.omega0) if time else (theta0.copy(), velocity0)
     wrap(theta, np.zeros(theta.size, dtype=np.int64))
     good = np.isfinite(theta) & np.isfinite(velocity)
@@ -224,12 +227,18 @@ def joined(one: Sums, other: Sums) -> Sums:
     return Sums(many, one.mean + apart * part, products, one.histogram + other.histogram, totals)
 
 
-def _nothing(plan: Plan) -> Sums:
-    cells = math.prod(bins for _, _, bins in plan.bins.values()) + 1 if plan.bins else 0
+def histogram_cells(plan: Plan) -> int:
+    """How many numbers of particles a histogram has: those of the bins, and that of the rest."""
+    return math.prod(bins for _, _, bins in plan.bins.values()) + 1 if plan.bins else 0
+
+
+def nothing(plan: Plan) -> Sums:
+    """The sums of no particle."""
+    cells = histogram_cells(plan)
     return Sums(0, np.zeros(2), np.zeros(3), np.zeros(cells, dtype=np.int64) if cells else 0, [0.0] * len(plan.means))
 
 
-def _dataset(plan: Plan, sums: list[Sums], times: Floats) -> Any:
+def sums_dataset(plan: Plan, sums: list[Sums], times: Floats) -> Any:
     """The results by name, with units."""
     import xarray
 
@@ -306,7 +315,7 @@ def _positive(name: str, value: Any) -> int:
     return whole
 
 
-def _bins(histogram: Any) -> dict[str, tuple[float, float, int]]:
+def histogram_bins(histogram: Any) -> dict[str, tuple[float, float, int]]:
     """The bins of each quantity."""
     if histogram is not None and not isinstance(histogram, Mapping):
         raise TypeError(f"histogram = {shown(histogram)}: must be a dict of (low, high, bins) by quantity")
