@@ -30,8 +30,8 @@ def _allowed(found: MotionParts, *given: Any) -> Any:
 
 def _evaluated(known: Known, slopes: bool, given: tuple[Any, ...]) -> Any:
     """Angle, velocity and acceleration, and the derivatives' factor: 1, or NaN where they are beyond the floats."""
-    found = apart(lambda: assembled(known, slopes, *given), given[0])
-    functions = apart(lambda: jacobi(found), given[0])
+    found = assembled(known, slopes, *given)
+    functions = jacobi(found)
     values = apart(lambda: state(found, functions, given[3]), given[0])
     allowed = _allowed(found, *given)
     steep = (found.complement == 0) & (abs(found.argument) > np.log(float(jnp.finfo(given[0].dtype).max)) / 2)
@@ -63,7 +63,7 @@ def _period(digits: str, slopes: bool, theta: Any, velocity: Any, omega0: Any) -
     t = jnp.zeros_like(theta)
     given = (t, theta, velocity, omega0)
     known = KNOWN[digits](*given)
-    found = apart(lambda: assembled(known, slopes, *given), t)
+    found = assembled(known, slopes, *given)
     # Of one turn, or of a swing there and back.
     whole = jnp.where(found.rotation, 1 / found.kappa, 2) * found.half_period / abs(omega0)
     value = jnp.where(found.complement == 0, jnp.inf, whole)

@@ -12,8 +12,8 @@ from typing import Any
 import jax.numpy as jnp
 from jax.lax import stop_gradient
 
-from ._double_words import TWO_PI, parts, two_sum
-from ._set_up import MotionParts, Nome, nome
+from ._double_words import TWO_PI, apart, parts, two_sum
+from ._set_up import MotionParts, Nome
 
 HALF_PI = float(TWO_PI / 4)
 
@@ -31,19 +31,21 @@ def theta_quotients(q: Any, h: Any) -> tuple[Any, Any, Any, Any]:
 
 def jacobi(given: MotionParts) -> tuple[Any, Any, Any]:
     """sn, cn and dn of the argument, which is at most K."""
-    found = nome(given.parameter, given.complement)
-    hyperbolic = found.hyperbolic
-    backward = given.argument < 0
-    sign = jnp.where(backward, -1, 1).astype(given.argument.dtype)
-    v, low = sign * given.argument, sign * given.argument_low
-    folded = (given.complement > 0) & (v > given.half_period / 4)
-    rest = 0.5 * given.half_period - v
-    error = two_sum(*map(stop_gradient, (0.5 * given.half_period, -v)))[1]
-    v = jnp.where(folded, rest, v)
-    low = jnp.where(folded, error + 0.5 * given.half_period_low - low, low)
-    z = (v + low) / found.scale
-    tables = hyperbolic_terms(found, v, low, folded), trigonometric_terms(found, z, folded)
-    sn, cn, dn = (jnp.where(hyperbolic, a, b) for a, b in zip(*tables, strict=True))
+    found = given.nome
+
+    def place() -> Any:
+        sign = jnp.where(given.argument < 0, -1, 1).astype(given.argument.dtype)
+        v, low = sign * given.argument, sign * given.argument_low
+        folded = (given.complement > 0) & (v > given.half_period / 4)
+        rest = 0.5 * given.half_period - v
+        error = two_sum(*map(stop_gradient, (0.5 * given.half_period, -v)))[1]
+        low = jnp.where(folded, error + 0.5 * given.half_period_low - low, low)
+        return sign, jnp.where(folded, rest, v), low, folded
+
+    sign, v, low, folded = apart(place, given.argument)
+    far = apart(lambda: hyperbolic_terms(found, v, low, folded), v)
+    near = apart(lambda: trigonometric_terms(found, (v + low) / found.scale, folded), v)
+    sn, cn, dn = (jnp.where(found.hyperbolic, a, b) for a, b in zip(far, near, strict=True))
     return sign * sn, cn, dn
 
 

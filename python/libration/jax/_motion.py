@@ -168,7 +168,7 @@ def _given(**given: Any) -> list[jax.Array]:
     """Floats of one kind, at least of 32 bits."""
     for name, value in given.items():
         kind = np.dtype(getattr(value, "dtype", np.float32))
-        if kind == np.float64 and not jax.config.jax_enable_x64:
+        if kind == np.float64 != jnp.result_type(float):
             raise TypeError(
                 f"{name} is float64, but JAX computes in float32: pass float32, or call "
                 'jax.config.update("jax_enable_x64", True) at the start'

@@ -13,28 +13,6 @@ from jax.lax import stop_gradient
 
 from . import _double_words as dw
 
-# Parts of a motion, by their names, that are known to more digits.
-Known: TypeAlias = dict[str, Any]
-
-
-class MotionParts(NamedTuple):
-    """State and parameters of motions, the argument less half periods as hi + lo, and how many these are."""
-
-    turn: Any
-    angle: Any
-    s: Any
-    c: Any
-    x: Any
-    rotation: Any
-    kappa: Any
-    parameter: Any
-    complement: Any
-    half_period: Any
-    half_period_low: Any
-    count: Any
-    argument: Any
-    argument_low: Any
-
 
 class Nome(NamedTuple):
     """The nome of the smaller one of parameter and complement, at most exp(-pi)."""
@@ -51,6 +29,30 @@ class Nome(NamedTuple):
     def half_period(self) -> Any:
         """2K; of no use on the separatrix."""
         return jnp.where(self.hyperbolic, self.decay, float(dw.TWO_PI / 2)) * self.scale
+
+
+# Parts of a motion, by their names, that are known to more digits.
+Known: TypeAlias = dict[str, Any]
+
+
+class MotionParts(NamedTuple):
+    """State and parameters of motions, the argument less half periods as hi + lo, and how many these are."""
+
+    turn: Any
+    angle: Any
+    s: Any
+    c: Any
+    x: Any
+    rotation: Any
+    kappa: Any
+    parameter: Any
+    complement: Any
+    nome: Nome
+    half_period: Any
+    half_period_low: Any
+    count: Any
+    argument: Any
+    argument_low: Any
 
 
 def nome(parameter: Any, complement: Any) -> Nome:
@@ -86,28 +88,33 @@ def assembled(known: Known, slopes: bool, t: Any, theta0: Any, velocity0: Any, o
             return formula
         return known[name] + (formula - stop_gradient(formula)) if slopes else known[name]
 
-    angle = part("angle", theta0)
-    s, c = part("s", jnp.sin(angle / 2)), part("c", jnp.cos(angle / 2))
-    turn, angle, (s,), (c,) = within(known["turn"], angle, (s,), (c,))
-    x = part("x", velocity0 / (2 * omega0))
-    m, mc = s * s + x * x, part("mc", (c - x) * (c + x))
-    rotation = mc < 0
-    turning = jnp.where(rotation, m, 1)
-    kappa = part("kappa", jnp.sqrt(turning))
-    parameter = part("parameter", jnp.where(rotation, 1 / turning, m))
-    complement = part("complement", jnp.where(rotation, -mc / turning, mc))
-    half_period = part("half_period", nome(parameter, complement).half_period)
-    u = kappa * omega0 * t
-    bound = complement > 0
-    count = jnp.where(bound, jnp.round(u / jnp.where(bound, half_period, 1)), 0)
-    count = known.get("count", stop_gradient(count))
-    argument = part("argument", u - jnp.where(count == 0, 0, half_period * count))
-    lows = (known.get(name, jnp.zeros_like(argument)) for name in ("half_period_low", "argument_low"))
-    half_period_low, argument_low = lows
-    return MotionParts(
-        turn, angle, s, c, x, rotation, kappa, parameter, complement, half_period, half_period_low, count, argument,
-        argument_low,
-    )  # fmt: skip
+    def shape() -> Any:
+        angle = part("angle", theta0)
+        s, c = part("s", jnp.sin(angle / 2)), part("c", jnp.cos(angle / 2))
+        turn, angle, (s,), (c,) = within(known["turn"], angle, (s,), (c,))
+        x = part("x", velocity0 / (2 * omega0))
+        m, mc = s * s + x * x, part("mc", (c - x) * (c + x))
+        rotation = mc < 0
+        turning = jnp.where(rotation, m, 1)
+        kappa = part("kappa", jnp.sqrt(turning))
+        parameter = part("parameter", jnp.where(rotation, 1 / turning, m))
+        complement = part("complement", jnp.where(rotation, -mc / turning, mc))
+        return turn, angle, s, c, x, rotation, kappa, parameter, complement
+
+    def phase() -> Any:
+        half_period = part("half_period", q.half_period)
+        u = kappa * omega0 * t
+        bound = complement > 0
+        count = jnp.where(bound, jnp.round(u / jnp.where(bound, half_period, 1)), 0)
+        count = known.get("count", stop_gradient(count))
+        argument = part("argument", u - jnp.where(count == 0, 0, half_period * count))
+        none = jnp.zeros_like(argument)
+        return half_period, known.get("half_period_low", none), count, argument, known.get("argument_low", none)
+
+    ratios: Any = dw.apart(shape, t)
+    kappa, parameter, complement = ratios[-3:]
+    q = dw.apart(lambda: nome(parameter, complement), t)
+    return MotionParts._make((*ratios, q, *dw.apart(phase, t)))
 
 
 def nearly(t: Any, theta0: Any, velocity0: Any, omega0: Any) -> Known:
