@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm test-jax test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -282,6 +282,9 @@ fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less
 
 test-rows: ## the tests of columns against the careful code with times=N (30) as many random rows, a million and more (minutes)
 	ROWS_TIMES=$(or $(times),30) cargo test --release --locked -p libration --lib --test suite -- own_ row_tests --nocapture
+
+test-jax: $(VENV)/.built ## gradients by JAX in every stratum, second derivatives too: its compiler takes most of the time (3 minutes)
+	@$(PY) -m pytest -q python/tests_jax
 
 test-arm: $(VENV)/.components ## the Rust tests through NEON, by Debian's qemu-user and gcc-aarch64-linux-gnu (20 minutes)
 	@command -v qemu-aarch64 >/dev/null && command -v $(CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER) >/dev/null || { \

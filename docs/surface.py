@@ -15,7 +15,19 @@ import sys
 from pathlib import Path
 
 # The rooms in the order of the pages; what one has shown is not shown again.
-ROOMS = ("pendulum", "damped", "measurement", "oscillator", "elliptic", "", "ensemble", "approx", "plot", "papers")
+ROOMS = (
+    "pendulum",
+    "damped",
+    "measurement",
+    "oscillator",
+    "elliptic",
+    "",
+    "ensemble",
+    "jax",
+    "approx",
+    "plot",
+    "papers",
+)
 
 
 def surface(root: Path) -> dict[str, dict]:

@@ -4,7 +4,8 @@
 both and g in measurements; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
 ``libration.elliptic``; ``approx`` holds the approximations by name, ``libration.ensemble`` bunches of many
-pendulums, and ``libration.papers`` three papers worked through. Angles are in radians, everything else in SI units.
+pendulums, ``libration.jax`` motions with derivatives for JAX, and ``libration.papers`` three papers worked through.
+Angles are in radians, everything else in SI units.
 
 Examples
 --------
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from . import approx as approx
     from . import elliptic as elliptic
     from . import ensemble as ensemble
+    from . import jax as jax
     from . import measurement as measurement
     from . import oscillator as oscillator
     from . import papers as papers
@@ -158,7 +160,7 @@ _ROOMS = ("pendulum", "damped", "oscillator", "elliptic", "measurement")
 
 
 def __dir__() -> list[str]:
-    return [*__all__, "approx", "elliptic", "ensemble", "papers", "plot"]
+    return [*__all__, "approx", "elliptic", "ensemble", "jax", "papers", "plot"]
 
 
 if "LIBRATION_NUM_THREADS" in os.environ:
@@ -175,7 +177,7 @@ if not TYPE_CHECKING:
         elif name in __all__:
             rooms = (import_module(f".{room}", __name__) for room in _ROOMS)
             found = getattr(next(room for room in rooms if name in room.__all__), name)
-        elif name in (*_ROOMS, "approx", "ensemble", "papers", "plot"):
+        elif name in (*_ROOMS, "approx", "ensemble", "jax", "papers", "plot"):
             found = import_module(f".{name}", __name__)
         else:
             elliptic = import_module(".elliptic", __name__)

@@ -351,12 +351,12 @@ def test_what_does_not_change_is_one_value(made):
         made.new = 1
 
 
-ROOMS = [libration.elliptic, libration.ensemble, libration.approx, libration.plot, libration.papers]
+ROOMS = [libration.elliptic, libration.ensemble, libration.jax, libration.approx, libration.plot, libration.papers]
 
 
 @pytest.mark.parametrize("room", [libration, *ROOMS])
 def test_dir_shows_the_public_names_and_nothing_else(room):
-    rooms = ["approx", "elliptic", "ensemble", "papers", "plot"] if room is libration else []
+    rooms = ["approx", "elliptic", "ensemble", "jax", "papers", "plot"] if room is libration else []
     assert dir(room) == sorted([*room.__all__, *rooms])
     for name in dir(room):
         assert getattr(room, name) is not None
@@ -383,7 +383,7 @@ def test_stub_agrees_with_the_compiled_module():
 
 
 def test_import_brings_no_heavy_library():
-    heavy = "{'dask', 'xarray', 'scipy', 'matplotlib', 'pandas', 'argparse', 'importlib.metadata'}"
+    heavy = "{'dask', 'jax', 'xarray', 'scipy', 'matplotlib', 'pandas', 'argparse', 'importlib.metadata'}"
     code = (
         f"import numpy, sys; before = set(sys.modules); import libration; print({heavy} & (set(sys.modules) - before))"
     )

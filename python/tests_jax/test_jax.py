@@ -1,0 +1,187 @@
+"""Motions in JAX: values and derivatives in every stratum of the truth's inputs, transformations, and what is refused.
+
+The truth is the core at the floats passed: of float64 to 8 ulp, of derivatives to 1e-12 of the largest change.
+"""
+
+import csv
+import math
+import warnings
+from pathlib import Path
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import libration
+from libration.jax import advance, motion, period
+
+VECTORS = Path(__file__).parents[2] / "reference/vectors/pendulum.csv"
+
+
+def rows(dtype):
+    """Time, angle, velocity and omega0 of up to 1,000 periods, rounded to floats that a product of two fits as well."""
+    found = []
+    for row in csv.DictReader(VECTORS.open(encoding="utf-8")):
+        t, theta0, velocity0, omega2 = (float.fromhex(row[name]) for name in ("t", "theta0", "velocity0", "omega2"))
+        state = (t, theta0, velocity0, math.sqrt(max(omega2, 0.0)))
+        if omega2 > 0 and not abs(t) > 1000 * float.fromhex(row["period_hi"]):
+            found.append(state)
+    found = np.array(found, dtype)
+    if dtype == np.float32:
+        large = np.abs(found)
+        found = found[(large < 1e15).all(1) & ((large > 1e-12) | (found == 0)).all(1) & (large[:, 1] < 1e6)]
+    return found
+
+
+class Truth:
+    """What the core says of rows, and the sizes that errors are measured by."""
+
+    def __init__(self, given):
+        t, theta0, velocity0, omega0 = given.astype(float).T
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            orbits = [libration.Pendulum(*start, omega0=w) for *start, w in zip(theta0, velocity0, omega0, strict=True)]
+        self.motion = np.array([orbit.motion(each) for orbit, each in zip(orbits, t, strict=True)])
+        self.complement = np.array([orbit.energy_ratio_c for orbit in orbits])
+        self.periods = np.abs(t) / np.array([orbit.period for orbit in orbits])
+        ratio = np.array([orbit.energy_ratio for orbit in orbits])
+        reach = np.nan_to_num(np.array([orbit.theta_max for orbit in orbits]))
+        angle = np.maximum(np.maximum(np.abs(theta0), reach), np.abs(self.motion[:, 0]))
+        speed = np.maximum(np.maximum(np.abs(velocity0), 2 * omega0 * np.sqrt(ratio)), np.abs(self.motion[:, 1]))
+        self.scale = np.stack([angle, speed], -1)
+        self.changes = np.stack([angle, speed, omega0], -1)
+
+    def error(self, found):
+        gap = np.abs(np.asarray(found, float).T - self.motion)
+        return np.where(gap == 0, 0, gap / np.where(self.scale > 0, self.scale, 1)).max(-1)
+
+    def regular(self, least, periods):
+        return (np.abs(self.complement) >= least) & (self.periods <= periods)
+
+
+@pytest.fixture(scope="module")
+def truth():
+    return {dtype: Truth(rows(dtype)) for dtype in (np.float64, np.float32)}
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("digits", ["full", "short"])
+def test_values(digits, dtype, truth):
+    given, truth = rows(dtype), truth[dtype]
+    with jax.enable_x64(dtype == np.float64):
+        found = motion(*given.T, digits=digits)
+        spoiled = motion(given[:, 0] * dtype(1 + 40 * np.finfo(dtype).eps), *given.T[1:], digits=digits)
+    assert found[0].dtype == dtype and len(given) > 1600
+    if digits == "short":
+        asked, bound = truth.regular(1e-4, 50), {np.float64: 1e-12, np.float32: 5e-5}[dtype]
+    else:
+        # A number of two floats has 48 bits in float32: that is what 1 - kappa^2, and so a half period, is known to.
+        asked, bound = np.full(len(given), True), {np.float64: 1e-14, np.float32: 5e-7}[dtype]
+        if dtype == np.float32:
+            half_periods = np.round(2 * truth.periods)
+            bound += half_periods * 2.0**-47 / np.where(truth.complement == 0, np.inf, np.abs(truth.complement))
+            assert np.median(bound) < 5.1e-7
+    assert asked.sum() > 1000
+    assert (truth.error(found) <= bound)[asked].all()
+    bound = bound if digits == "full" else bound / 50
+    assert not (truth.error(spoiled) <= bound)[asked].all(), "a wrong time must show"
+
+
+@pytest.mark.parametrize("digits, least", [("full", 1e-6), ("short", 1e-4)])
+def test_first_derivatives(digits, least, truth):
+    given, truth = rows(np.float64), truth[np.float64]
+    asked = truth.regular(least, 1000) & (np.abs(given).max(1) < 1e9) & (np.abs(given[:, 1:3]).max(1) > 1e-100)
+    expected, changes = libration.sensitivities(*given.T), truth.changes[:, None]
+    force = -(given[:, 3] ** 2) * np.sin(truth.motion[:, 0])
+    by_time = np.stack([truth.motion[:, 1], force], -1)
+    rate = truth.scale[:, 1:] * np.stack([np.ones(len(given)), given[:, 3]], -1)
+    columns = jax.jit(jax.vmap(jax.jacfwd(lambda *each: jnp.stack(motion(*each, digits=digits)), argnums=(0, 1, 2, 3))))
+
+    def gaps(given):
+        found = np.stack(columns(*given.T), -1)
+        return np.abs(found[..., 1:] - expected) * changes, np.abs(found[..., 0] - by_time)
+
+    with jax.enable_x64(True):
+        by_start, by_t = gaps(given)
+        spoiled, _ = gaps(given * [1, 1, 1, 1 + 1e-9])
+    bound = 1e-11 * np.abs(expected * changes).max(-1, keepdims=True)
+    assert asked.sum() > 1000
+    assert (by_start <= bound)[asked].all()
+    # The sine of many turns has the error of the angle.
+    assert (by_t <= 1e-11 * rate)[asked & (np.abs(truth.motion[:, 0]) < 100)].all()
+    assert not (spoiled <= bound)[asked].all(), "derivatives elsewhere must show"
+
+
+def test_second_derivatives():
+    rng = np.random.default_rng(1)
+    given = np.stack([rng.uniform(low, high, 64) for low, high in ((-40, 40), (-7, 7), (-4, 4), (0.5, 2))], -1)
+    given = given[np.abs(libration.energy_ratio_c(*given.T[1:])) > 1e-4]
+    reach = np.maximum(np.abs(given[:, 1]), math.pi)
+    changes = np.stack([reach, np.maximum(np.abs(given[:, 2]), 2 * given[:, 3]), given[:, 3]], -1)
+    weights = changes[:, None, :, None] * changes[:, None, None, :]
+    hessian = jax.jit(jax.vmap(jax.jacfwd(jax.jacrev(lambda start, t: jnp.stack(motion(t, *start))))))
+    orbits = [libration.Pendulum(*start, omega0=w) for _, *start, w in given]
+    expected = np.array([orbit.second_sensitivities(t) for orbit, t in zip(orbits, given[:, 0], strict=True)])
+    with jax.enable_x64(True):
+        found, spoiled = (np.asarray(hessian(given[:, 1:] * factor, given[:, 0])) for factor in (1, 1 + 1e-9))
+    largest = np.abs(expected * weights).max((2, 3), keepdims=True)
+    assert (np.abs(found - expected) * weights <= 1e-11 * largest).all() and len(given) > 60
+    assert not (np.abs(spoiled - expected) * weights <= 1e-11 * largest).all()
+
+
+def test_at_the_separatrix_derivatives_have_no_kink():
+    """There 1 - kappa^2 is 0 exactly, and min(m, 1) would halve the derivative."""
+    t, omega0 = 1.5, 2.0
+    with jax.enable_x64(True):
+        found = jax.jacfwd(lambda *start: jnp.stack(motion(t, *start)), argnums=(0, 1, 2))(0.0, 4.0, omega0)
+    expected = libration.sensitivities(t, 0.0, 4.0, omega0)
+    assert np.abs(np.stack(found, -1) - expected).max() < 1e-11 * np.abs(expected).max()
+    assert np.abs(np.stack(found, -1) / 2 - expected).max() > 0.1
+
+
+def test_periods_and_their_derivatives():
+    rng = np.random.default_rng(2)
+    theta, velocity, omega0 = (rng.uniform(*ends, 300) for ends in ((-3, 3), (0.1, 4), (0.5, 2)))
+    with jax.enable_x64(True):
+        found, spoiled = (np.asarray(period(theta * factor, velocity, omega0)) for factor in (1, 1 + 1e-12))
+        by = np.asarray(jax.jit(jax.vmap(jax.grad(period, argnums=(0, 1, 2))))(theta, velocity, omega0))
+    expected = libration.period(theta, velocity, omega0)
+    assert np.abs(found / expected - 1).max() < 1e-14 < np.abs(spoiled / expected - 1).max()
+    # After a period the state is the same: what the start changes beyond that, the period has changed.
+    slopes = libration.sensitivities(expected, theta, velocity, omega0)[:, 0]
+    regular = np.abs(libration.energy_ratio_c(theta, velocity, omega0)) > 1e-2
+    for place, start in enumerate((1.0, 0.0, 0.0)):
+        wanted = (start - slopes[:, place]) / velocity
+        assert np.abs(by[place] - wanted)[regular].max() < 1e-9 * np.abs(wanted[regular]).max()
+
+
+def test_a_value_with_its_gradient_and_a_scan():
+    start = (1.0, 0.3, 1.2)
+    last = jax.jit(jax.value_and_grad(lambda *start: motion(2.0, *start, digits="short")[0], argnums=(0, 1, 2)))
+    value, slope = last(*start)
+    assert abs(value - libration.theta(2.0, *start)) < 1e-6
+    assert np.abs(np.array(slope) - libration.sensitivities(2.0, *start)[0]).max() < 1e-5
+
+    def step(state, _):
+        return advance(*state, 0.2, 1.2, digits="short"), state[0]
+
+    final, passed = jax.lax.scan(step, (jnp.float32(1.0), jnp.float32(0.3)), length=10)
+    assert abs(final[0] - value) < 1e-5 and passed.shape == (10,)
+
+
+def test_bad_elements_are_nan_and_nothing_else_is():
+    inf, nan = math.inf, math.nan
+    given = np.array([[1, 1, 0, 1], [inf, 1, 0, 1], [1, inf, 0, 1], [1, 1, nan, 1], [1, 1, 0, 0], [1, 1, 1e30, 1]], "f")
+    assert np.isfinite(motion(*given.T, digits="short")).tolist() == [[True] + [False] * 5] * 2
+
+
+def test_bad_arguments_are_one_line():
+    with pytest.raises(
+        TypeError, match=r"^t is float64, but JAX computes in float32: pass float32, or call jax.config"
+    ):
+        motion(np.ones(3), 1.0)
+    with pytest.raises(TypeError, match=r"^velocity must be real, not complex"):
+        advance(1.0, 2j, 0.5)
+    with pytest.raises(ValueError, match=r"^digits must be 'full' or 'short', not 'core'$"):
+        period(1.0, digits="core")
