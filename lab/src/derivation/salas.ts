@@ -49,7 +49,7 @@ const amplitude = (now: Moment): number => Math.sqrt(now.m / now.mc)
 const beside = (a: number, b: number): number => b + 2 * Math.PI * Math.round((a - b) / (2 * Math.PI))
 
 /** (23), both parts of the fraction multiplied by cos²(θ₀/2), so that 180° has a value; the one below without a difference. */
-export function salas23(now: Moment): number {
+function salas23(now: Moment): number {
   const { s, c, x } = now.start
   const { sn, cn, dn } = ownClock(now)
   return 2 * Math.atan2(s * c * cn + x * dn * sn, square(c * cn) + now.mc * square(sn))

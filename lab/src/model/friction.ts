@@ -37,7 +37,7 @@ export interface Turning {
 }
 
 /** What it comes to, of a motion without a torque that varies. */
-export type Outcome =
+type Outcome =
   | { readonly kind: 'exact' | 'still' }
   | { readonly kind: 'stops'; readonly t: number; readonly theta: number }
   | { readonly kind: 'halves'; readonly t: number }
