@@ -24,6 +24,7 @@ mod record;
 mod refusal;
 mod result;
 mod reversible;
+mod samples;
 mod spread;
 mod start;
 mod swings;
