@@ -126,6 +126,7 @@ def test_good_tree_passes(check, root):
         (type_names, "core/src/pendulum/orbit.rs", "    enum Flow {\n", "pendulum/flow/mod.rs"),
         (type_names, "core/src/pendulum/orbit.rs", "type Flow = f64;\n", "core/src/pendulum: Flow"),
         (type_names, "python/libration/plot/orbit.py", "class Flow:\n    pass\n", "python/libration/plot: Flow"),
+        (type_names, "lab/src/views/orbit.ts", "export interface Flow {\n", "lab/src/views: Flow"),
         (type_names, "bench/orbit.py", "Flow: TypeAlias = float\n", "bench: Flow"),
         (links, "README.md", "[a](missing.md)\n", "leads nowhere"),
         (links, "README.md", "[a](NOTATION.md#none)\n", "no such heading"),
