@@ -2,7 +2,7 @@
 
 import { remember } from '../memory'
 import type { Model, Parameter } from '../model'
-import { type Equality, SWING } from './equality'
+import { type Equality, one, SWING, square } from './equality'
 import type { Moment } from './moment'
 
 /** Terms that Lima's series is shown with. */
@@ -47,10 +47,7 @@ function partial(now: Moment, u: number, terms?: number): number {
   return b.slice(0, terms).reduce((sum, each, i) => sum + each * Math.sin((2 * i + 1) * x), 0)
 }
 
-const square = (x: number): number => x * x
 const fourier = { name: 'fourier', argument: TERMS, on: true } as const
-/** sn never leaves ±1. */
-const one = (): number => 1
 
 export const LIMA: readonly Equality[] = [
   {

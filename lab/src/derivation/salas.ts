@@ -1,10 +1,8 @@
 // Equalities of Salas's way: u = tan(θ/2) obeys Duffing's equation, whose solution is a cn; any start in one formula (Salas 2019).
 
-import { type Equality, MOVING, SWING } from './equality'
+import { type Equality, MOVING, SWING, square } from './equality'
 import type { Half, Moment } from './moment'
 import { STEPS } from './steps'
-
-const square = (x: number): number => x * x
 
 /** Salas's variable and its velocity. */
 export function duffingOf({ s, c, x }: Half, omega0: number): { readonly u: number; readonly v: number } {
