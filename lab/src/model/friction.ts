@@ -2,13 +2,9 @@
 // what happens in it.
 
 import { DampedPendulum } from 'libration'
-import { whereverStarted } from './motion'
+import { type Setup, whereverStarted } from './motion'
 
-export interface FrictionSetup {
-  readonly theta0: number
-  readonly velocity0: number
-  readonly length: number
-  readonly gravity: number
+export interface FrictionSetup extends Setup {
   readonly linear: number
   readonly quadratic: number
   readonly dry: number

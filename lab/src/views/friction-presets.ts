@@ -3,24 +3,12 @@
 import { html, type TemplateResult } from 'lit-html'
 import { menu } from '../controls/parts'
 import { icon } from '../draw/icons'
+import type { FrictionSetup } from '../model/friction'
 import { radians } from '../number'
 import type { State } from '../state'
 import type { Live } from './page'
 
-type FrictionPreset = Pick<
-  State,
-  | 'theta0'
-  | 'velocity0'
-  | 'length'
-  | 'gravity'
-  | 'linear'
-  | 'quadratic'
-  | 'dry'
-  | 'torque'
-  | 'drive'
-  | 'driveFrequency'
-  | 'until'
->
+type FrictionPreset = FrictionSetup & Pick<State, 'until'>
 
 const NOTHING: FrictionPreset = {
   theta0: 0,
