@@ -43,6 +43,7 @@ def root(tmp_path):
         "core/src/state/mod.rs": "struct Flow;\nstruct State;\n#[cfg(test)]\nmod tests { struct Tested; }\n",
         "python/libration/plot/flow.py": "class Flow:\n    pass\n",
         "bench/flow.py": "class Flow:\n    pass\n",
+        "lab/src/views/flow.ts": "interface Flow {\n  readonly a: number\n}\n",
         "reference/orbit.py": "import pendulum\n",
         "reference/pendulum.py": "import mpmath\n",
         "reference/vectors/pendulum.csv": "id\n",
