@@ -24,7 +24,6 @@ mod record;
 mod refusal;
 mod result;
 mod reversible;
-mod samples;
 mod spread;
 mod start;
 mod swings;

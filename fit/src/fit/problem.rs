@@ -5,7 +5,7 @@
 use super::data::Measured;
 pub(super) use super::loss::Loss;
 use super::loss::soft;
-pub(super) use super::samples::Samples;
+use super::options::Stop;
 use core::cell::Cell;
 use core::f64::consts::PI;
 use levenberg_marquardt::LeastSquaresProblem;
@@ -30,6 +30,41 @@ pub(super) type Values = [f64; NAMES.len()];
 
 /// How many times are handed to the core at once: the derivatives of all of a long record would not fit into memory.
 const CHUNK: usize = 4096;
+
+/// Samples with times since the state, rising.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Samples {
+    pub t: Vec<f64>,
+    pub y: Vec<f64>,
+    /// Asked before each evaluation; after it no motion is found, and every search ends.
+    pub stop: Stop,
+}
+
+impl Samples {
+    pub fn len(&self) -> usize {
+        self.t.len()
+    }
+    /// Those in an interval, at most about `most` of them, evenly spread.
+    pub fn thinned(&self, from: f64, to: f64, most: usize) -> Samples {
+        let inside: Vec<usize> = (0..self.len()).filter(|i| (from..=to).contains(&self.t[*i])).collect();
+        let stride = inside.len().div_ceil(most.max(1)).max(1);
+        let kept = || inside.iter().step_by(stride);
+        Samples {
+            t: kept().map(|i| self.t[*i]).collect(),
+            y: kept().map(|i| self.y[*i]).collect(),
+            stop: self.stop,
+        }
+    }
+    /// Those for which `keep` holds.
+    pub fn only(&self, keep: impl Fn(usize) -> bool) -> Samples {
+        let kept = || (0..self.len()).filter(|i| keep(*i));
+        Samples {
+            t: kept().map(|i| self.t[i]).collect(),
+            y: kept().map(|i| self.y[i]).collect(),
+            stop: self.stop,
+        }
+    }
+}
 
 /// A record, a model, and where the search stands.
 #[derive(Clone, Debug)]
