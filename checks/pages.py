@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tree import files, finish
 
-SOURCES = (".rs", ".py", ".pyi", ".md", ".toml", ".sh", ".yml", ".cff")
+SOURCES = (".rs", ".py", ".pyi", ".ts", ".css", ".md", ".toml", ".sh", ".yml", ".cff")
 BLOCK = re.compile(r"<!-- generated: (\S+) -->\n(.*?)<!-- end generated -->", re.DOTALL)
 LONGEST = 400
 # A row, a section, a line for every function, however many there are.

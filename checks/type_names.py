@@ -1,4 +1,4 @@
-"""One type name, one meaning: no struct, enum, trait, class or alias has the name of another one in its room."""
+"""One type name, one meaning: no struct, enum, trait, class, interface or alias has the name of another one in its room."""
 
 import ast
 import re
@@ -7,8 +7,13 @@ from pathlib import Path
 
 from tree import code_lines, files, finish
 
-ROOMS = ["core/src", "fit/src", "python/src", "wasm/src", "python/libration", "bench", "reference"]
+ROOMS = [
+    *("core/src", "fit/src", "python/src", "wasm/src", "wasm/fit/src", "wasm/motions/src"),
+    *("wasm/npm/src", "lab/src", "python/libration", "bench", "reference"),
+]
 RUST = re.compile(r"^(?:\s*(?:pub(?:\([^)]*\))?\s+)?(?:struct|enum|trait|union)|(?:pub(?:\([^)]*\))?\s+)?type)\s+(\w+)")
+
+TYPESCRIPT = re.compile(r"^(?:export )?(?:declare )?(?:abstract )?(?:class|interface|type|enum) (\w+)", re.MULTILINE)
 
 
 def types(path: Path) -> set[str]:
@@ -17,6 +22,8 @@ def types(path: Path) -> set[str]:
         nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         classes = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
         return classes | set(re.findall(r"^(\w+): TypeAlias", path.read_text(encoding="utf-8"), re.MULTILINE))
+    if path.suffix == ".ts":
+        return set(TYPESCRIPT.findall(path.read_text(encoding="utf-8")))
     found = set()
     for _, line in code_lines(path, "//"):
         if line.lstrip().startswith("#[cfg(test)]"):
@@ -28,7 +35,7 @@ def types(path: Path) -> set[str]:
 def findings(root: Path) -> list[str]:
     places = defaultdict(list)
     for top in ROOMS:
-        for path in files(root, top, ".rs", ".py"):
+        for path in files(root, top, ".rs", ".py", ".ts"):
             room = [top, *path.relative_to(root / top).parts[:-1]][:2]
             for name in types(path):
                 places["/".join(room), name].append(path.relative_to(root / top).as_posix())

@@ -22,7 +22,7 @@ export interface Argument {
   readonly usual: number
 }
 
-export interface CurveKind {
+interface CurveKind {
   readonly family: Family
   readonly argument?: Argument
   /** Whether it goes step by step in time, so that its energy may drift. */

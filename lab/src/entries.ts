@@ -5,12 +5,12 @@ import { parseNumber, parseQuantity, type Unit } from './number'
 
 /** What a column can be stated to be, as the command line writes it. */
 export const ROLES = ['time', 'angle', 'velocity', 'acceleration', 'x', 'y', 'period'] as const
-export type RoleName = (typeof ROLES)[number]
+type RoleName = (typeof ROLES)[number]
 export const MODELS = ['auto', 'none', 'linear', 'quadratic', 'dry', 'presliding'] as const
 /** What of the pendulum is known. */
 export const KNOWN = ['length', 'gravity', 'parts'] as const
 export const SHAPES = ['rod', 'ball', 'disc', 'point'] as const
-export type ShapeName = (typeof SHAPES)[number]
+type ShapeName = (typeof SHAPES)[number]
 
 /** A part of a rigid pendulum: for a rod `size` is its length and `distance` that of its centre, or empty where it hangs from the pivot. */
 export interface PartEntry {
@@ -34,10 +34,10 @@ const NUMBERS = {
 } as const satisfies Record<string, Unit>
 
 export type NumberName = keyof typeof NUMBERS
-export type ColumnName = `column-${RoleName}` | `unit-${RoleName}`
-export type EntryName = NumberName | ColumnName
+type ColumnName = `column-${RoleName}` | `unit-${RoleName}`
+export type FieldName = NumberName | ColumnName
 
-export interface Entries extends Readonly<Record<EntryName, string>> {
+export interface Entries extends Readonly<Record<FieldName, string>> {
   readonly known: (typeof KNOWN)[number]
   readonly model: (typeof MODELS)[number]
   readonly parts: readonly PartEntry[]
@@ -53,13 +53,13 @@ export const NOTHING_OF_FILE = Object.fromEntries([...COLUMNS, 'rate', 'run'].ma
 
 export const NEW_PART: PartEntry = { shape: 'rod', mass: '', distance: '', size: '' }
 export const NOTHING: Entries = {
-  ...(Object.fromEntries([...COLUMNS, ...NAMES].map((name) => [name, ''])) as Record<EntryName, string>),
+  ...(Object.fromEntries([...COLUMNS, ...NAMES].map((name) => [name, ''])) as Record<FieldName, string>),
   known: 'length',
   model: 'auto',
   parts: [NEW_PART],
 }
 
-const isNumber = (name: EntryName): name is NumberName => Object.hasOwn(NUMBERS, name)
+const isNumber = (name: FieldName): name is NumberName => Object.hasOwn(NUMBERS, name)
 
 /** The number that an entry is, in SI units; NaN if it is none. */
 export function entryNumber(name: NumberName, text: string): number {
@@ -68,7 +68,7 @@ export function entryNumber(name: NumberName, text: string): number {
 }
 
 /** Whether what is typed is no number where one belongs. */
-export function isBad(name: EntryName, text: string): boolean {
+export function isBad(name: FieldName, text: string): boolean {
   return isNumber(name) && text.trim() !== '' && Number.isNaN(entryNumber(name, text))
 }
 

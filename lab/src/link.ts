@@ -33,7 +33,7 @@ import {
   VIEWS,
 } from './state'
 
-export const VERSION = '1'
+const VERSION = '1'
 
 export interface Opened {
   readonly state: State
@@ -112,7 +112,7 @@ function readSeed(text: string, name: string): number | Fault {
 }
 
 /** A curve as it is written, or what is wrong with it. */
-export function readCurve(text: string, on: boolean): Curve | Fault {
+function readCurve(text: string, on: boolean): Curve | Fault {
   const [name = '', given, ...rest] = text.split(':')
   const known = name === 'solve_ivp' ? 'rk45' : name
   if (!isCurveName(known) || rest.length > 0) return { kind: 'unknown', name: 'curves', value: text }
@@ -244,8 +244,8 @@ const KEYS = {
   hide: flag('hide', 'g'),
 } as const
 
-export type KeyName = keyof typeof KEYS
-export const KEY_NAMES = Object.keys(KEYS) as KeyName[]
+type KeyName = keyof typeof KEYS
+const KEY_NAMES = Object.keys(KEYS) as KeyName[]
 
 const keyOf = (name: KeyName) => KEYS[name] as unknown as Key<keyof State>
 

@@ -16,7 +16,7 @@ import type { AskedFile, Joint, Reading, Result, Statements, Told } from './mode
 import type { Fitter } from './model/fitter'
 
 /** A file, with a length of its own where the pendulum was not the same. */
-export interface MeasuredFile {
+interface MeasuredFile {
   readonly name: string
   readonly bytes: Uint8Array
   readonly length: string

@@ -64,6 +64,9 @@ export function shortest(value: number): string {
   return String(Number(value.toPrecision(12)))
 }
 
+/** Degrees in a radian. */
+export const DEGREES = 180 / Math.PI
+
 /** An angle in degrees, as it is shown in a field. */
 export function degrees(angle: number): number {
   return Number(((angle * 180) / Math.PI).toPrecision(12))

@@ -19,7 +19,7 @@ const ANGLES = AMPLITUDES.map(radians)
 /** Places of the amplitudes of the short table. */
 export const TABLE_ROWS = [10, 30, 60, 90, 120, 150, 170, 179].map((degrees) => AMPLITUDES.indexOf(degrees))
 
-export interface PeriodCurve {
+interface PeriodCurve {
   /** T/T₀. */
   readonly ratio: Float64Array
   /** Formula over exact, minus 1. */
@@ -49,7 +49,7 @@ export function periodCurve(model: Model, key: string): PeriodCurve {
 const inside = (angle: number, [least, most]: readonly [number, number]): boolean =>
   angle >= least && angle <= most + 4 * Number.EPSILON
 
-export interface PeriodAt {
+interface PeriodAt {
   readonly ratio: number
   readonly error: number
 }

@@ -4,7 +4,7 @@
 
 import type { Fault } from './state'
 
-export interface PeriodKind {
+interface PeriodKind {
   readonly clothes: string
   readonly orders?: { readonly least: number; readonly most: number; readonly step: number; readonly usual: number }
 }
@@ -58,7 +58,7 @@ export function baseOf(key: string): PeriodName {
 }
 
 /** `agm:1` of `agm`: with its usual N. */
-export function usualKey(name: PeriodName): string {
+function usualKey(name: PeriodName): string {
   const { orders } = periodKind(name)
   return orders ? `${name}:${orders.usual}` : name
 }

@@ -186,7 +186,7 @@ export const MOST_ORBITS = 6
 export const LETTERS = 'ABCDEF'
 
 /** A number of the state, its unit, and what it may be. */
-export interface Range {
+interface Range {
   readonly unit: Unit
   readonly least: number
   readonly most: number

@@ -17,6 +17,7 @@ import {
   type Solution,
   type Track,
 } from './model'
+import { DEGREES } from './number'
 import type { State } from './state'
 
 /** Steps of a curve in a window. */
@@ -212,7 +213,7 @@ export function inPercent(state: Pick<State, 'errorUnit'>, { motion }: Study): b
 
 /** From rad to per cent of the turning angle, or to degrees. */
 export function errorFactor(percent: boolean, motion: Motion): number {
-  return percent ? 100 / motion.thetaMax : 180 / Math.PI
+  return percent ? 100 / motion.thetaMax : DEGREES
 }
 
 /** Log by itself where the largest errors differ by more than 20. */

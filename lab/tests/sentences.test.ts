@@ -64,6 +64,9 @@ describe('refusals of the module', () => {
     ['too few', 't [s],theta [deg]\n0,10\n0.1,9\n0.2,7\n0.3,4\n', [], 'pelo menos', 'al menos'],
     ['nothing moves', FLAT, [], 'coluna', 'columna'],
     ['an archive', 'PK\u0003\u0004', [], 'compactado', 'comprimido'],
+    ['a page of HTML', '<!DOCTYPE html><p>1', [], 'página', 'página'],
+    ['a PDF', '%PDF-1.7', [], 'dados brutos', 'datos brutos'],
+    ['JSON', '{"t": [0, 1]}', [], 'escreva', 'escriba'],
   ])('%s', async (_, file, stated, portuguese, spanish) => {
     const fits = await FitModule.start(module)
     let line = ''

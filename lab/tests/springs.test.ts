@@ -7,7 +7,7 @@ import { roundUp } from '../src/draw/scale'
 import { companionOf, equilibria, type Force, forceOf, potential, SpringOrbit } from '../src/model/spring'
 import { levelCurves, levelThrough } from '../src/model/spring-levels'
 import { within } from '../src/study'
-import { frameOf, springSpan } from '../src/views/spring-frame'
+import { springAxes, springSpan } from '../src/views/spring-axes'
 import { SPRING_PRESETS } from '../src/views/spring-presets'
 
 beforeAll(async () => {
@@ -126,7 +126,7 @@ describe('springs', () => {
       [FORCES[2], 2, 0],
     ] as const) {
       const found = orbit(force as Force, u0, v0)
-      const { reach } = frameOf(found)
+      const { reach } = springAxes(found)
       const levels = levelThrough(found, reach)
       expect(levels.length).toBeGreaterThan(0)
       const points = levels.flatMap(({ x, y }) => Array.from(x, (u, i) => [u, y[i] as number] as const))
@@ -154,10 +154,10 @@ describe('springs', () => {
     ])
     const escaping = orbit(forceOf('duffing', 1, -0.5, 0), 1.6)
     expect(springSpan(escaping)).toBe(1.25 * escaping.escapeTime)
-    const { times } = frameOf(escaping)
+    const { times } = springAxes(escaping)
     expect(times[0]).toBeLessThan(0)
     expect(times[1]).toBeGreaterThan(3 * 1.6)
-    const falling = frameOf(orbit(forceOf('duffing', 1, -0.5, 0), -1.6))
+    const falling = springAxes(orbit(forceOf('duffing', 1, -0.5, 0), -1.6))
     expect(falling.times).toEqual([-times[1], -times[0]])
     expect(within(7.5, 2)).toBe(1.5)
   })

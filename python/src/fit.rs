@@ -62,7 +62,7 @@ impl Record {
             py.detach(|| libration_fit::read(name, &data, &options))
         } else {
             let name = name.to_owned();
-            signals::apart(py, move || libration_fit::read(&name, &data, &options))?
+            signals::in_thread(py, move || libration_fit::read(&name, &data, &options))?
         };
         Ok(Self { record: record.map_err(unread)? })
     }

@@ -89,7 +89,10 @@ pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce(Stop<'_>) -> T + Send
 
 /// Does work that asks nothing, in a thread of its own; the error if a signal ended the wait. The work then goes on to its end, and
 /// its answer is dropped.
-pub fn apart<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+pub fn in_thread<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
     let (sender, receiver) = mpsc::sync_channel(1);
     // The waiting thread may have gone away.
     let worker = thread::Builder::new().spawn(move || drop(sender.send(work())))?;

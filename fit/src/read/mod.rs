@@ -2,7 +2,7 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | bytes to text | `text`, `encoding`, `containers`, `others`, `archive`, `workbook`, `workbook_xml`, `workbook_binary`, `tracker_project` |
+//! | bytes to text | `text`, `encoding`, `containers`, `other_formats`, `archive`, `workbook`, `workbook_xml`, `workbook_binary`, `tracker_project` |
 //! | text to columns of numbers | `lines`, `dialect`, `numbers`, `header`, `table` |
 //! | what a column is | `heads`, `names`, `units`, `columns`, `groups`, `profile`, `select`, `axes`, `vectors` |
 //! | runs and instants | `runs`, `clock`, `stamps` |
@@ -31,7 +31,7 @@ mod motion;
 mod names;
 mod numbers;
 mod options;
-mod others;
+mod other_formats;
 mod profile;
 mod record;
 mod refusal;
@@ -102,7 +102,7 @@ fn record(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
         let reason = "a MATLAB, HDF or Parquet file; load it and hand over its arrays, or save it as CSV";
         return Err(Refusal::fault(None, reason));
     }
-    if let Some(what) = others::named(bytes) {
+    if let Some(what) = other_formats::named(bytes) {
         return Err(Refusal::fault(None, what));
     }
     text::record(bytes, options)

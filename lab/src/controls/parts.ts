@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { type IconName, icon } from '../draw/icons'
 import { rich } from '../language/rich'
 
-export interface Option<T> {
+interface Option<T> {
   readonly value: T
   readonly text?: string
   readonly icon?: IconName
@@ -47,7 +47,7 @@ export interface MenuItem {
   readonly act: () => void
 }
 
-export interface MenuSpec {
+interface MenuSpec {
   readonly key: string
   readonly label: string | TemplateResult
   readonly name: string

@@ -5,7 +5,7 @@ import { icon } from '../draw/icons'
 import { iconButton } from './parts'
 import { afterKey, dragging, partAlong } from './slide'
 
-export interface PlaySpec {
+interface PlaySpec {
   readonly playing: boolean
   readonly t: number
   /** The time at this moment. */

@@ -1,6 +1,6 @@
 // What every slider does: drag with a pointer, step with the keys. A slider is any element of role `slider`.
 
-export interface Stops {
+interface Stops {
   readonly value: number
   readonly least: number
   readonly most: number

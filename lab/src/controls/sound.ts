@@ -22,7 +22,7 @@ export function pitches({ values, low, high }: Trace, steps = STEPS): Float64Arr
 }
 
 /** Puts the trace into an audio graph, so that a test can render it without a loudspeaker. */
-export function connect(context: BaseAudioContext, trace: Trace, start: number): OscillatorNode[] {
+function connect(context: BaseAudioContext, trace: Trace, start: number): OscillatorNode[] {
   const frequencies = pitches(trace)
   const smooth = context.createOscillator()
   const rough = context.createOscillator()

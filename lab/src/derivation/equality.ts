@@ -29,6 +29,10 @@ export const TURN: readonly Regime[] = ['rotation']
 export const BOTH: readonly Regime[] = ['libration', 'rotation']
 export const LIMIT: readonly Regime[] = ['separatrix']
 
+export const square = (x: number): number => x * x
+/** The size of what is at most 1: a sine, sn, cn. */
+export const one = (): number => 1
+
 export interface Sides {
   readonly left: number
   readonly right: number

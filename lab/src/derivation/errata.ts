@@ -1,7 +1,7 @@
 // Lines of the papers that are wrong as printed, put to the reader's own pendulum: what the printed line gives, what the corrected one
 // gives, and what is true. docs/errata.md has all of them with their reasons.
 
-import type { Equality } from './equality'
+import { type Equality, square } from './equality'
 import type { Moment } from './moment'
 import { byStart, coefficientsOf, duffingOf, firstOfNine, RATIONAL } from './salas'
 import { legendreF } from './second-route'
@@ -34,8 +34,6 @@ export interface Erratum {
   /** Null where the line is not about this motion. */
   readonly of: (now: Moment) => Reading | null
 }
-
-const square = (x: number): number => x * x
 
 /** 2 arcsin of a number that may be too large for it. */
 function doubled(argument: number): Pick<Reading, 'printed' | 'argument'> {

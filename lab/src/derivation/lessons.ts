@@ -10,7 +10,7 @@ import { STEPS } from './steps'
 /** Every equality that is displayed somewhere. */
 export const EQUALITIES: readonly Equality[] = [...STEPS, ...MOTION, ...LIMA, ...SALAS]
 
-export type FigureName = 'forces' | 'circle'
+type FigureName = 'forces' | 'circle'
 export type TableName = 'coefficients' | 'errors'
 
 /** `p` is the next paragraph of the step's words. */

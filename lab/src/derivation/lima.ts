@@ -2,13 +2,13 @@
 
 import { remember } from '../memory'
 import type { Model, Parameter } from '../model'
-import { type Equality, SWING } from './equality'
+import { type Equality, one, SWING, square } from './equality'
 import type { Moment } from './moment'
 
 /** Terms that Lima's series is shown with. */
 export const TERMS = 4
 
-export interface Series {
+interface Series {
   readonly q: number
   /** b₁, b₃, b₅ …, down to what a double does not see. */
   readonly b: readonly number[]
@@ -19,7 +19,7 @@ export interface Series {
 /** Places of that sum: enough for a nome of 0.9, which no start in doubles exceeds. */
 const PLACES = 512
 
-export const seriesOf = remember((model: Model, m: number, mc: number): Series => {
+const seriesOf = remember((model: Model, m: number, mc: number): Series => {
   const parameter: Parameter = { m, mc }
   const quarter = model.completeK(parameter)
   const q = model.nome(parameter)
@@ -41,16 +41,13 @@ function coefficient(n: number, q: number, m: number, quarter: number): number {
 export const seriesAt = ({ model, m, mc }: Moment): Series => seriesOf(model, m, mc)
 
 /** The first terms of (20) at an argument; all of them without a number. */
-export function partial(now: Moment, u: number, terms?: number): number {
+function partial(now: Moment, u: number, terms?: number): number {
   const { b } = seriesAt(now)
   const x = (Math.PI * u) / (2 * now.elliptic.quarter)
   return b.slice(0, terms).reduce((sum, each, i) => sum + each * Math.sin((2 * i + 1) * x), 0)
 }
 
-const square = (x: number): number => x * x
 const fourier = { name: 'fourier', argument: TERMS, on: true } as const
-/** sn never leaves ±1. */
-const one = (): number => 1
 
 export const LIMA: readonly Equality[] = [
   {

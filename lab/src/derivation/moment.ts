@@ -16,7 +16,7 @@ export interface Half {
 }
 
 /** The elliptic functions of a motion that swings or turns. */
-export interface Elliptic {
+interface Elliptic {
   readonly parameter: Parameter
   readonly k: number
   readonly quarter: number

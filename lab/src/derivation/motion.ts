@@ -1,10 +1,7 @@
 // Equalities of the way from the integral to θ(t): Jacobi's functions, the motion from any start, and the limit of small swings.
 
-import { ALL, BOTH, type Equality, LIMIT, MOVING, SWING, TURN } from './equality'
+import { ALL, BOTH, type Equality, LIMIT, MOVING, one, SWING, square, TURN } from './equality'
 import type { Moment } from './moment'
-
-const square = (x: number): number => x * x
-const one = (): number => 1
 
 /** The point of the ellipse of the view Functions (src/ellipse.ts), whose x is cd: a quarter behind φ. */
 function placeOf(now: Moment): { readonly x: number; readonly y: number } {

@@ -1,10 +1,8 @@
 // Equalities of Salas's way: u = tan(θ/2) obeys Duffing's equation, whose solution is a cn; any start in one formula (Salas 2019).
 
-import { type Equality, MOVING, SWING } from './equality'
+import { type Equality, MOVING, SWING, square } from './equality'
 import type { Half, Moment } from './moment'
 import { STEPS } from './steps'
-
-const square = (x: number): number => x * x
 
 /** Salas's variable and its velocity. */
 export function duffingOf({ s, c, x }: Half, omega0: number): { readonly u: number; readonly v: number } {
@@ -49,7 +47,7 @@ const amplitude = (now: Moment): number => Math.sqrt(now.m / now.mc)
 const beside = (a: number, b: number): number => b + 2 * Math.PI * Math.round((a - b) / (2 * Math.PI))
 
 /** (23), both parts of the fraction multiplied by cos²(θ₀/2), so that 180° has a value; the one below without a difference. */
-export function salas23(now: Moment): number {
+function salas23(now: Moment): number {
   const { s, c, x } = now.start
   const { sn, cn, dn } = ownClock(now)
   return 2 * Math.atan2(s * c * cn + x * dn * sn, square(c * cn) + now.mc * square(sn))

@@ -45,7 +45,7 @@ export function mean(a: number, b: number): number {
 
 const WEIGHTS = [4 / 5, -1 / 5, 4 / 105, -1 / 280]
 /** Places to either side of the middle. */
-export const REACH = WEIGHTS.length
+const REACH = WEIGHTS.length
 
 /** Slope in the middle of values at even distances; 2 REACH + 1 of them. */
 export function slope(values: ArrayLike<number>, distance: number): number {

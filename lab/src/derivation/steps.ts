@@ -1,11 +1,8 @@
 // Equalities of the way to the integral: force, energy, kind of motion, substitution, time and period.
 
-import { ALL, BOTH, type Equality, SWING, TURN } from './equality'
+import { ALL, BOTH, type Equality, one, SWING, square, TURN } from './equality'
 import type { Moment } from './moment'
 import { mean, quarterOf } from './second-route'
-
-const square = (x: number): number => x * x
-const one = (): number => 1
 
 const force: Equality[] = [
   {

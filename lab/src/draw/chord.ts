@@ -2,7 +2,7 @@
 
 import { nothing, svg, type TemplateResult } from 'lit-html'
 
-export interface ChordSpec {
+interface ChordSpec {
   readonly angle: number
   readonly reach: number
   readonly chord: string

@@ -3,7 +3,7 @@
 import { nothing, svg, type TemplateResult } from 'lit-html'
 import { richSvg } from '../language/rich'
 
-export interface CircleSpec {
+interface CircleSpec {
   readonly x: number
   readonly s: number
   readonly kappa: number

@@ -2,7 +2,7 @@
 
 import { type Curve, type Family, kindOf } from '../curves'
 
-export const ORDINALS = ['', 'second', 'third'] as const
+const ORDINALS = ['', 'second', 'third'] as const
 
 /** The classes of `.c` for every curve of a list, in its order. */
 export function clothesOf(curves: readonly Curve[]): string[] {

@@ -188,7 +188,7 @@ function written(): string {
   return letters.decode(text.subarray(0, end))
 }
 
-export interface Leaving {
+interface Leaving {
   readonly x: number
   readonly up: boolean
 }

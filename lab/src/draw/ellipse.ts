@@ -2,7 +2,7 @@
 
 import { nothing, svg, type TemplateResult } from 'lit-html'
 
-export interface EllipseSpec {
+interface EllipseSpec {
   readonly x: number
   readonly y: number
   /** Of the point where the radius meets the unit circle. */
@@ -22,7 +22,7 @@ const UNIT = 96
 const ROOM = 232
 
 /** Pixels of 1 along x and along y. */
-export function ellipseUnits({ height, shortening }: Pick<EllipseSpec, 'height' | 'shortening'>): {
+function ellipseUnits({ height, shortening }: Pick<EllipseSpec, 'height' | 'shortening'>): {
   x: number
   y: number
 } {

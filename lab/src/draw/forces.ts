@@ -3,7 +3,7 @@
 import { svg, type TemplateResult } from 'lit-html'
 import { richSvg } from '../language/rich'
 
-export interface ForcesSpec {
+interface ForcesSpec {
   readonly weight: string
   readonly along: string
   readonly across: string

@@ -3,12 +3,12 @@
 import type { Points } from './curve'
 import type { Scale } from './scale'
 
-export interface Named extends Points {
+interface Named extends Points {
   readonly text: string
   readonly factor?: number
 }
 
-export interface Placed {
+interface Placed {
   readonly text: string
   /** Middle of the line of text, in pixels. */
   readonly x: number

@@ -27,7 +27,7 @@ export interface Label {
   readonly alarm?: boolean
 }
 
-export interface Dot {
+interface Dot {
   readonly clothes: string
   readonly y: number
 }

@@ -1,5 +1,7 @@
 // What a text of code is about: the start of a pendulum in words of a language of programs, and what the comments say.
 
+import type { Regime } from '../model'
+
 /** What the comments of the texts say, in the reader's language. */
 export interface Comments {
   readonly equation: string
@@ -14,11 +16,9 @@ export interface Comments {
   readonly rest: string
 }
 
-export type Kind = 'libration' | 'rotation' | 'separatrix' | 'rest'
-
 /** The start of a pendulum as the texts write it. */
 export interface Given {
-  readonly kind: Kind
+  readonly kind: Regime
   /** In degrees where a short number of them is the angle, else in radians. */
   readonly angle: { readonly degrees: string } | { readonly radians: string }
   readonly velocity: string

@@ -29,19 +29,17 @@ export function octave(given: Given): string {
     'end',
     'u0 = phi/(2^8*a);',
   ]
+  // MATLAB has no printf; both have fprintf.
   const shown = (period: boolean) => [
     '',
-    period && "printf('period %.15g\\n', period)",
-    "printf('%.15g %.15g %.15g\\n', [t; theta; velocity])",
+    period && "fprintf('period %.15g\\n', period)",
+    "fprintf('%.15g %.15g %.15g\\n', [t; theta; velocity])",
   ]
-  const text = (...body: readonly (string | false)[]) =>
-    // MATLAB's printf is fprintf, which Octave has too.
-    lines(...body).replaceAll('printf(', 'fprintf(')
   const head = `% ${say.equation}`
   const convention = `% ellipke, ellipj: ${say.parameter}`
   switch (kind) {
     case 'libration':
-      return text(
+      return lines(
         head,
         convention,
         ...start,
@@ -56,7 +54,7 @@ export function octave(given: Given): string {
         ...shown(true),
       )
     case 'rotation':
-      return text(
+      return lines(
         head,
         convention,
         ...start,
@@ -75,7 +73,7 @@ export function octave(given: Given): string {
         ...shown(true),
       )
     case 'separatrix':
-      return text(
+      return lines(
         head,
         `% ${say.separatrix}`,
         ...start,
@@ -87,7 +85,7 @@ export function octave(given: Given): string {
         ...shown(true),
       )
     default:
-      return text(
+      return lines(
         head,
         `% ${say.rest}`,
         ...start,

@@ -26,7 +26,7 @@ export const TIMES = [0, 0.5, 1, 2, 5]
 
 const WRITERS: Readonly<Record<Code, (given: Given) => string>> = { scipy, mpmath, libration, octave, r, mathematica }
 
-export function givenOf(motion: Motion, say: Comments): Given {
+function givenOf(motion: Motion, say: Comments): Given {
   const { theta0, velocity0, length, gravity } = motion.setup
   const angle = angleText(theta0)
   return {

@@ -23,7 +23,8 @@ export const enData = {
   read: 'Read it',
   pasted: 'pasted table',
   privacy: 'The file stays on this machine: the page reads it itself.',
-  takes: 'Text tables of any tool: Tracker, phyphox, Vernier, PASCO, photogates; decimal points or commas.',
+  takes:
+    'Tables of any tool, as text, ZIP or XLSX: Tracker, phyphox, Vernier, PASCO, photogates; decimal points or commas.',
 
   understood: 'What was understood',
   rows: '{count} values of {what}',

@@ -216,7 +216,7 @@ export const enDerivation = {
         ],
       },
       duffing: {
-        title: 'A spring in disguise',
+        title: 'The pendulum as a spring',
         text: [
           'The tangent of half the angle, _u_ = tan(_θ_/2), moves like a mass on a spring with a cubic force: Duffing’s equation. On the left is what the chain rule makes of the pendulum’s own motion:',
           'The spring has an energy of its own:',

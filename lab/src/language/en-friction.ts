@@ -16,7 +16,6 @@ export const enFriction = {
   loading: 'Loading friction …',
   failed: 'Friction could not be loaded.',
   again: 'Try again',
-  start: 'Start and pendulum',
 
   examples: 'Examples',
   presets: {

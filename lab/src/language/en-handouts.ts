@@ -103,7 +103,6 @@ export const enHandouts = {
   takeM: 'Take _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Take _k_: C++17, Boost, GSL, Maple.',
 
-  shown: 'Shown',
   shownHelp: 'Nothing chosen is everything.',
   parts: {
     pendulum: 'pendulum',

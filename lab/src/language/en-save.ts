@@ -34,7 +34,6 @@ export const enSave = {
   exact: 'Only the exact motion is in the film, in the light colours.',
   noMp4: 'This browser writes no MP4 (H.264): the film is WebM (VP9).',
   noVideo: 'No video can be written here: the film is a GIF.',
-  probing: 'Asking the browser what it can write …',
   rest: 'At rest nothing moves: there is no film.',
   separatrix:
     'On the separatrix the period is infinite: no film of it ends. The time that the plots show can be filmed.',

@@ -131,7 +131,6 @@ export const en = {
     separatrix:
       'The separatrix is the motion with exactly the energy of the top. It parts swinging from turning over, and its period is infinite.',
     stated: 'The range of angles for which its author offers the formula.',
-    notation: 'Notation',
   },
 
   plots: {
@@ -170,7 +169,6 @@ export const en = {
     failedView: 'This view could not be loaded. The Lab works; load the page again for the others.',
     empty: 'Only the exact motion is drawn. {add} to see its error.',
     emptyAdd: 'Add a curve',
-    leaves: '{name} leaves the plot',
     hatched: 'Hatched: {reasons}',
     captionAngle: 'The angle from {from} to {to}. The exact motion is between {least} and {most}.',
     captionVelocity: 'The velocity from {from} to {to}. The exact motion is between {least} and {most}.',
@@ -211,7 +209,6 @@ export const en = {
     refused: 'not for this motion',
     stated: 'stated up to {range}',
     overTop: 'over the top at {t}',
-    tooLong: 'not computed beyond {t}: too many steps',
     none: '–',
   },
   curves: {

@@ -24,7 +24,7 @@ export const esData: DataCatalogue = {
   pasted: 'tabla pegada',
   privacy: 'El archivo queda en esta máquina: la propia página lo lee.',
   takes:
-    'Tablas de texto de cualquier herramienta: Tracker, phyphox, Vernier, PASCO, fotopuertas; punto o coma decimal.',
+    'Tablas de cualquier herramienta, en texto, ZIP o XLSX: Tracker, phyphox, Vernier, PASCO, fotopuertas; punto o coma decimal.',
 
   understood: 'Lo que se entendió',
   rows: '{count} valores de {what}',

@@ -217,7 +217,7 @@ export const esDerivation: DerivationCatalogue = {
         ],
       },
       duffing: {
-        title: 'Un resorte disfrazado',
+        title: 'El péndulo como resorte',
         text: [
           'La tangente de la mitad del ángulo, _u_ = tan(_θ_/2), se mueve como una masa en un resorte de fuerza cúbica: la ecuación de Duffing. A la izquierda está lo que la regla de la cadena hace del movimiento del propio péndulo:',
           'El resorte tiene una energía propia:',

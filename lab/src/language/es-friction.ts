@@ -16,7 +16,6 @@ export const esFriction: FrictionCatalogue = {
   loading: 'Cargando la fricción …',
   failed: 'No se pudo cargar la fricción.',
   again: 'Intentar de nuevo',
-  start: 'Inicio y péndulo',
 
   examples: 'Ejemplos',
   presets: {

@@ -103,7 +103,6 @@ export const esHandouts: HandoutsCatalogue = {
   takeM: 'Reciben _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Reciben _k_: C++17, Boost, GSL, Maple.',
 
-  shown: 'Se muestra',
   shownHelp: 'Nada marcado es todo.',
   parts: {
     pendulum: 'péndulo',

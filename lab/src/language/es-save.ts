@@ -34,7 +34,6 @@ export const esSave: SaveCatalogue = {
   exact: 'Solo el movimiento exacto está en la película, en los colores claros.',
   noMp4: 'Este navegador no escribe MP4 (H.264): la película es WebM (VP9).',
   noVideo: 'Aquí no se puede escribir video: la película es un GIF.',
-  probing: 'Preguntando al navegador qué sabe escribir …',
   rest: 'En reposo nada se mueve: no hay película.',
   separatrix:
     'En la separatriz el periodo es infinito: una película de él no termina. El tiempo que muestran los gráficos se puede filmar.',

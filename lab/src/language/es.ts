@@ -133,7 +133,6 @@ export const es: FirstCatalogue = {
     separatrix:
       'La separatriz es el movimiento con exactamente la energía de lo alto. Separa las oscilaciones de las vueltas, y su periodo es infinito.',
     stated: 'El intervalo de ángulos para el que su autor propone la fórmula.',
-    notation: 'Notación',
   },
 
   plots: {
@@ -172,7 +171,6 @@ export const es: FirstCatalogue = {
     failedView: 'Esta vista no se pudo cargar. El Lab funciona; recargue la página para las otras.',
     empty: 'Solo está dibujado el movimiento exacto. {add} para ver su error.',
     emptyAdd: 'Añade una curva',
-    leaves: '{name} sale de la gráfica',
     hatched: 'Rayado: {reasons}',
     captionAngle: 'El ángulo de {from} a {to}. El movimiento exacto está entre {least} y {most}.',
     captionVelocity: 'La velocidad de {from} a {to}. El movimiento exacto está entre {least} y {most}.',
@@ -213,7 +211,6 @@ export const es: FirstCatalogue = {
     refused: 'no sirve para este movimiento',
     stated: 'propuesta hasta {range}',
     overTop: 'pasa por lo alto en {t}',
-    tooLong: 'no calculado más allá de {t}: demasiados pasos',
     none: '–',
   },
   curves: {

@@ -23,7 +23,7 @@ interface Added extends LaterCatalogue {
   readonly handouts: HandoutsWords
   readonly save: SaveWords
 }
-export type Catalogue = FirstCatalogue & Added
+type Catalogue = FirstCatalogue & Added
 
 const FIRST: Readonly<Record<Language, FirstCatalogue>> = { en, 'pt-BR': ptBR, es }
 /** Whole once the words of all parts have come; a part asks for none but its own and those that are there before it. */

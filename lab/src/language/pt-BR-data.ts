@@ -24,7 +24,7 @@ export const ptBRData: DataCatalogue = {
   pasted: 'tabela colada',
   privacy: 'O arquivo fica nesta máquina: a própria página o lê.',
   takes:
-    'Tabelas de texto de qualquer ferramenta: Tracker, phyphox, Vernier, PASCO, fotossensores; ponto ou vírgula decimal.',
+    'Tabelas de qualquer ferramenta, em texto, ZIP ou XLSX: Tracker, phyphox, Vernier, PASCO, fotossensores; ponto ou vírgula decimal.',
 
   understood: 'O que foi entendido',
   rows: '{count} valores de {what}',

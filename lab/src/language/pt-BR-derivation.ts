@@ -217,7 +217,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         ],
       },
       duffing: {
-        title: 'Uma mola disfarçada',
+        title: 'O pêndulo como mola',
         text: [
           'A tangente da metade do ângulo, _u_ = tan(_θ_/2), move-se como uma massa em uma mola de força cúbica: a equação de Duffing. À esquerda está o que a regra da cadeia faz do movimento do próprio pêndulo:',
           'A mola tem uma energia própria:',

@@ -16,7 +16,6 @@ export const ptBRFriction: FrictionCatalogue = {
   loading: 'Carregando o atrito …',
   failed: 'O atrito não pôde ser carregado.',
   again: 'Tentar de novo',
-  start: 'Início e pêndulo',
 
   examples: 'Exemplos',
   presets: {

@@ -102,7 +102,6 @@ export const ptBRHandouts: HandoutsCatalogue = {
   takeM: 'Recebem _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Recebem _k_: C++17, Boost, GSL, Maple.',
 
-  shown: 'Mostrado',
   shownHelp: 'Nada marcado é tudo.',
   parts: {
     pendulum: 'pêndulo',

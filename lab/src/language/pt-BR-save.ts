@@ -34,7 +34,6 @@ export const ptBRSave: SaveCatalogue = {
   exact: 'Só o movimento exato está no filme, nas cores claras.',
   noMp4: 'Este navegador não escreve MP4 (H.264): o filme é WebM (VP9).',
   noVideo: 'Aqui não se pode escrever vídeo: o filme é um GIF.',
-  probing: 'Perguntando ao navegador o que ele sabe escrever …',
   rest: 'Em repouso nada se move: não há filme.',
   separatrix:
     'Na separatriz o período é infinito: um filme dele não termina. O tempo que os gráficos mostram pode ser filmado.',

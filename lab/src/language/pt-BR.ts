@@ -133,7 +133,6 @@ export const ptBR: FirstCatalogue = {
     separatrix:
       'A separatriz é o movimento com exatamente a energia do topo. Ela separa as oscilações das voltas, e seu período é infinito.',
     stated: 'O intervalo de ângulos para o qual o autor propõe a fórmula.',
-    notation: 'Notação',
   },
 
   plots: {
@@ -172,7 +171,6 @@ export const ptBR: FirstCatalogue = {
     failedView: 'Esta vista não pôde ser carregada. O Lab funciona; recarregue a página para as outras.',
     empty: 'Só o movimento exato está desenhado. {add} para ver o erro.',
     emptyAdd: 'Adicione uma curva',
-    leaves: '{name} sai do gráfico',
     hatched: 'Hachurado: {reasons}',
     captionAngle: 'O ângulo de {from} a {to}. O movimento exato fica entre {least} e {most}.',
     captionVelocity: 'A velocidade de {from} a {to}. O movimento exato fica entre {least} e {most}.',
@@ -213,7 +211,6 @@ export const ptBR: FirstCatalogue = {
     refused: 'não serve a este movimento',
     stated: 'proposta até {range}',
     overTop: 'passa pelo topo em {t}',
-    tooLong: 'não calculado além de {t}: passos demais',
     none: '–',
   },
   curves: {

@@ -3,7 +3,7 @@
 import type { AskedFile, Statements, Told } from './fit-protocol'
 
 /** An address, or a response to come. */
-export type ModuleSource = string | PromiseLike<Response>
+type ModuleSource = string | PromiseLike<Response>
 
 export class Fitter {
   #module: Promise<WebAssembly.Module> | null = null

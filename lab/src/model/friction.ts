@@ -2,13 +2,9 @@
 // what happens in it.
 
 import { DampedPendulum } from 'libration'
-import { whereverStarted } from './motion'
+import { type Setup, whereverStarted } from './motion'
 
-export interface FrictionSetup {
-  readonly theta0: number
-  readonly velocity0: number
-  readonly length: number
-  readonly gravity: number
+export interface FrictionSetup extends Setup {
   readonly linear: number
   readonly quadratic: number
   readonly dry: number
@@ -37,7 +33,7 @@ export interface Turning {
 }
 
 /** What it comes to, of a motion without a torque that varies. */
-export type Outcome =
+type Outcome =
   | { readonly kind: 'exact' | 'still' }
   | { readonly kind: 'stops'; readonly t: number; readonly theta: number }
   | { readonly kind: 'halves'; readonly t: number }

@@ -41,7 +41,7 @@ export interface Solution {
 }
 
 /** What a solution must know of the motion that it is compared with. */
-export interface Reference {
+interface Reference {
   readonly omega0: number
   readonly asGiven: boolean
   readonly balanced: boolean

@@ -2,7 +2,7 @@
 
 import { type Force, potential, type SpringOrbit } from './spring'
 
-export interface Level {
+interface Level {
   readonly x: Float64Array
   readonly y: Float64Array
 }

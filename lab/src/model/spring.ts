@@ -16,7 +16,7 @@ export interface Force {
   readonly s: number
 }
 
-export interface Equilibrium {
+interface Equilibrium {
   readonly u: number
   /** The potential there. */
   readonly height: number
@@ -55,13 +55,13 @@ export function equilibria(force: Force): Equilibrium[] {
   return [...right.map((u) => -u).reverse(), 0, ...right].map(at)
 }
 
-export interface SpringTrack {
+interface SpringTrack {
   readonly u: Float64Array
   readonly velocity: Float64Array
 }
 
 /** What a spring is called: by the signs of its coefficients. */
-export type SpringName = 'hardening' | 'softening' | 'double' | 'repelling' | 'linear' | 'free' | 'quintic'
+type SpringName = 'hardening' | 'softening' | 'double' | 'repelling' | 'linear' | 'free' | 'quintic'
 
 function nameOf({ kind, p, q, s }: Force): SpringName {
   if (kind === 'cubic-quintic' && s !== 0) return 'quintic'
@@ -136,7 +136,7 @@ export function forceOf(kind: SpringKind, p: number, q: number, s: number): Forc
   return { kind, p, q, s: kind === 'duffing' ? 0 : s }
 }
 
-export interface SpringStart {
+interface SpringStart {
   readonly p: number
   readonly q: number
   readonly u0: number

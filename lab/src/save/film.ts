@@ -12,7 +12,7 @@ export const RATES = [10, 20, 25, 30, 50] as const
 export const FEWEST = 12
 export const MOST = 2000
 
-export interface FilmChoice {
+interface FilmChoice {
   /** One period, or the time that the plots show. */
   readonly of: 'period' | Window
   /** Frames in a second of the film, at most. */

@@ -22,7 +22,7 @@ export function written(value: number): string {
   return text.includes('.') ? text : `${text}.0`
 }
 
-export interface Sampling {
+interface Sampling {
   /** Last instant in s; the first is 0. */
   readonly until: number
   readonly samples: number

@@ -46,7 +46,7 @@ const KINDS: readonly Kind[] = [
   },
 ]
 
-export interface Encoding extends Kind {
+interface Encoding extends Kind {
   readonly config: VideoEncoderConfig
 }
 

@@ -4,20 +4,20 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
 import { extent } from '../draw/curve'
 import { hatchedRegions, type Line, plot } from '../draw/plot'
-import { degreeTicks, linearScale, roundTicks, type Tick, tickDecimals } from '../draw/scale'
+import { degreeTicks, linearScale, type Tick } from '../draw/scale'
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
+import { DEGREES } from '../number'
 import type { Drawn, Study } from '../study'
+import { roundTicksOf } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
 import type { TableSpec } from './table'
 import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
 
-export const DEGREES = 180 / Math.PI
-
 /** Least and greatest of the axis: the exact motion with a margin, and of step-by-step solutions as much as fits three of it. */
-export function rangeOf(
+function rangeOf(
   exact: Float64Array,
   others: readonly Float64Array[],
   factor: number,
@@ -79,13 +79,11 @@ function yTicks(page: Live, [low, high]: [number, number], { height, rem }: Plot
   if (state.quantity === 'angle') {
     return degreeTicks(low, high, most).map((value) => ({ value, text: `${words.typed(value)}°` }))
   }
-  const values = roundTicks(low, high, most)
-  const decimals = tickDecimals(values)
-  return values.map((value) => ({ value, text: words.fixed(value, decimals) }))
+  return roundTicksOf(words, low, high, most)
 }
 
 /** Why a curve has no value in the window, in words. */
-export function gapReasons(page: Live, study: Study): string[] {
+function gapReasons(page: Live, study: Study): string[] {
   const { words, model } = page
   return study.shown
     .filter(({ gone }) => !Number.isNaN(gone))
@@ -98,7 +96,7 @@ export function gapReasons(page: Live, study: Study): string[] {
     })
 }
 
-export function hatchNote(page: Live, study: Study): TemplateResult | typeof nothing {
+function hatchNote(page: Live, study: Study): TemplateResult | typeof nothing {
   const reasons = gapReasons(page, study)
   if (reasons.length === 0) return nothing
   return html`<p class="plot-note">${rich(page.words.fill(page.words.say.plots.hatched, { reasons: reasons.join(' ') }))}</p>`

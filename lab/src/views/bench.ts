@@ -75,7 +75,7 @@ export function pendulumAt(page: Live, angle: number, velocity: number, ghosts: 
 }
 
 /** The pendulum at the time shown, with the bobs of other curves. */
-export function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateResult {
+function drawnPendulum(page: Live, ghosts: readonly Ghost[]): TemplateResult {
   const { motion, t, words } = page
   const angle = motion.theta(t)
   const velocity = motion.velocity(t)

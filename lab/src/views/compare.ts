@@ -36,7 +36,7 @@ function sample(clothes: string, framed: boolean): TemplateResult {
 }
 
 /** The next argument up or down: whole numbers for terms, 1 2 5 10 for steps. */
-export function nextArgument(curve: Curve, up: boolean): number {
+function nextArgument(curve: Curve, up: boolean): number {
   const { argument } = kindOf(curve.name)
   const value = curve.argument ?? 0
   if (!argument) return value

@@ -7,13 +7,13 @@ import { placedLabels } from '../draw/labels'
 import { plot } from '../draw/plot'
 import { logScale, type Tick } from '../draw/scale'
 import { plain, rich } from '../language/rich'
+import { DEGREES } from '../number'
 import { chart, type PlotSize } from './chart'
 import { dialog } from './dialogs'
 import { powerText } from './error'
 import type { Live } from './page'
 import type { TableSpec } from './table'
 
-const DEGREES = 180 / Math.PI
 const CLOTHES = clothesOf(SCHEMES.map((name) => ({ name, on: true })))
 
 /** Powers of ten from one to the other, at most so many. */

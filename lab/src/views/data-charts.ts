@@ -6,16 +6,17 @@ import { switches } from '../controls/parts'
 import { extent, type Points } from '../draw/curve'
 import { dotsOf } from '../draw/dots'
 import { type Line, plot } from '../draw/plot'
-import { linearScale, roundTicks, type Scale, type Tick, tickDecimals } from '../draw/scale'
+import { linearScale, type Scale, type Tick } from '../draw/scale'
 import type { Axis, Measurement } from '../measurement'
 import { remember } from '../memory'
 import type { Model } from '../model'
 import type { Reading, Result } from '../model/fit-protocol'
+import { DEGREES } from '../number'
+import { roundTicksOf } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import type { Live } from './page'
 import type { TableSpec } from './table'
 
-const DEGREES = 180 / Math.PI
 /** From SI to the unit that is shown. */
 const FACTORS = { angle: DEGREES, velocity: DEGREES, acceleration: 1, gate: 1, swings: 1 } as const
 
@@ -75,9 +76,7 @@ function axis(page: Live, values: Float64Array, factor: number, height: number, 
   const room = 0.06 * (most - least) || 1
   const [low, high] = [least - room, most + room]
   const sy = linearScale([low, high], [height, 0])
-  const ticks = roundTicks(low, high, Math.min(7, Math.max(3, Math.floor(height / (1.15 * rem)))))
-  const decimals = tickDecimals(ticks)
-  return [sy, ticks.map((value) => ({ value, text: page.words.fixed(value, decimals) }))]
+  return [sy, roundTicksOf(page.words, low, high, Math.min(7, Math.max(3, Math.floor(height / (1.15 * rem)))))]
 }
 
 function draw(page: Live, shown: DrawnRecord, size: PlotSize, y: Float64Array, lines: readonly Line[], below: boolean) {
@@ -89,8 +88,6 @@ function draw(page: Live, shown: DrawnRecord, size: PlotSize, y: Float64Array, l
   const room = few ? 0.02 * (last - first) : 0
   const [low, high] = [first - room, last > first ? last + room : first + 1]
   const sx = linearScale([low, high], [0, width])
-  const ticks = roundTicks(low, high, width < 26 * rem ? 5 : 9)
-  const decimals = tickDecimals(ticks)
   const [sy, ys] = axis(page, y, factor, height, rem)
   const dots = (points: Points) => dotsOf(points, sx, sy, factor)
   return plot(
@@ -98,7 +95,7 @@ function draw(page: Live, shown: DrawnRecord, size: PlotSize, y: Float64Array, l
       ...size,
       sx,
       sy,
-      xs: ticks.map((value) => ({ value, text: page.words.fixed(value, decimals) })),
+      xs: roundTicksOf(page.words, low, high, width < 26 * rem ? 5 : 9),
       ys,
       xLabels: below,
       lines,

@@ -5,7 +5,7 @@ import { icon } from '../draw/icons'
 import { rich } from '../language/rich'
 import type { Live } from './page'
 
-export interface EntryField {
+interface EntryField {
   readonly id: string
   readonly label: string
   readonly text: string

@@ -3,8 +3,8 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { iconButton, switches } from '../controls/parts'
 import {
-  type EntryName,
   FIELDS,
+  type FieldName,
   isBad,
   isBadPart,
   KNOWN,
@@ -20,7 +20,7 @@ import type { Measurement } from '../measurement'
 import { entryField, entryLine, entryPair, notANumber, select } from './data-fields'
 import type { Live } from './page'
 
-function field(measurement: Measurement, name: EntryName, label: string, unit = ''): TemplateResult {
+function field(measurement: Measurement, name: FieldName, label: string, unit = ''): TemplateResult {
   const text = measurement.entries[name]
   return entryField({
     id: `data-${name}`,

@@ -5,17 +5,16 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { extent } from '../draw/curve'
 import { icon } from '../draw/icons'
 import { plot } from '../draw/plot'
-import { linearScale, roundTicks, tickDecimals } from '../draw/scale'
+import { linearScale, roundTicks } from '../draw/scale'
 import { rich } from '../language/rich'
 import { inLanguage } from '../language/sentences'
-import { degrees } from '../number'
+import { DEGREES, degrees } from '../number'
 import { EXAMPLE, type GravityCurve, isBadTiming, type Timing, type TimingName, timingNumber } from '../timing'
+import { roundTicksOf } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import { entryField, entryLine, entryPair, notANumber } from './data-fields'
 import { budget, withUncertainty } from './data-result'
 import type { Live } from './page'
-
-const DEGREES = 180 / Math.PI
 
 function entries(page: Live, timing: Timing): TemplateResult {
   const { data, units } = page.words.say
@@ -62,7 +61,6 @@ function draw(page: Live, timing: Timing, curve: GravityCurve, size: PlotSize): 
   const sx = linearScale([0, x.at(-1) as number], [0, width])
   const sy = linearScale([least - room, most + room], [height, 0])
   const xs = roundTicks(0, sx.high, width < 26 * rem ? 5 : 9)
-  const ys = roundTicks(sy.low, sy.high, 6)
   const swings = (['swing', 'end'] as const)
     .map((name) => degrees(timingNumber(name, timing.entries[name])))
     .filter((each) => each > 0)
@@ -76,7 +74,7 @@ function draw(page: Live, timing: Timing, curve: GravityCurve, size: PlotSize): 
       sx,
       sy,
       xs: xs.map((value) => ({ value, text: `${words.fixed(value, 0)}°` })),
-      ys: ys.map((value) => ({ value, text: words.fixed(value, tickDecimals(ys)) })),
+      ys: roundTicksOf(words, sy.low, sy.high, 6),
       xLabels: true,
       lines: [{ x, y: curve.g, clothes: 'c-exact' }],
       levels: normal ? [normal] : [],

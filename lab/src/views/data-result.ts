@@ -7,6 +7,7 @@ import { rich } from '../language/rich'
 import { inLanguage } from '../language/sentences'
 import type { Measurement } from '../measurement'
 import type { Estimate, Fit, Joint, Result } from '../model/fit-protocol'
+import { DEGREES } from '../number'
 import type { Live } from './page'
 
 /** Two digits of the uncertainty, and the value as far as it goes. */
@@ -17,7 +18,6 @@ export function withUncertainty(words: Words, { value, u }: Pick<Estimate, 'valu
   return `${words.fixed(value * factor, decimals)} ± ${words.fixed(size, decimals)}`
 }
 
-const DEGREES = 180 / Math.PI
 const INDEPENDENT = 'as if residuals were independent'
 const TERMS = ['linear', 'quadratic', 'dry', 'presliding'] as const
 const TERM_UNITS = { linear: '1/s', quadratic: '1/rad', dry: 'rad/s²', presliding: 'rad' } as const

@@ -12,19 +12,19 @@ const SIZES = { '360': [360, 640], '640': [640, 480], '800': [800, 600] } as con
 type Size = keyof typeof SIZES
 
 /** What is chosen; it is for another page, so that it is not in the link of this one. */
-interface Chosen {
+interface EmbedChoices {
   readonly show: readonly Shown[]
   readonly lock: readonly Lock[]
   readonly hide: boolean
   readonly size: Size
   readonly preview: boolean
 }
-let chosen: Chosen = { show: ['phase'], lock: ['L', 'g'], hide: false, size: '360', preview: false }
+let chosen: EmbedChoices = { show: ['phase'], lock: ['L', 'g'], hide: false, size: '360', preview: false }
 
 const OFFERED: readonly ViewName[] = VIEWS.filter((name) => name !== 'handouts')
 
 /** The link of the embedded page: this motion, with what is chosen. */
-function embeddedLink({ store, words }: Live, { show, lock, hide }: Chosen): string {
+function embeddedLink({ store, words }: Live, { show, lock, hide }: EmbedChoices): string {
   const { moment } = store
   const allowed = show.filter(
     (each) => !OFFERED.includes(each as ViewName) || shownViews({ show: [], hide }).includes(each as ViewName),
@@ -54,7 +54,7 @@ function isLocal(): boolean {
 export function embedForm(page: Live): TemplateResult {
   const { words, store, session } = page
   const { handouts, views, values } = words.say
-  const change = (patch: Partial<Chosen>) => {
+  const change = (patch: Partial<EmbedChoices>) => {
     chosen = { ...chosen, preview: false, ...patch }
     store.setSession({ copied: false, copyFailed: false })
   }

@@ -4,8 +4,9 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
 import { extent } from '../draw/curve'
 import { type Line, plot } from '../draw/plot'
-import { linearScale, roundTicks, tickDecimals } from '../draw/scale'
+import { linearScale } from '../draw/scale'
 import { type Study, showsTotal } from '../study'
+import { roundTicksOf } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
@@ -77,8 +78,6 @@ function draw(page: Live, study: Study, total: boolean, size: PlotSize): Templat
   const { height, rem } = size
   const ends = domain(study, total)
   const sy = linearScale(ends, [height, 0])
-  const values = roundTicks(ends[0], ends[1], Math.max(2, Math.floor(height / (1.25 * rem))))
-  const decimals = tickDecimals(values)
   const { plots } = words.say
   const near = ends[0] < 100 && ends[1] > 100
   const y = sy(100) > 1.1 * rem ? sy(100) - 0.3 * rem : sy(100) + 0.9 * rem
@@ -89,7 +88,7 @@ function draw(page: Live, study: Study, total: boolean, size: PlotSize): Templat
       sx: timeScale(study.window, size),
       sy,
       xs: timeTicks(words, study.window, size),
-      ys: values.map((value) => ({ value, text: words.fixed(value, decimals) })),
+      ys: roundTicksOf(words, ...ends, Math.max(2, Math.floor(height / (1.25 * rem)))),
       xLabels: true,
       lines: lines(page, study, total),
       levels: near ? [100] : [],

@@ -4,18 +4,11 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
 import { extent } from '../draw/curve'
 import { hatchedRegions, type Line, plot } from '../draw/plot'
-import {
-  linearScale,
-  roundTicks,
-  type Scale,
-  symmetricLogScale,
-  symmetricLogTicks,
-  type Tick,
-  tickDecimals,
-} from '../draw/scale'
+import { linearScale, type Scale, symmetricLogScale, symmetricLogTicks, type Tick } from '../draw/scale'
 import type { Words } from '../language'
 import { degrees } from '../number'
 import { errorFactor, inPercent, isLog, type Study } from '../study'
+import { roundTicksOf } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
@@ -30,7 +23,7 @@ function sizes(study: Study, factor: number): { least: number; most: number } {
 }
 
 /** The power of ten below the smallest of the largest errors: each curve is seen. */
-export function logUnit(least: number, most: number): number {
+function logUnit(least: number, most: number): number {
   return 10 ** Math.max(Math.floor(Math.log10(least) + 1e-9), Math.floor(Math.log10(most)) - 12)
 }
 
@@ -59,10 +52,8 @@ function scaleAndTicks(page: Live, axis: ErrorAxis, { height, rem }: PlotSize): 
     const values = symmetricLogTicks(axis.unit, end, room)
     return { sy, ys: values.map((value) => ({ value, text: powerText(words, value) })) }
   }
-  const values = roundTicks(-high, high, room)
-  const decimals = tickDecimals(values)
   const sy = linearScale([-high, high], [height, 0])
-  return { sy, ys: values.map((value) => ({ value, text: words.fixed(value, decimals) })) }
+  return { sy, ys: roundTicksOf(words, -high, high, room) }
 }
 
 /** 100, 0.01, 10^{−6}: the label of a power of ten. */

@@ -4,16 +4,16 @@ import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { extent } from '../draw/curve'
 import { dotsOf } from '../draw/dots'
 import { type Line, plot } from '../draw/plot'
-import { degreeTicks, linearScale, roundTicks, tickDecimals } from '../draw/scale'
+import { degreeTicks, linearScale } from '../draw/scale'
 import { plain } from '../language/rich'
 import { remember } from '../memory'
 import type { DampedMotion, Turning } from '../model/friction'
+import { DEGREES } from '../number'
+import { roundTicksOf, ticksAt } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import type { FrictionView, Tracks } from './friction-view'
 import type { TableSpec } from './table'
 import { timeScale, timeTicks } from './time-axis'
-
-const DEGREES = 180 / Math.PI
 
 /** Upper and lower turning points: of two neighbours one is a highest and one a lowest angle. */
 export function envelopeOf({ t, theta }: Turning): { x: Float64Array; y: Float64Array }[] {
@@ -69,7 +69,7 @@ function drawAngle({ page, damped, tracks, averaged }: FrictionView, size: PlotS
       sx,
       sy,
       xs: timeTicks(words, window, size),
-      ys: ticks.map((value) => ({ value, text: `${words.fixed(value, tickDecimals(ticks))}°` })),
+      ys: ticksAt(words, ticks, '°'),
       xLabels: false,
       lines: [
         { x: times, y: free, clothes: 'c-free', factor: DEGREES },
@@ -98,7 +98,6 @@ function drawEnergy({ page, damped, tracks }: FrictionView, size: PlotSize): Tem
   const most = 106 * Math.max(extent(tracks.energy)[1], motion.energyRatio) || 1
   const sx = timeScale(window, size)
   const sy = linearScale([0, most], [height, 0])
-  const ticks = roundTicks(0, most, Math.min(6, Math.max(3, Math.floor(height / (1.3 * rem)))))
   const level = { x: Float64Array.of(0, state.until), y: Float64Array.of(motion.energyRatio, motion.energyRatio) }
   const half = halfOf(damped)
   return plot(
@@ -107,7 +106,7 @@ function drawEnergy({ page, damped, tracks }: FrictionView, size: PlotSize): Tem
       sx,
       sy,
       xs: timeTicks(words, window, size),
-      ys: ticks.map((value) => ({ value, text: words.fixed(value, tickDecimals(ticks)) })),
+      ys: roundTicksOf(words, 0, most, Math.min(6, Math.max(3, Math.floor(height / (1.3 * rem))))),
       xLabels: true,
       lines: [
         { ...level, clothes: 'c-free', factor: 100 },

@@ -4,16 +4,17 @@ import { html, svg, type TemplateResult } from 'lit-html'
 import { extent, type Points, pathOf } from '../draw/curve'
 import { dotsOf } from '../draw/dots'
 import { plot } from '../draw/plot'
-import { linearScale, roundTicks, roundUp, type Scale, tickDecimals } from '../draw/scale'
+import { linearScale, roundTicks, roundUp, type Scale } from '../draw/scale'
+import { startRing } from '../draw/start-ring'
 import { remember } from '../memory'
 import type { Section } from '../model/section'
+import { DEGREES } from '../number'
+import { roundTicksOf, ticksAt } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import type { FrictionView, Tracks } from './friction-view'
 import type { Live } from './page'
 import { background, withinTurn } from './portrait'
 import type { TableSpec } from './table'
-
-const DEGREES = 180 / Math.PI
 
 /** Within one turn, in degrees: where it goes over the top the line is lifted. */
 export function withinOneTurn(theta: Float64Array, velocity: Float64Array): { x: Float64Array; y: Float64Array } {
@@ -44,13 +45,8 @@ function spiralScales({ x, y }: Points, { width, height }: PlotSize): { sx: Scal
 }
 
 function axes({ words }: Live, sx: Scale, sy: Scale) {
-  const whole = sx.high === 180
-  const angles = whole ? [-180, -90, 0, 90, 180] : roundTicks(sx.low, sx.high, 5)
-  const values = roundTicks(sy.low, sy.high, 5)
-  return {
-    xs: angles.map((value) => ({ value, text: `${words.fixed(value, whole ? 0 : tickDecimals(angles))}°` })),
-    ys: values.map((value) => ({ value, text: words.fixed(value, tickDecimals(values)) })),
-  }
+  const angles = sx.high === 180 ? [-180, -90, 0, 90, 180] : roundTicks(sx.low, sx.high, 5)
+  return { xs: ticksAt(words, angles, '°'), ys: roundTicksOf(words, sy.low, sy.high, 5) }
 }
 
 function drawSpiral({ page, damped, tracks }: FrictionView, size: PlotSize): TemplateResult {
@@ -72,7 +68,7 @@ function drawSpiral({ page, damped, tracks }: FrictionView, size: PlotSize): Tem
     },
     [tracks, words],
   )
-  const start = svg`<svg class="plot-drawing" width=${size.width} height=${size.height} aria-hidden="true"><circle class="start-ring" cx=${sx(withinTurn(state.theta0) * DEGREES).toFixed(1)} cy=${sy(state.velocity0).toFixed(1)} r=${0.4375 * size.rem}/></svg>`
+  const start = startRing(sx(withinTurn(state.theta0) * DEGREES), sy(state.velocity0), size)
   const { theta, velocity } = damped.at(t)
   return html`${drawing}${start}<b class="orbit-spot" style="left:${sx(withinTurn(theta) * DEGREES).toFixed(1)}px;top:${sy(velocity).toFixed(1)}px"></b>`
 }

@@ -3,26 +3,14 @@
 import { html, type TemplateResult } from 'lit-html'
 import { menu } from '../controls/parts'
 import { icon } from '../draw/icons'
+import type { FrictionSetup } from '../model/friction'
 import { radians } from '../number'
 import type { State } from '../state'
 import type { Live } from './page'
 
-type Chosen = Pick<
-  State,
-  | 'theta0'
-  | 'velocity0'
-  | 'length'
-  | 'gravity'
-  | 'linear'
-  | 'quadratic'
-  | 'dry'
-  | 'torque'
-  | 'drive'
-  | 'driveFrequency'
-  | 'until'
->
+type FrictionPreset = FrictionSetup & Pick<State, 'until'>
 
-const NOTHING: Chosen = {
+const NOTHING: FrictionPreset = {
   theta0: 0,
   velocity0: 0,
   length: 1,
@@ -37,7 +25,7 @@ const NOTHING: Chosen = {
 }
 
 /** ω₀ = 1/s, Q = ω₀/2γ = 2, driven at 2/3: Baker & Gollub, Chaotic Dynamics, chapter 3. */
-const driven = (drive: number): Chosen => {
+const driven = (drive: number): FrictionPreset => {
   return { ...NOTHING, length: 9.81, linear: 0.25, drive, driveFrequency: 2 / 3, until: 100 }
 }
 
@@ -50,7 +38,7 @@ export const FRICTION_PRESETS = {
   two: driven(1.07),
   chaos: driven(1.5),
   josephson: { ...NOTHING, length: 9.81, linear: 0.25, torque: 1.2, until: 60 },
-} as const satisfies Record<string, Chosen>
+} as const satisfies Record<string, FrictionPreset>
 
 export function frictionPresets(page: Live): TemplateResult {
   const { store, session, words } = page

@@ -32,7 +32,7 @@ export interface Tracks {
   readonly free: Float64Array
 }
 
-export function setupOf(state: State): FrictionSetup {
+function setupOf(state: State): FrictionSetup {
   const { theta0, velocity0, length, gravity, linear, quadratic, dry, torque, drive, driveFrequency } = state
   return { theta0, velocity0, length, gravity, linear, quadratic, dry, torque, drive, driveFrequency }
 }

@@ -13,7 +13,7 @@ import { portraitChart } from './portrait'
 import { periodMarks } from './time-axis'
 
 /** The study of the page as it is; made again only when something but the time has changed. */
-export function studyOf({ motion, state, t, session }: Live): Study {
+function studyOf({ motion, state, t, session }: Live): Study {
   const { from, to } = windowOf(spanOf(state, motion), t)
   const quick = session.held !== null && session.held !== 'time'
   return rememberedStudy(motion, state.curves, from, to, quick)

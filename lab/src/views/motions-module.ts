@@ -6,14 +6,14 @@ import { keepForLater } from '../second-visit'
 import { MOTIONS } from '../sources'
 import type { Live } from './page'
 
-interface Words {
+interface WaitingWords {
   readonly loading: string
   readonly failed: string
   readonly again: string
 }
 
 /** What to show instead of the view; null once the module is there. */
-export function motionsReady({ store }: Live, words: Words): TemplateResult | null {
+export function motionsReady({ store }: Live, words: WaitingWords): TemplateResult | null {
   const phase = motionsPhase(MOTIONS, (now) => {
     store.changed()
     // With the module, a second visit works without a network too.

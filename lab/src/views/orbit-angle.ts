@@ -7,13 +7,13 @@ import { degreeTicks, linearScale } from '../draw/scale'
 import { rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Motion } from '../model'
+import { DEGREES } from '../number'
 import { letterOf, placeOf } from '../orbits'
 import { evenTimes, type Window } from '../study'
 import { chart, type PlotSize } from './chart'
 import type { Live } from './page'
 import { timeScale, timeText, timeTicks } from './time-axis'
 
-const DEGREES = 180 / Math.PI
 const POINTS = 480
 
 interface Angles {

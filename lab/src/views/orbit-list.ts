@@ -4,14 +4,14 @@ import { html, nothing, type TemplateResult } from 'lit-html'
 import { hint, menu } from '../controls/parts'
 import { icon } from '../draw/icons'
 import type { Motion } from '../model'
-import { radians } from '../number'
+import { DEGREES, radians } from '../number'
 import { allOrbits, choose, letterOf, placeOf, withOrbit, withoutOrbit } from '../orbits'
 import { MOST_ORBITS, type Start } from '../state'
 import { type Live, quantityText } from './page'
 
 /** `150°, 0 rad/s`: as given, four decimals at most. */
 export function orbitWords({ words }: Pick<Live, 'words'>, { theta0, velocity0 }: Start): string {
-  const angle = Number((theta0 * (180 / Math.PI)).toFixed(2))
+  const angle = Number((theta0 * DEGREES).toFixed(2))
   return `${words.given(angle)}°, ${quantityText(words, 'velocity0', Number(velocity0.toFixed(4)))}`
 }
 

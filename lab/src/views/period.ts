@@ -33,7 +33,7 @@ const resultsOf = remember(
 )
 
 /** Of all formulas, at the amplitude of the motion; NaN where it has none. */
-export function resultsNow(page: Live): PeriodResult[] {
+function resultsNow(page: Live): PeriodResult[] {
   const { model, state } = page
   const amplitude = amplitudeOf(page)
   return resultsOf(model, state.periods, amplitude === null ? Number.NaN : radians(amplitude), state.periodOrder)

@@ -4,14 +4,15 @@
 
 import { html, type TemplateResult } from 'lit-html'
 import { plot } from '../draw/plot'
-import { grainOf, linearScale, roundTicks, type Scale, tickDecimals } from '../draw/scale'
+import { grainOf, linearScale, type Scale } from '../draw/scale'
 import { isLocked } from '../embedding'
 import { remember } from '../memory'
 import type { Model, Motion } from '../model'
-import { degrees, radians } from '../number'
+import { DEGREES, degrees, radians } from '../number'
 import { allOrbits, letterOf, placeOf } from '../orbits'
 import { inRange, type Start, type State } from '../state'
 import { evenTimes, POINTS, spanOf, windowOf } from '../study'
+import { roundTicksOf } from './axis-ticks'
 import { bench } from './bench'
 import { type Cursor, chart, type PlotSize } from './chart'
 import { orbitAngle } from './orbit-angle'
@@ -20,8 +21,6 @@ import type { Live } from './page'
 import { player } from './player'
 import { type Loop, levelCurves, portraitGround, withinTurn } from './portrait'
 import type { TableSpec } from './table'
-
-const DEGREES = 180 / Math.PI
 
 const others = remember((model: Model, length: number, gravity: number, orbits: State['orbits']) =>
   orbits.map(({ theta0, velocity0 }) => model.motion({ theta0, velocity0, length, gravity })),
@@ -184,8 +183,6 @@ function draw(page: Live, size: PlotSize): TemplateResult {
       ? []
       : [{ x: width / 2, y: height / 2 + 0.3 * rem, text: phase.swings }]),
   ]
-  const values = roundTicks(sy.low, sy.high, 7)
-  const decimals = tickDecimals(values)
   const angles = narrow ? [-180, -90, 0, 90, 180] : [-180, -120, -60, 0, 60, 120, 180]
   const lines = motions.flatMap((each, place) =>
     loopsOf(each).map((loop) => ({ ...loop, clothes: place === chosen ? 'c-exact' : 'c-orbit', place })),
@@ -197,7 +194,7 @@ function draw(page: Live, size: PlotSize): TemplateResult {
       sx,
       sy,
       xs: angles.map((value) => ({ value, text: `${words.typed(value)}°` })),
-      ys: values.map((value) => ({ value, text: words.fixed(value, decimals) })),
+      ys: roundTicksOf(words, sy.low, sy.high, 7),
       xLabels: true,
       lines,
       labels,

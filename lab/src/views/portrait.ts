@@ -11,10 +11,9 @@ import { isLocked, shownViews } from '../embedding'
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Motion } from '../model'
-import { radians } from '../number'
+import { DEGREES, radians } from '../number'
 import type { Live } from './page'
 
-const DEGREES = 180 / Math.PI
 const POINTS = 181
 
 export interface Loop {
@@ -77,7 +76,7 @@ const orbitOf = remember((motion: Motion): Loop[] => {
 })
 
 /** Greatest velocity of the axis: room for the faint curves and for the orbit. */
-export function velocityReach(motion: Motion): number {
+function velocityReach(motion: Motion): number {
   const [greatest = 1] = motion.levelVelocity(Float64Array.of(0), Math.max(2, 1.1 * motion.energyRatio))
   return 1.02 * greatest
 }

@@ -8,7 +8,7 @@ import type { ChartSpec } from './chart'
 import type { Live, Page } from './page'
 
 /** What the part gives. */
-export interface Menus {
+interface Menus {
   readonly chartItems: (page: Page, spec: ChartSpec) => readonly MenuItem[]
   readonly pendulumItems: (page: Live, ghosts: readonly Ghost[]) => readonly MenuItem[]
 }
@@ -22,7 +22,7 @@ export function fillMenus(came: Menus | null): void {
   failed = came === null
 }
 
-export interface SaveSpec {
+interface SaveSpec {
   readonly key: string
   /** Of the picture, in words. */
   readonly name: string

@@ -2,17 +2,17 @@
 
 import { html, svg, type TemplateResult } from 'lit-html'
 import { type Label, type Line, type PlotSpec, plot } from '../draw/plot'
-import { linearScale, roundTicks, type Tick, tickDecimals } from '../draw/scale'
+import { linearScale, type Tick } from '../draw/scale'
 import { type Exercises, motionsOf } from '../handouts/exercises'
 import { plain, rich } from '../language/rich'
 import { remember } from '../memory'
 import type { Model, Motion } from '../model'
-import { radians } from '../number'
+import { DEGREES, radians } from '../number'
 import { evenTimes } from '../study'
+import { roundTicksOf } from './axis-ticks'
 import type { Live } from './page'
 import { portraitGround } from './portrait'
 
-const DEGREES = 180 / Math.PI
 /** Units of the drawing of 1 rem of the page; the sheet scales it. */
 const REM = 14
 const GUTTER = { left: 44, top: 8, right: 12, bottom: 26 }
@@ -78,8 +78,6 @@ export function portraitSheet(page: Live, exercises: Exercises): TemplateResult 
   const [reach = 1] = motion.levelVelocity(Float64Array.of(0), 1.9)
   const sx = linearScale([-180, 180], [0, frame.width])
   const sy = linearScale([-reach, reach], [frame.height, 0])
-  const values = roundTicks(-reach, reach, 9)
-  const decimals = tickDecimals(values)
   const labels: Label[] = exercises.portrait.points.map(({ name, angle, velocity }) => ({
     x: sx(angle) + 5,
     y: sy(velocity / 10) - 5,
@@ -97,7 +95,7 @@ export function portraitSheet(page: Live, exercises: Exercises): TemplateResult 
       sx,
       sy,
       xs: ticks(-180, 180, 30, (value) => (value % 90 === 0 ? `${words.typed(value)}°` : '')),
-      ys: values.map((value) => ({ value, text: words.fixed(value, decimals) })),
+      ys: roundTicksOf(words, -reach, reach, 9),
       xLabels: true,
       lines: [],
       labels,

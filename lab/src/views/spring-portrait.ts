@@ -5,15 +5,17 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { pathOf } from '../draw/curve'
 import { plot } from '../draw/plot'
-import { grainOf, linearScale, roundTicks, type Scale, type Tick, tickDecimals } from '../draw/scale'
+import { grainOf, linearScale, type Scale } from '../draw/scale'
+import { startRing } from '../draw/start-ring'
 import { plain } from '../language/rich'
 import { remember } from '../memory'
 import { potential, type SpringOrbit } from '../model/spring'
 import { levelCurves, levelThrough } from '../model/spring-levels'
 import { inRange } from '../state'
+import { roundTicksOf } from './axis-ticks'
 import { type Cursor, chart, type PlotSize } from './chart'
 import type { Live } from './page'
-import type { Frame } from './spring-frame'
+import type { SpringAxes } from './spring-axes'
 import { type SpringView, shortNumber } from './spring-view'
 import type { TableSpec } from './table'
 
@@ -25,31 +27,24 @@ const potentialOf = remember((orbit: SpringOrbit, reach: number) => {
 })
 
 /** Energies of faint curves, between and around those of the equilibria. */
-function faintEnergies({ barriers, equilibria }: SpringOrbit, { lowest, highest }: Frame): number[] {
+function faintEnergies({ barriers, equilibria }: SpringOrbit, { lowest, highest }: SpringAxes): number[] {
   const own = [...new Set([...barriers, ...equilibria.map(({ height }) => height)])]
   const even = Array.from({ length: 8 }, (_, i) => lowest + ((highest - lowest) * (i + 0.7)) / 6)
   return even.filter((energy) => own.every((each) => Math.abs(energy - each) > 0.02 * (highest - lowest)))
 }
 
-const groundOf = remember((force: SpringOrbit['force'], frame: Frame, orbit: SpringOrbit) => ({
-  faint: faintEnergies(orbit, frame).flatMap((energy) => levelCurves(force, energy, frame.reach)),
+const groundOf = remember((force: SpringOrbit['force'], axes: SpringAxes, orbit: SpringOrbit) => ({
+  faint: faintEnergies(orbit, axes).flatMap((energy) => levelCurves(force, energy, axes.reach)),
   separatrix: orbit.barriers.flatMap((energy) => {
     const parted = orbit.equilibria.filter(({ stable, height }) => !stable && height === energy).map(({ u }) => u)
-    return levelCurves(force, energy, frame.reach, parted)
+    return levelCurves(force, energy, axes.reach, parted)
   }),
 }))
 
 const curveOf = remember(levelThrough)
 
-export function axisOf({ reach }: Frame, width: number): Scale {
+export function axisOf({ reach }: SpringAxes, width: number): Scale {
   return linearScale([-reach, reach], [0, width])
-}
-
-/** Round numbers of an axis. */
-export function ticksOf({ words }: Live, low: number, high: number, most: number): Tick[] {
-  const values = roundTicks(low, high, most)
-  const decimals = tickDecimals(values)
-  return values.map((value) => ({ value, text: words.fixed(value, decimals) }))
 }
 
 /** A vertical at each turning point, through both charts. */
@@ -66,34 +61,34 @@ function marks({ equilibria }: SpringOrbit, sx: Scale, y: (height: number) => nu
   )
 }
 
-function drawPotential({ page, orbit, frame, now }: SpringView, size: PlotSize): TemplateResult {
+function drawPotential({ page, orbit, axes, now }: SpringView, size: PlotSize): TemplateResult {
   const { width, height, rem } = size
   const { words } = page
-  const sx = axisOf(frame, width)
-  const sy = linearScale([frame.lowest, frame.highest], [height, 0])
+  const sx = axisOf(axes, width)
+  const sy = linearScale([axes.lowest, axes.highest], [height, 0])
   const { low, high, energy, force, u0 } = orbit
-  const [from, to] = [Math.max(low, -frame.reach), Math.min(high, frame.reach)]
+  const [from, to] = [Math.max(low, -axes.reach), Math.min(high, axes.reach)]
   const band = svg`<rect class="band" x=${sx(from).toFixed(1)} y="0" width=${Math.max(0, sx(to) - sx(from)).toFixed(1)} height=${height}/>`
   const drawing = plot(
     {
       ...size,
       sx,
       sy,
-      xs: ticksOf(page, -frame.reach, frame.reach, width < 26 * rem ? 5 : 9),
-      ys: ticksOf(page, frame.lowest, frame.highest, 5),
+      xs: roundTicksOf(words, -axes.reach, axes.reach, width < 26 * rem ? 5 : 9),
+      ys: roundTicksOf(words, axes.lowest, axes.highest, 5),
       xLabels: false,
       lines: [
-        { ...potentialOf(orbit, frame.reach), clothes: 'c-spring' },
+        { ...potentialOf(orbit, axes.reach), clothes: 'c-spring' },
         { x: Float64Array.of(from, to), y: Float64Array.of(energy, energy), clothes: 'c-exact' },
       ],
       levels: [energy],
       under: svg`${band}${turningLines(orbit, sx, height)}${marks(orbit, sx, sy)}`,
       labels: [{ x: width - 0.5 * rem, y: sy(energy) - 0.4 * rem, text: words.say.spring.energyLine, anchor: 'end' }],
     },
-    [orbit, frame, words],
+    [orbit, axes, words],
   )
   const y = sy(potential(force, Number.isNaN(now.u) ? u0 : now.u))
-  if (!(Math.abs(now.u) <= frame.reach && y >= 0)) return drawing
+  if (!(Math.abs(now.u) <= axes.reach && y >= 0)) return drawing
   return html`${drawing}<b class="orbit-spot" style="left:${sx(now.u).toFixed(1)}px;top:${y.toFixed(1)}px"></b>`
 }
 
@@ -107,16 +102,16 @@ function begin({ store }: Live, u0: number, springVelocity0: number): void {
   store.set({ u0, springVelocity0, t: 0 })
 }
 
-export function startWords({ words }: Live, { u0, velocity0, regime }: SpringOrbit): string {
+function startWords({ words }: Live, { u0, velocity0, regime }: SpringOrbit): string {
   const { spring } = words.say
   const short = (value: number) => shortNumber(words, value)
   return words.fill(spring.start, { u: short(u0), velocity: short(velocity0), regime: spring.regimes[regime] })
 }
 
-function startCursor({ page, orbit, frame }: SpringView): Cursor {
+function startCursor({ page, orbit, axes }: SpringView): Cursor {
   const { store, words, state } = page
   const { u0, springVelocity0 } = state
-  const step = { u: grainOf(frame.reach / 50), velocity: grainOf(frame.fastest / 50) }
+  const step = { u: grainOf(axes.reach / 50), velocity: grainOf(axes.fastest / 50) }
   // From the start as it is now: a second key may come before the page is drawn again.
   const move = (du: number, dv: number) => {
     const now = store.state
@@ -124,8 +119,8 @@ function startCursor({ page, orbit, frame }: SpringView): Cursor {
   }
   return {
     label: words.say.spring.cursor,
-    least: -frame.reach,
-    most: frame.reach,
+    least: -axes.reach,
+    most: axes.reach,
     now: u0,
     text: plain(startWords(page, orbit)),
     key: (event) => {
@@ -146,12 +141,12 @@ function startCursor({ page, orbit, frame }: SpringView): Cursor {
       begin: () => store.setSession({ held: 'spring-start' }),
       at: (x, y, element) => {
         const { left, top, width, height } = element.getBoundingClientRect()
-        const sx = axisOf(frame, width)
-        const sy = linearScale([-frame.fastest, frame.fastest], [height, 0])
+        const sx = axisOf(axes, width)
+        const sy = linearScale([-axes.fastest, axes.fastest], [height, 0])
         const within = (value: number, most: number) => Math.min(most, Math.max(-most, value))
         const [du, dv] = [grainOf(sx.invert(1) - sx.invert(0)), grainOf(sy.invert(0) - sy.invert(1))]
-        const u = within(sx.invert(x - left), frame.reach)
-        begin(page, rounded(u, du), rounded(within(sy.invert(y - top), frame.fastest), dv))
+        const u = within(sx.invert(x - left), axes.reach)
+        begin(page, rounded(u, du), rounded(within(sy.invert(y - top), axes.fastest), dv))
       },
       end: (dropped) => {
         store.setSession({ held: null })
@@ -162,12 +157,12 @@ function startCursor({ page, orbit, frame }: SpringView): Cursor {
   }
 }
 
-function drawPortrait({ page, orbit, frame, now }: SpringView, size: PlotSize): TemplateResult {
+function drawPortrait({ page, orbit, axes, now }: SpringView, size: PlotSize): TemplateResult {
   const { width, height, rem } = size
   const { words } = page
-  const sx = axisOf(frame, width)
-  const sy = linearScale([-frame.fastest, frame.fastest], [height, 0])
-  const { faint, separatrix } = groundOf(orbit.force, frame, orbit)
+  const sx = axisOf(axes, width)
+  const sy = linearScale([-axes.fastest, axes.fastest], [height, 0])
+  const { faint, separatrix } = groundOf(orbit.force, axes, orbit)
   const path = (className: string) => (level: { x: Float64Array; y: Float64Array }) =>
     svg`<path class=${className} d=${pathOf(level, sx, sy)}/>`
   const under = svg`${turningLines(orbit, sx, height)}<g transform="scale(0.1)">${faint.map(path('faint'))}${separatrix.map(path('separatrix'))}</g>${marks(orbit, sx, () => sy(0))}`
@@ -176,23 +171,22 @@ function drawPortrait({ page, orbit, frame, now }: SpringView, size: PlotSize): 
       ...size,
       sx,
       sy,
-      xs: ticksOf(page, -frame.reach, frame.reach, width < 26 * rem ? 5 : 9),
-      ys: ticksOf(page, -frame.fastest, frame.fastest, 7),
+      xs: roundTicksOf(words, -axes.reach, axes.reach, width < 26 * rem ? 5 : 9),
+      ys: roundTicksOf(words, -axes.fastest, axes.fastest, 7),
       xLabels: true,
-      lines: curveOf(orbit, frame.reach).map((level) => ({ ...level, clothes: 'c-exact' })),
+      lines: curveOf(orbit, axes.reach).map((level) => ({ ...level, clothes: 'c-exact' })),
       under,
     },
-    [orbit, frame, words],
+    [orbit, axes, words],
   )
-  const inside = Math.abs(now.u) <= frame.reach && Math.abs(now.velocity) <= frame.fastest
-  const start = svg`<svg class="plot-drawing" width=${width} height=${height} aria-hidden="true"><circle class="start-ring" cx=${sx(orbit.u0).toFixed(1)} cy=${sy(orbit.velocity0).toFixed(1)} r=${0.4375 * rem}/></svg>`
-  return html`${drawing}${start}${inside ? html`<b class="handle spot" style="left:${sx(now.u).toFixed(1)}px;top:${sy(now.velocity).toFixed(1)}px"></b>` : nothing}`
+  const inside = Math.abs(now.u) <= axes.reach && Math.abs(now.velocity) <= axes.fastest
+  return html`${drawing}${startRing(sx(orbit.u0), sy(orbit.velocity0), size)}${inside ? html`<b class="handle spot" style="left:${sx(now.u).toFixed(1)}px;top:${sy(now.velocity).toFixed(1)}px"></b>` : nothing}`
 }
 
-function tableOf({ page, orbit, frame }: SpringView): TableSpec {
+function tableOf({ page, orbit, axes }: SpringView): TableSpec {
   const { words } = page
   const { spring, table } = words.say
-  const { x, y } = potentialOf(orbit, frame.reach)
+  const { x, y } = potentialOf(orbit, axes.reach)
   const speed = x.map((u) => orbit.speed(u, orbit.energy))
   return {
     caption: words.fill(table.caption, { plot: spring.tablePotential, unit: '1' }),
@@ -214,7 +208,7 @@ export function rangeWords({ words }: Live, { low, high }: SpringOrbit): string 
 }
 
 export function potentialChart(view: SpringView): TemplateResult {
-  const { page, orbit, frame } = view
+  const { page, orbit, axes } = view
   const { words } = page
   const { spring } = words.say
   const number = (value: number) => shortNumber(words, value)
@@ -222,8 +216,8 @@ export function potentialChart(view: SpringView): TemplateResult {
     words.fill(spring.captionPlace, { u: number(u), kind: stable ? spring.stable : spring.unstable }),
   )
   const caption = words.fill(spring.captionPotential, {
-    from: number(-frame.reach),
-    to: number(frame.reach),
+    from: number(-axes.reach),
+    to: number(axes.reach),
     energy: number(orbit.energy),
     range: rangeWords(page, orbit),
   })

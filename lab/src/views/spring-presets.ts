@@ -8,12 +8,12 @@ import { companionOf } from '../model/spring'
 import { inRange, type State } from '../state'
 import type { Live } from './page'
 
-type Chosen = Pick<State, 'spring' | 'p' | 'q' | 's' | 'u0' | 'springVelocity0'>
+type SpringPreset = Pick<State, 'spring' | 'p' | 'q' | 's' | 'u0' | 'springVelocity0'>
 
-const duffing = (p: number, q: number, u0: number, springVelocity0 = 0): Chosen => {
+const duffing = (p: number, q: number, u0: number, springVelocity0 = 0): SpringPreset => {
   return { spring: 'duffing', p, q, s: 0, u0, springVelocity0 }
 }
-const quintic = (p: number, q: number, s: number, u0: number): Chosen => {
+const quintic = (p: number, q: number, s: number, u0: number): SpringPreset => {
   return { spring: 'cubic-quintic', p, q, s, u0, springVelocity0: 0 }
 }
 
@@ -28,12 +28,12 @@ export const SPRING_PRESETS = {
   outside: duffing(-1, 0.5, 2.1),
   bistable: quintic(1, -4, 3, 0.5),
   quintic: quintic(1, 1, -1, 1.3),
-} as const satisfies Record<string, Chosen>
+} as const satisfies Record<string, SpringPreset>
 
 type PresetName = keyof typeof SPRING_PRESETS | 'companion'
 
 /** That of the pendulum in the Lab, if it is a spring that can stand here. */
-function companion({ theta0, velocity0, length, gravity }: State): Chosen | null {
+function companion({ theta0, velocity0, length, gravity }: State): SpringPreset | null {
   const found = companionOf(theta0, velocity0, length, gravity)
   if (!found || !(['p', 'q', 'u0', 'springVelocity0'] as const).every((name) => inRange(name, found[name]))) return null
   return { spring: 'duffing', s: 0, ...found }

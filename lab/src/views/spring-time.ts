@@ -6,8 +6,8 @@ import { linearScale } from '../draw/scale'
 import { rich } from '../language/rich'
 import { remember } from '../memory'
 import type { SpringOrbit } from '../model/spring'
+import { roundTicksOf } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
-import { ticksOf } from './spring-portrait'
 import type { SpringView } from './spring-view'
 import type { TableSpec } from './table'
 
@@ -23,14 +23,14 @@ const trackOf = remember((orbit: SpringOrbit, span: number) => {
   return { times, ...orbit.sample(times) }
 })
 
-function draw({ page, orbit, frame, now }: SpringView, size: PlotSize): TemplateResult {
+function draw({ page, orbit, axes, now }: SpringView, size: PlotSize): TemplateResult {
   const { width, height, rem } = size
   const { words, t } = page
   const { escapeTime } = orbit
   const escapes = Number.isFinite(escapeTime)
-  const { times, u } = trackOf(orbit, frame.span)
-  const sx = linearScale([0, frame.span], [0, width])
-  const sy = linearScale(frame.times, [height, 0])
+  const { times, u } = trackOf(orbit, axes.span)
+  const sx = linearScale([0, axes.span], [0, width])
+  const sy = linearScale(axes.times, [height, 0])
   const { period } = orbit
   const marks = escapes
     ? [{ x: escapeTime, text: '∞' }]
@@ -42,23 +42,23 @@ function draw({ page, orbit, frame, now }: SpringView, size: PlotSize): Template
       ...size,
       sx,
       sy,
-      xs: ticksOf(page, 0, frame.span, width < 26 * rem ? 5 : 7),
-      ys: ticksOf(page, ...frame.times, 7),
+      xs: roundTicksOf(words, 0, axes.span, width < 26 * rem ? 5 : 7),
+      ys: roundTicksOf(words, ...axes.times, 7),
       xLabels: true,
       lines: [{ x: times, y: u, clothes: 'c-exact' }],
-      hatched: escapes ? [[escapeTime, frame.span]] : [],
+      hatched: escapes ? [[escapeTime, axes.span]] : [],
       verticals: marks,
       now: t,
       dots: Number.isNaN(now.u) ? [] : [{ clothes: 'c-exact', y: now.u }],
     },
-    [orbit, frame, words],
+    [orbit, axes, words],
   )
 }
 
-function tableOf({ page, orbit, frame }: SpringView): TableSpec {
+function tableOf({ page, orbit, axes }: SpringView): TableSpec {
   const { words } = page
   const { spring, table } = words.say
-  const { times, u, velocity } = trackOf(orbit, frame.span)
+  const { times, u, velocity } = trackOf(orbit, axes.span)
   return {
     caption: words.fill(table.caption, { plot: spring.tableTime, unit: '1' }),
     file: 'spring-time',
@@ -71,12 +71,12 @@ function tableOf({ page, orbit, frame }: SpringView): TableSpec {
 }
 
 export function springTime(view: SpringView): TemplateResult {
-  const { page, orbit, frame } = view
+  const { page, orbit, axes } = view
   const { words } = page
   const { spring } = words.say
   const escapes = Number.isFinite(orbit.escapeTime)
   const reason = words.fill(spring.hatched, { time: words.fixed(orbit.escapeTime, 3) })
-  const to = words.significant(frame.span, 3)
+  const to = words.significant(axes.span, 3)
   return chart(page, {
     key: 'spring-time',
     className: 'spring-time',
@@ -85,14 +85,14 @@ export function springTime(view: SpringView): TemplateResult {
     name: spring.time,
     height: 15,
     xLabels: true,
-    window: { from: 0, to: frame.span },
+    window: { from: 0, to: axes.span },
     draw: (size) => draw(view, size),
     caption: `${words.fill(spring.captionTime, { to })}${escapes ? ` ${reason}` : ''}`,
     spoken: `${words.fixed(page.t, 2)}: ${words.significant(view.now.u, 3)}`,
     table: () => tableOf(view),
     sound: () => {
-      const [low, high] = frame.times
-      return { values: trackOf(orbit, frame.span).u.map((u) => Math.min(high, Math.max(low, u))), low, high }
+      const [low, high] = axes.times
+      return { values: trackOf(orbit, axes.span).u.map((u) => Math.min(high, Math.max(low, u))), low, high }
     },
     note: escapes ? html`<p class="plot-note">${rich(reason)}</p>` : nothing,
   })

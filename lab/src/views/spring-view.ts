@@ -6,13 +6,13 @@ import { forceOf, SpringOrbit } from '../model/spring'
 import type { State } from '../state'
 import { within } from '../study'
 import type { Live } from './page'
-import { type Frame, frameOf, springSpan } from './spring-frame'
+import { type SpringAxes, springAxes, springSpan } from './spring-axes'
 
 export interface SpringView {
   /** The page at the time within what is shown: at the end it begins again. */
   readonly page: Live
   readonly orbit: SpringOrbit
-  readonly frame: Frame
+  readonly axes: SpringAxes
   /** NaN after an escape. */
   readonly now: { readonly u: number; readonly velocity: number }
 }
@@ -26,20 +26,20 @@ export function orbitOf({ spring, p, q, s, u0, springVelocity0 }: State): Spring
   return orbitBy(spring, p, q, s, u0, springVelocity0)
 }
 
-const usualFrame = remember(frameOf)
-let last: Frame | null = null
+const usualAxes = remember(springAxes)
+let last: SpringAxes | null = null
 
 /** While a hand moves the start the axes stand still, so that the start stays under the hand. */
-function frameNow({ session }: Live, orbit: SpringOrbit): Frame {
-  last = session.held === 'spring-start' && last ? { ...last, span: springSpan(orbit) } : usualFrame(orbit)
+function axesNow({ session }: Live, orbit: SpringOrbit): SpringAxes {
+  last = session.held === 'spring-start' && last ? { ...last, span: springSpan(orbit) } : usualAxes(orbit)
   return last
 }
 
 export function springView(page: Live): SpringView {
   const orbit = orbitOf(page.state)
-  const frame = frameNow(page, orbit)
-  const t = within(page.t, frame.span)
-  return { page: { ...page, t }, orbit, frame, now: orbit.at(t) }
+  const axes = axesNow(page, orbit)
+  const t = within(page.t, axes.span)
+  return { page: { ...page, t }, orbit, axes, now: orbit.at(t) }
 }
 
 /** Four digits at most, and no zeros behind them. */

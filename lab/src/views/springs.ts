@@ -82,10 +82,10 @@ function body(page: Live): TemplateResult {
   const waiting = motionsReady(page, spring)
   if (waiting) return waiting
   const view = springView(page)
-  const { frame } = view
+  const { axes } = view
   return html`<div class="spring-columns"><div class="column left">${force(page)}${facts(page, view.orbit)}</div>
     <div class="column middle">${potentialChart(view)}${springPortrait(view)}</div>
-    <div class="column right">${springTime(view)}${player(view.page, { from: 0, to: frame.span }, [], html``)}
+    <div class="column right">${springTime(view)}${player(view.page, { from: 0, to: axes.span }, [], html``)}
       <section class="spring-places"><h2 id="equilibria-title">${spring.equilibria}</h2>${equilibriaTable(view)}<p class="soft small">${spring.help}</p></section></div>
   </div>`
 }

@@ -81,7 +81,7 @@ function hidden({ words }: Page, { label, symbol }: Said): TemplateResult {
 }
 
 /** What a value is called. */
-export interface Said {
+interface Said {
   readonly label: string
   readonly symbol: string
 }

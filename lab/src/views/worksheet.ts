@@ -74,7 +74,7 @@ function textsOf({ words }: Live, exercises: Exercises): Readonly<Record<Exercis
 }
 
 /** The answers as text, with as many digits as the sheet asks for. */
-export function answerTexts(
+function answerTexts(
   { words }: Pick<Live, 'words'>,
   answers: Answers,
   exercises: Exercises,

@@ -2,24 +2,12 @@
 
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
+import { LANGUAGES, VIEWS } from '../../src/state'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
 import { layoutFaults, lengthen, SCREENS } from './layout'
 
 /** As the link says them: a view, and which part of it. */
-const VIEWS = [
-  'lab',
-  'phase',
-  'period',
-  'functions',
-  'derivation',
-  'springs',
-  'friction',
-  'data',
-  'handouts',
-  'handouts&handout=code',
-  'handouts&handout=embed',
-] as const
-const LANGUAGES = ['en', 'pt-BR', 'es'] as const
+const PLACES = [...VIEWS, 'handouts&handout=code', 'handouts&handout=embed'] as const
 const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
 const LINK = 'th0=150deg&L=1m&g=9.81&t=1.3s'
 
@@ -30,7 +18,7 @@ async function violations(page: Page): Promise<string[]> {
 
 for (const theme of ['light', 'dark'] as const) {
   test(`axe finds nothing in any view and language, ${theme}`, async ({ lab }) => {
-    for (const view of VIEWS) {
+    for (const view of PLACES) {
       for (const language of LANGUAGES) {
         await show(lab, `view=${view}&${LINK}&lang=${language}&theme=${theme}`)
         await expect(lab.locator('html')).toHaveAttribute('lang', language)
@@ -80,7 +68,7 @@ test('axe finds nothing with tables, messages, menus and dialogs open', async ({
 
 // Written anew by --update-snapshots=all, which waits the whole time limit of expect for each view: two minutes.
 test('what a screen reader has of every view', async ({ lab }) => {
-  for (const view of VIEWS) {
+  for (const view of PLACES) {
     await show(lab, `view=${view}&${LINK}&lang=en`)
     await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: `${view.replace('&handout=', '-')}.aria.yml` })
   }
@@ -94,7 +82,7 @@ for (const [width, height] of SCREENS) {
   }) => {
     await lab.setViewportSize({ width, height })
     const faults: string[] = []
-    for (const view of VIEWS) {
+    for (const view of PLACES) {
       for (const language of LANGUAGES) {
         await show(lab, `view=${view}&${LINK}&lang=${language}`)
         await drawn(lab)
@@ -111,7 +99,7 @@ for (const [width, height] of SCREENS) {
 test('story 14: words 40 % longer break no layout at 360 pixels', async ({ browser }) => {
   const page = await opened(browser, LINK, { viewport: { width: 360, height: 740 } })
   const faults: string[] = []
-  for (const view of VIEWS) {
+  for (const view of PLACES) {
     await show(page, `view=${view}&${LINK}`)
     await drawn(page)
     await lengthen(page)

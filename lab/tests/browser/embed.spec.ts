@@ -4,10 +4,9 @@ import { createServer, type Server } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import type { Frame, Page } from '@playwright/test'
 import { readLink } from '../../src/link'
+import { LANGUAGES } from '../../src/state'
 import { address, csvOf, drawn, expect, opened, show, test } from './lab'
 import { layoutFaults } from './layout'
-
-const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 
 /** A page of others: what a course's site does with a frame. It has an address of its own and gives the frame nothing. */
 async function course(frame: string): Promise<{ readonly server: Server; readonly url: string }> {

@@ -3,11 +3,10 @@
 import { readFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
 import { readLink } from '../../src/link'
-import { CODES, type Code } from '../../src/state'
+import { CODES, type Code, LANGUAGES } from '../../src/state'
 import { drawn, expect, opened, show, test } from './lab'
 import { DIST } from './server'
 
-const LANGUAGES = ['en', 'pt-BR', 'es'] as const
 const SNIPPETS = JSON.parse(readFileSync(new URL('../snippets.json', import.meta.url), 'utf8')) as readonly {
   readonly start: {
     readonly theta0: number

@@ -1,6 +1,7 @@
 // Story 20: keyboard alone does stories 1, 2, 6 and 10, 17 in data.spec.ts, 18 in data-period.spec.ts; focus is seen and goes on; what changes is said; a trace is heard.
 
 import type { Page } from '@playwright/test'
+import { VIEWS } from '../../src/state'
 import { column, csvOf, drawn, expect, opened, show, test } from './lab'
 
 /** Goes on by Tab until an element of a selector has the focus. */
@@ -56,20 +57,7 @@ test('story 20: stories 1, 2, 6 and 10 by keys alone', async ({ browser }) => {
 })
 
 test('story 20: the focus is always seen, and Tab comes round in every view', async ({ lab }) => {
-  for (const view of [
-    'lab',
-    'phase',
-    'period',
-    'functions',
-    'derivation',
-    'springs',
-    'friction',
-    'data',
-    'data&from=period',
-    'handouts',
-    'handouts&handout=code',
-    'handouts&handout=embed',
-  ]) {
+  for (const view of [...VIEWS, 'data&from=period', 'handouts&handout=code', 'handouts&handout=embed']) {
     await show(lab, `view=${view}&th0=150deg&t=0s`)
     await lab.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
     let round = false

@@ -1,9 +1,9 @@
-// The axes of the three charts of a spring: u, velocity and energy, in round steps, so that a start in the frame does not move it.
+// The axes of the three charts of a spring, in round steps: a start that moves within them does not move them.
 
 import { roundUp } from '../draw/scale'
 import type { SpringOrbit } from '../model/spring'
 
-export interface Frame {
+export interface SpringAxes {
   /** u goes from −reach to reach. */
   readonly reach: number
   readonly fastest: number
@@ -42,7 +42,7 @@ function timeAxis(orbit: SpringOrbit, inner: number, farthest: number): readonly
   return side > 0 ? [other, most] : [-most, -other]
 }
 
-export function frameOf(orbit: SpringOrbit): Frame {
+export function springAxes(orbit: SpringOrbit): SpringAxes {
   const { u0, velocity0, low, high, energy, equilibria, barriers, scale } = orbit
   const outer = Math.max(0, ...equilibria.map(({ u }) => u))
   const bounded = Number.isFinite(low) && Number.isFinite(high)
