@@ -20,9 +20,14 @@ function nameOf(key: string): RangeName | null {
   return Object.hasOwn(RANGES, name) ? (name as RangeName) : null
 }
 
-export function faultText(words: Words, fault: Fault): string {
+/** Where gravity is hidden, the value that is shown instead of another one is not said either. */
+export function faultText(words: Words, fault: Fault, hide: boolean): string {
   const say = words.say.linkFaults
   const usual = say.usual
+  const keptOf = (name: RangeName | null): string =>
+    name === null || (hide && name === 'gravity') || typeof DEFAULTS[name] !== 'number'
+      ? usual
+      : quantityText(words, name, Number(DEFAULTS[name]))
   switch (fault.kind) {
     case 'out-of-range': {
       const { least, most } = RANGES[fault.name]
@@ -31,10 +36,7 @@ export function faultText(words: Words, fault: Fault): string {
         value: fault.value,
         least: quantityText(words, fault.name, least),
         most: quantityText(words, fault.name, most),
-        kept:
-          typeof DEFAULTS[fault.name] === 'number'
-            ? quantityText(words, fault.name, Number(DEFAULTS[fault.name]))
-            : usual,
+        kept: keptOf(fault.name),
       })
     }
     case 'not-one-of':
@@ -58,8 +60,7 @@ export function faultText(words: Words, fault: Fault): string {
         value: fault.value,
       })
     case 'not-a-number': {
-      const name = nameOf(fault.name)
-      const kept = name ? quantityText(words, name, Number(DEFAULTS[name])) : usual
+      const kept = keptOf(nameOf(fault.name))
       return words.fill(say['not-a-number'], { name: fault.name, value: fault.value, kept })
     }
     default:
