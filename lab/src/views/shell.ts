@@ -102,7 +102,7 @@ function bar(page: Page, one: Message): TemplateResult {
   if (one.faults) {
     const intro = one.faults.length > 1 ? linkFaults.introMany : linkFaults.intro
     return message(
-      html`<p>${intro} ${one.faults.map((fault) => html`${rich(faultText(words, fault, state.hide))} `)}${linkFaults.kept}</p>`,
+      html`<p>${intro} ${one.faults.map((fault) => html`${faultText(words, fault, state.hide)} `)}${linkFaults.kept}</p>`,
       messages.close,
       close,
     )
