@@ -40,6 +40,7 @@ export default defineConfig(({ mode, command }) => {
           : { codeSplitting: { groups: [{ name: 'index', test: isFirst }] } },
       },
     },
-    test: { include: ['tests/**/*.test.ts'] },
+    // A busy machine is no failure.
+    test: { include: ['tests/**/*.test.ts'], testTimeout: 240_000, hookTimeout: 240_000 },
   }
 })

@@ -105,3 +105,9 @@ fn one_coordinate_has_a_period_only() {
     assert_eq!(record.series[0].quantity, Quantity::AngleUnscaled);
     says(&record, "only the period can be used");
 }
+
+#[test]
+fn a_clock_that_stands_is_no_rounding() {
+    let text: String = (0..60).map(|k| format!("1,{}\n", (f64::from(k) * 0.1).sin())).collect();
+    assert!(read("f", format!("t,theta\n{text}").as_bytes(), &Options::default()).is_err());
+}

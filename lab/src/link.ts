@@ -256,6 +256,7 @@ export function readLink(hash: string): Opened {
   const kept: (readonly [string, string])[] = []
   const given = new Set<string>()
   const seen = new Set<string>()
+  let unread = false
   for (const pair of hash.replace(/^#/, '').split('&')) {
     if (pair === '') continue
     const at = pair.indexOf('=')
@@ -278,14 +279,15 @@ export function readLink(hash: string): Opened {
       else {
         values[key.of] = value
         given.add(name)
+        // Where g is not to be read, it is hidden.
+        unread ||= name === 'g' && text.startsWith('~')
       }
     }
   }
   const show = (values.show ?? []) as readonly string[]
   if (show.includes('velocity')) values.quantity = 'velocity'
   values.show = SHOWN.filter((each) => show.includes(each))
-  // Where g is not to be read, it is hidden.
-  if (/[#&]g=~/.test(hash)) values.hide ||= given.has('g')
+  if (unread) values.hide = true
   return { state: agreed({ ...DEFAULTS, ...values } as State, faults, given), faults, kept, given }
 }
 

@@ -41,12 +41,7 @@ async function begin(): Promise<void> {
   const views = loadViews()
   window.addEventListener('hashchange', ({ newURL }) => {
     // The address itself may have been written again in the meantime.
-    const { state, faults } = readLink(new URL(newURL).hash)
-    app.store.clock.pause()
-    app.store.dismiss('link')
-    app.store.open(state)
-    // What was being typed was for the state before.
-    app.store.setSession({ drafts: {}, ...(faults.length > 0 && { messages: [{ key: 'link', faults }] }) })
+    app.store.openLink(readLink(new URL(newURL).hash))
   })
   const slow = setTimeout(() => app.wait({ slow: true, failed: null }), 300)
   try {

@@ -74,11 +74,25 @@ export class Measurement {
   /** Files beside those that are there. */
   add(...files: readonly (readonly [name: string, bytes: Uint8Array])[]): void {
     this.files = [...this.files, ...files.map(([name, bytes]) => ({ name, bytes, length: '', lengthU: '' }))]
-    this.begin()
+    this.#others()
   }
 
   remove(place: number): void {
     this.files = this.files.filter((_, i) => i !== place)
+    this.#others()
+  }
+
+  /** Files that cannot be read. */
+  fail(message: string): void {
+    this.fitter.cancel()
+    Object.assign(this, { phase: 'failed', message })
+    this.changed()
+  }
+
+  /** What was found, or is still being found, was of the files before, also where what is stated has yet to be mended. */
+  #others(): void {
+    this.fitter.cancel()
+    Object.assign(this, { phase: 'empty', readings: [], results: [], joint: null, message: '' })
     this.begin()
   }
 
@@ -161,7 +175,6 @@ export class Measurement {
     const { files } = this
     this.shown = Math.min(this.shown, Math.max(files.length - 1, 0))
     if (files.length === 0 || this.bad !== null) {
-      if (files.length === 0) Object.assign(this, { phase: 'empty', readings: [], results: [], joint: null })
       this.changed()
       return
     }

@@ -59,12 +59,12 @@ export class Store {
   #state: State
   #session: Session = SESSION
   readonly clock: Clock
-  readonly kept: Opened['kept']
+  #kept: Opened['kept']
   readonly #listeners = new Set<() => void>()
 
   constructor(opened: Opened, read?: () => number) {
     this.#state = opened.state
-    this.kept = opened.kept
+    this.#kept = opened.kept
     this.clock = new Clock(opened.state.t, opened.state.speed, read)
   }
 
@@ -74,6 +74,11 @@ export class Store {
 
   get session(): Session {
     return this.#session
+  }
+
+  /** Pairs of the link that are not ours. */
+  get kept(): Opened['kept'] {
+    return this.#kept
   }
 
   /** The state as it is now, with the time of the clock: what a link says. */
@@ -92,6 +97,16 @@ export class Store {
     if (patch.t !== undefined) this.clock.seek(patch.t)
     if (patch.speed !== undefined) this.clock.speed = patch.speed
     this.changed()
+  }
+
+  /** Another link in the page that is open. What was typed, open or to be undone was of the state before, and may say what this one hides. */
+  openLink({ state, faults, kept }: Opened): void {
+    const others = this.#session.messages.filter(({ key, undo }) => key !== 'link' && !undo)
+    const messages = faults.length > 0 ? [...others, { key: 'link', faults }] : others
+    this.#session = { ...this.#session, drafts: {}, dialog: null, menu: null, messages }
+    this.#kept = kept
+    this.clock.pause()
+    this.open(state)
   }
 
   setSession(patch: Partial<Session>): void {

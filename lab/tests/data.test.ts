@@ -9,7 +9,7 @@ import type { Entries } from '../src/entries'
 import { Measurement } from '../src/measurement'
 import { completedModel, openModel } from '../src/model'
 import { FitModule } from '../src/model/fit-module'
-import { type AskedFile, measure, type Statements, type Told } from '../src/model/fit-protocol'
+import { type AskedFile, measure, type Result, type Statements, type Told } from '../src/model/fit-protocol'
 import type { Fitter } from '../src/model/fitter'
 import { degrees, radians } from '../src/number'
 import { EXAMPLE, isBadTiming, Timing, type TimingEntries, timingStatements } from '../src/timing'
@@ -160,5 +160,45 @@ describe('story 18: a period that was timed', () => {
     expect(isBadTiming('swings', '-3')).toBe(true)
     timing.enter({ swings: '1' })
     expect(timing.answer?.found?.g.value).toBeGreaterThan(9.9)
+  })
+})
+
+describe('what is shown was found in the files that are there', () => {
+  const told: ((told: Told) => void)[] = []
+  let ended = 0
+  const fitter = {
+    begin: (_files: unknown, _stated: unknown, listen: (told: Told) => void) => void told.push(listen),
+    cancel: () => {
+      ended++
+    },
+  }
+  const begun = () => {
+    const now = new Measurement(fitter as unknown as Fitter, () => {})
+    now.take(['a.csv', new Uint8Array()])
+    told.at(-1)?.({ kind: 'fitted', results: [{} as Result], joint: null })
+    expect([now.phase, now.result]).toEqual(['fitted', {}])
+    return now
+  }
+
+  it('nothing of another file stands beside one that waits for a number', () => {
+    const now = begun()
+    // A number that is being mended leaves what was found.
+    now.enter({ length: 'abc' })
+    expect(now.result).toEqual({})
+    const before = ended
+    now.take(['b.csv', new Uint8Array()])
+    expect([now.phase, now.file?.name, now.result, now.reading]).toEqual(['empty', 'b.csv', null, null])
+    expect(ended).toBeGreaterThan(before)
+    now.enter({ length: '1' })
+    expect(now.phase).toBe('reading')
+  })
+
+  it('what cannot be read is named, and a fit that runs is ended', () => {
+    const now = begun()
+    now.enter({ length: '1' })
+    const before = ended
+    now.fail('folder: not found')
+    expect([now.phase, now.message]).toEqual(['failed', 'folder: not found'])
+    expect(ended).toBeGreaterThan(before)
   })
 })

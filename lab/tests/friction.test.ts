@@ -1,7 +1,7 @@
 // Friction: what the page makes of the core's motions, and the section in pieces against the motion in one.
 
-import { load, loadMotions } from 'libration'
-import { beforeAll, describe, expect, it } from 'vitest'
+import { DampedPendulum, load, loadMotions } from 'libration'
+import { beforeAll, describe, expect, it, vi } from 'vitest'
 import { AveragedLaw } from '../src/model/averaged'
 import { DampedMotion, dampedOf, type FrictionSetup } from '../src/model/friction'
 import { Motion } from '../src/model/motion'
@@ -134,6 +134,20 @@ describe('friction: the section of a driven pendulum', () => {
     while (!made.done) made.advance()
     return made
   }
+
+  it('ends where the core follows a motion no further, with the points that it has', () => {
+    const { until: _, ...setup } = FRICTION_PRESETS.one
+    const period = (2 * Math.PI) / setup.driveFrequency
+    const made = new Section(setup, 400, 0)
+    const whole = section(0.9, 40, 0)
+    made.advance()
+    const short = vi.spyOn(DampedPendulum.prototype, 'reach').mockReturnValue(3.5 * period)
+    made.advance()
+    short.mockRestore()
+    expect([made.stopped, made.done, made.count]).toEqual([true, true, 19])
+    expect(made.angles.subarray(0, 19)).toEqual(whole.angles.subarray(0, 19))
+    expect(whole.stopped).toBe(false)
+  })
 
   it('has the points of one long motion', () => {
     const made = section(0.9, 40, 0)

@@ -222,6 +222,8 @@ describe('what is shown, locked and hidden', () => {
       expect(readLink(link)).toMatchObject({ state: { gravity, hide: true }, faults: [] })
       // Taking the word away does not show it.
       expect(readLink(link.replace('&hide=g', '')).state).toMatchObject({ gravity, hide: true })
+      expect(readLink(link.replace('&hide=g', '').replace('~', '%7E')).state).toMatchObject({ gravity, hide: true })
+      expect(readLink(link.replace('&hide=g', '&hide=0')).state).toMatchObject({ gravity, hide: true })
     }
     expect(readLink('#hide=g&g=3.71').state).toMatchObject({ gravity: 3.71, hide: true })
   })

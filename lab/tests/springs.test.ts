@@ -168,4 +168,18 @@ describe('springs', () => {
     const quintic = new CubicQuintic({ u0: 0.5, alpha: 1, beta: -4, gamma: 3 })
     expect(orbit(forceOf('cubic-quintic', 1, -4, 3), 0.5).period).toBe(quintic.period)
   })
+
+  it('have charts with a scale however small what they show is', () => {
+    for (const u0 of [5e-324, 1e-310, 1e-300, 1e-160, 1e-100, 0])
+      for (const force of [
+        forceOf('duffing', 1e-6, 1e-6, 0),
+        forceOf('duffing', 1, -0.5, 0),
+        forceOf('duffing', 0, 1, 0),
+        forceOf('duffing', 0, 0, 0),
+      ]) {
+        const { reach, fastest, lowest, highest, times } = frameOf(orbit(force, u0))
+        for (const range of [reach, fastest, highest - lowest, times[1] - times[0]])
+          expect([u0, Number.isFinite(1000 / range), range > 0]).toEqual([u0, true, true])
+      }
+  })
 })

@@ -160,7 +160,8 @@ fn rounded(stamps: &[(usize, f64)], column: usize, table: &Table<'_>) -> Option<
     let equal: Vec<usize> = (1..stamps.len()).filter(|k| stamps[*k].1 == stamps[k - 1].1).collect();
     let usual = (stamps.last()?.1 - stamps.first()?.1) / (stamps.len() - 1).max(1) as f64;
     let coarse = |k: &usize| table.resolution(stamps[*k].0, column).is_some_and(|digit| digit >= 0.4 * usual);
-    if equal.is_empty() || !equal.iter().take(50).any(coarse) {
+    // A clock that stands is no rounding.
+    if equal.is_empty() || equal.len() + 1 == stamps.len() || !equal.iter().take(50).any(coarse) {
         return None;
     }
     stamps.iter().map(|stamp| table.resolution(stamp.0, column)).collect()

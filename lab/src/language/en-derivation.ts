@@ -23,6 +23,7 @@ export const enDerivation = {
     both: 'For swings and turns, not for this motion.',
     value: 'No value here: _u_ is infinite at 180°.',
     arcsine: 'No value here: the terms make the sine larger than 1.',
+    small: 'No numbers here: they are smaller than the computer can hold.',
   },
   erratum: 'Erratum',
   printed: 'as printed',

@@ -44,6 +44,7 @@ export const enFriction = {
   chaotic:
     'Driven, it *does not repeat*: after {count} periods of the drive no cycle of up to {longest} of them is found.',
   driving: 'Driven: {count} of {most} periods are computed.',
+  tooFast: 'Driven, it becomes *too fast* to be followed: {count} of {most} periods are computed.',
 
   angle: 'Angle',
   angleUnit: 'turning points joined; dots: averaged law; dashed: no friction',

@@ -23,6 +23,7 @@ export const esDerivation: DerivationCatalogue = {
     both: 'Para oscilaciones y vueltas, no para este movimiento.',
     value: 'Sin valor aquí: _u_ es infinito en 180°.',
     arcsine: 'Sin valor aquí: los términos hacen el seno mayor que 1.',
+    small: 'Sin números aquí: son menores de lo que el ordenador puede guardar.',
   },
   erratum: 'Errata',
   printed: 'como está impreso',

@@ -44,6 +44,7 @@ export const esFriction: FrictionCatalogue = {
   chaotic:
     'Forzado, *no se repite*: tras {count} períodos de la fuerza no se halla un ciclo de hasta {longest} de ellos.',
   driving: 'Forzado: {count} de {most} períodos están calculados.',
+  tooFast: 'Forzado, se vuelve *demasiado rápido* para seguirlo: {count} de {most} períodos están calculados.',
 
   angle: 'Ángulo',
   angleUnit: 'puntos de retorno unidos; círculos: ley media; de trazos: sin fricción',

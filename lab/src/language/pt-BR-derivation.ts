@@ -23,6 +23,7 @@ export const ptBRDerivation: DerivationCatalogue = {
     both: 'Para oscilações e voltas, não para este movimento.',
     value: 'Sem valor aqui: _u_ é infinito em 180°.',
     arcsine: 'Sem valor aqui: os termos tornam o seno maior que 1.',
+    small: 'Sem números aqui: são menores do que o computador pode guardar.',
   },
   erratum: 'Errata',
   printed: 'como impresso',

@@ -44,6 +44,7 @@ export const ptBRFriction: FrictionCatalogue = {
   chaotic:
     'Forçado, ele *não se repete*: depois de {count} períodos da força não se encontra ciclo de até {longest} deles.',
   driving: 'Forçado: {count} de {most} períodos estão calculados.',
+  tooFast: 'Forçado, ele fica *rápido demais* para ser seguido: {count} de {most} períodos estão calculados.',
 
   angle: 'Ângulo',
   angleUnit: 'pontos de retorno unidos; círculos: lei média; tracejado: sem atrito',

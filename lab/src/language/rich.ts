@@ -32,12 +32,12 @@ export function pieces(text: string): Piece[] {
   return out
 }
 
-/** As it is shown in the page. */
-export function rich(text: string): TemplateResult {
+/** As it is shown in the page. Values that are given are filled in after the marks, so that what others wrote has none. */
+export function rich(text: string, values: Parameters<typeof filled>[1] = {}): TemplateResult {
   return html`${pieces(text).map((piece) => {
     switch (piece.kind) {
       case 'bold':
-        return html`<b>${rich(piece.text)}</b>`
+        return html`<b>${rich(piece.text, values)}</b>`
       case 'symbol':
         return html`<i>${piece.text}</i>`
       case 'dotted':
@@ -47,7 +47,7 @@ export function rich(text: string): TemplateResult {
       case 'power':
         return html`<sup>${piece.text}</sup>`
       default:
-        return piece.text
+        return filled(piece.text, values)
     }
   })}`
 }

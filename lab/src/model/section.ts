@@ -5,8 +5,9 @@
 
 import { dampedOf, type FrictionSetup } from './friction'
 
-/** Periods of a piece: a few milliseconds of work. */
+/** Periods of a piece at most, and seconds of more than one: a few milliseconds of work. */
 const PIECE = 16
+const LONG = 160
 /** Longest period after which a motion is found to repeat, in periods of the drive, and how near it has to come back. */
 export const LONGEST = 16
 const NEAR = 1e-6
@@ -18,6 +19,8 @@ export class Section {
   readonly angles: Float64Array
   readonly velocities: Float64Array
   count = 0
+  /** Whether the core gave up: within a period it takes more steps than it keeps. */
+  stopped = false
   #skipped = 0
   #state: readonly [number, number]
 
@@ -33,7 +36,7 @@ export class Section {
   }
 
   get done(): boolean {
-    return this.count === this.most
+    return this.stopped || this.count === this.most
   }
 
   /** One piece more. */
@@ -41,11 +44,15 @@ export class Section {
     const [theta0, velocity0] = this.#state
     const damped = dampedOf({ ...this.setup, theta0, velocity0 })
     const period = (2 * Math.PI) / this.setup.driveFrequency
-    const times = Float64Array.from({ length: PIECE }, (_, i) => period * (i + 1))
+    const piece = Math.max(1, Math.min(PIECE, Math.floor(LONG / period)))
+    const reach = damped.reach(period * piece)
+    const reached = reach < period * piece ? Math.floor(reach / period) : piece
+    this.stopped = reached < piece
+    const times = Float64Array.from({ length: reached }, (_, i) => period * (i + 1))
     const { velocity } = damped.motion(times)
     const { angle } = damped.turns(times)
     damped.free()
-    for (let i = 0; i < PIECE && !this.done; i++) {
+    for (let i = 0; i < reached && this.count < this.most; i++) {
       if (this.#skipped < this.skip) this.#skipped++
       else {
         this.angles[this.count] = angle[i] as number
@@ -53,7 +60,7 @@ export class Section {
         this.count++
       }
     }
-    this.#state = [angle[PIECE - 1] as number, velocity[PIECE - 1] as number]
+    if (!this.stopped) this.#state = [angle[piece - 1] as number, velocity[piece - 1] as number]
   }
 
   /** Periods of the drive after which the motion repeats at its end; null where it does not, or too few are known. */

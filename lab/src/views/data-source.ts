@@ -13,19 +13,31 @@ import type { Live } from './page'
 
 type Taken = (...files: readonly (readonly [name: string, bytes: Uint8Array])[]) => void
 
-async function takeFiles(page: Live, files: readonly File[], taken: Taken): Promise<void> {
+/** Files are taken in the order in which they were chosen, however long they take to be read. */
+let before: Promise<void> = Promise.resolve()
+
+function takeFiles(page: Live, files: readonly File[], measurement: Measurement, taken: Taken): void {
   if (files.length === 0) return
   // What is found is spoken, and nothing is while the pendulum moves.
   page.store.pause()
   const read = async (file: File) => [file.name, new Uint8Array(await file.arrayBuffer())] as const
-  taken(...(await Promise.all(files.map(read))))
+  const all = Promise.all(files.map(read))
+  before = Promise.allSettled([all, before]).then(async () => {
+    try {
+      taken(...(await all))
+    } catch (error) {
+      // A folder, or a file that has gone or is larger than a browser reads.
+      const why = error instanceof Error ? error.message : String(error)
+      measurement.fail(`${files.map(({ name }) => name).join(', ')}: ${why.replace(/\.$/, '')}`)
+    }
+  })
 }
 
-function chooser(page: Live, id: string, text: string, taken: Taken): TemplateResult {
+function chooser(page: Live, id: string, text: string, measurement: Measurement, taken: Taken): TemplateResult {
   return html`<label class="button">${text}<input type="file" multiple id=${id} @change=${(event: Event) => {
     const input = event.target as HTMLInputElement
     const files = [...(input.files ?? [])]
-    void takeFiles(page, files, taken)
+    takeFiles(page, files, measurement, taken)
     // The same file may be chosen again once it was changed.
     input.value = ''
   }}></label>`
@@ -46,8 +58,8 @@ function source(page: Live, measurement: Measurement): TemplateResult {
   return html`<h2>${data.source}</h2>
     <div class="drop" @dragover=${over(true)} @dragleave=${over(false)} @drop=${(event: DragEvent) => {
       over(false)(event)
-      void takeFiles(page, [...(event.dataTransfer?.files ?? [])], take)
-    }}><span>${data.drop}</span>${chooser(page, 'data-file', data.choose, take)}</div>
+      takeFiles(page, [...(event.dataTransfer?.files ?? [])], measurement, take)
+    }}><span>${data.drop}</span>${chooser(page, 'data-file', data.choose, measurement, take)}</div>
     <details><summary>${data.paste}</summary>
       <textarea class="paste" id="data-text" spellcheck="false" aria-label=${data.pasteLabel}></textarea>
       <button type="button" class="button" id="data-read" @click=${(event: Event) => take(pasted(event))}>${data.read}</button>
@@ -82,7 +94,7 @@ function ofSeveral(page: Live, measurement: Measurement, place: number): Templat
 function files(page: Live, measurement: Measurement): TemplateResult {
   const { data } = page.words.say
   const several = measurement.files.length > 1
-  const more = chooser(page, 'data-more', data.add, (...added) => measurement.add(...added))
+  const more = chooser(page, 'data-more', data.add, measurement, (...added) => measurement.add(...added))
   if (!several) return html`<div class="entry more"><p class="file-name">${measurement.file?.name}</p>${more}</div>`
   return html`<ul role="list" id="data-files" aria-label=${data.records}>${measurement.files.map((_, i) => ofSeveral(page, measurement, i))}</ul>
     <div class="more">${more}</div><p class="soft small">${rich(data.severalHelp)}</p>`

@@ -69,6 +69,12 @@ function reason({ words }: Live, { of, id }: Equality, now: Moment): string {
   return of.length === 2 ? not.both : not.moving
 }
 
+/** Doubles below have fewer digits, and a quotient of them may be none. */
+const LEAST = 1e-290
+
+/** Whether the sides are numbers of which digits can be shown. */
+const hold = ({ size, apart }: Sides): boolean => size === 0 || (size > LEAST && Number.isFinite(size + apart))
+
 function numbers(page: Live, equality: Equality, sides: Sides): TemplateResult {
   const { words } = page
   const { derivation } = words.say
@@ -89,7 +95,7 @@ export function shownEquality(page: Live, equality: Equality, now: Moment): Temp
   return html`<div class="equality" data-equality=${id} data-left=${sides ? String(sides.left) : nothing} data-right=${sides ? String(sides.right) : nothing}
     data-apart=${sides ? String(sides.apart) : nothing}>
     <div class="formula-line">${formula(page, id)}${tag === '' ? nothing : html`<span class="soft tag">${tagText(page, tag)}</span>`}</div>
-    <div class="sides">${sides ? numbers(page, equality, sides) : html`<span class="soft">${rich(reason(page, equality, now))}</span>`}</div>
+    <div class="sides">${sides && hold(sides) ? numbers(page, equality, sides) : html`<span class="soft">${rich(sides ? page.words.say.derivation.not.small : reason(page, equality, now))}</span>`}</div>
   </div>`
 }
 

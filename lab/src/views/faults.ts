@@ -1,6 +1,8 @@
 // What is wrong with a link, in the words of the language: key, value, range, what is used instead.
 
+import type { TemplateResult } from 'lit-html'
 import type { Words } from '../language'
+import { rich } from '../language/rich'
 import { DEFAULTS, type Fault, RANGES, type RangeName } from '../state'
 import { quantityText } from './page'
 
@@ -20,49 +22,50 @@ function nameOf(key: string): RangeName | null {
   return Object.hasOwn(RANGES, name) ? (name as RangeName) : null
 }
 
-export function faultText(words: Words, fault: Fault): string {
+/** The values are the link's own and have no marks. Where gravity is hidden, the value that is shown instead of another one is not said either. */
+export function faultText(words: Words, fault: Fault, hide: boolean): TemplateResult {
   const say = words.say.linkFaults
   const usual = say.usual
+  const keptOf = (name: RangeName | null): string =>
+    name === null || (hide && name === 'gravity') || typeof DEFAULTS[name] !== 'number'
+      ? usual
+      : quantityText(words, name, Number(DEFAULTS[name]))
   switch (fault.kind) {
     case 'out-of-range': {
       const { least, most } = RANGES[fault.name]
-      return words.fill(say['out-of-range'], {
+      return rich(say['out-of-range'], {
         name: KEYS[fault.name] ?? fault.name,
         value: fault.value,
         least: quantityText(words, fault.name, least),
         most: quantityText(words, fault.name, most),
-        kept:
-          typeof DEFAULTS[fault.name] === 'number'
-            ? quantityText(words, fault.name, Number(DEFAULTS[fault.name]))
-            : usual,
+        kept: keptOf(fault.name),
       })
     }
     case 'not-one-of':
-      return words.fill(say['not-one-of'], {
+      return rich(say['not-one-of'], {
         name: fault.name,
         value: fault.value,
         allowed: fault.allowed.join(', '),
         kept: usual,
       })
     case 'argument':
-      return words.fill(say.argument, {
+      return rich(say.argument, {
         value: fault.value,
         least: words.given(fault.least),
         most: words.given(fault.most),
       })
     case 'too-many':
-      return words.fill(say['too-many'], { name: fault.name, value: fault.value, most: fault.most, kept: usual })
+      return rich(say['too-many'], { name: fault.name, value: fault.value, most: fault.most, kept: usual })
     case 'unknown':
-      return words.fill(fault.name === 'curves' ? say['unknown-curve'] : say.unknown, {
+      return rich(fault.name === 'curves' ? say['unknown-curve'] : say.unknown, {
         name: fault.name,
         value: fault.value,
       })
     case 'not-a-number': {
-      const name = nameOf(fault.name)
-      const kept = name ? quantityText(words, name, Number(DEFAULTS[name])) : usual
-      return words.fill(say['not-a-number'], { name: fault.name, value: fault.value, kept })
+      const kept = keptOf(nameOf(fault.name))
+      return rich(say['not-a-number'], { name: fault.name, value: fault.value, kept })
     }
     default:
-      return words.fill(say[fault.kind], { name: fault.name, value: fault.value, kept: usual })
+      return rich(say[fault.kind], { name: fault.name, value: fault.value, kept: usual })
   }
 }

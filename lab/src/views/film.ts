@@ -39,7 +39,7 @@ interface Choices {
 
 type Work =
   | { readonly kind: 'idle' | 'cancelled' }
-  | { readonly kind: 'making'; readonly done: number; readonly cancel: () => void }
+  | { readonly kind: 'making'; readonly done: number; readonly frames: number; readonly cancel: () => void }
   | { readonly kind: 'saved'; readonly name: string; readonly bytes: number }
   | { readonly kind: 'failed'; readonly why: string }
 
@@ -77,7 +77,8 @@ async function sinkFor(
 async function make(page: Live, film: Film): Promise<void> {
   const { store } = page
   const abort = new AbortController()
-  const progress = (done: number) => tell(store, { kind: 'making', done, cancel: () => abort.abort() })
+  const progress = (done: number) =>
+    tell(store, { kind: 'making', done, frames: film.times.length, cancel: () => abort.abort() })
   progress(0)
   const studio = new Studio('drawing')
   const canvas = document.createElement('canvas')
@@ -175,12 +176,13 @@ function facts(page: Live, film: Film, speed: number): TemplateResult {
   return html`<p>${sentence} ${film.repeats ? say.repeats : say.once} ${gif ? delays : nothing} ${say.exact}</p>`
 }
 
-function state(page: Page, film: Film | FilmRefusal): TemplateResult | typeof nothing {
+function state(page: Page): TemplateResult | typeof nothing {
   const { words } = page
   const say = words.say.save
-  if (work.kind === 'making' && 'times' in film)
-    return html`<div class="working"><span>${words.fill(say.making, { done: work.done, frames: film.times.length })}</span>
-      <progress max=${film.times.length} .value=${work.done} aria-label=${say.progress}></progress></div>`
+  // Its frames and not those of the choices, which may have changed since it was begun.
+  if (work.kind === 'making')
+    return html`<div class="working"><span>${words.fill(say.making, { done: work.done, frames: work.frames })}</span>
+      <progress max=${work.frames} .value=${work.done} aria-label=${say.progress}></progress></div>`
   if (work.kind === 'saved')
     return html`<p>${words.fill(say.saved, { name: work.name, size: words.fixed(work.bytes / 1000, 0) })}</p>`
   if (work.kind === 'failed') return html`<p class="refusal">${words.fill(say.failed, { why: work.why })}</p>`
@@ -205,9 +207,9 @@ export function filmDialog(page: Page): TemplateResult | typeof nothing {
   // One button, so that the focus stays on it.
   const button = html`<button type="button" class="button ${making ? '' : 'primary'}" id=${making ? 'film-cancel' : 'film-make'} ?disabled=${refused && !making} @click=${act}>${making ? say.cancel : say.make}</button>`
   const body = html`<div class="film">${making ? nothing : options(page, speed)}
-    ${refused ? html`<p role="status" class="refusal">${refusalText(page, film)}</p>` : making ? nothing : facts(page, film, speed)}
+    ${making ? nothing : refused ? html`<p role="status" class="refusal">${refusalText(page, film)}</p>` : facts(page, film, speed)}
     ${missing && !making ? html`<p class="soft">${missing}</p>` : nothing}
-    <div role="status" id="film-state">${state(page, film)}</div>
+    <div role="status" id="film-state">${state(page)}</div>
     <div class="foot">${button}</div></div>`
   return dialog(page, 'film', say.title, body)
 }

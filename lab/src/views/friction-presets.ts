@@ -3,6 +3,7 @@
 import { html, type TemplateResult } from 'lit-html'
 import { menu } from '../controls/parts'
 import { icon } from '../draw/icons'
+import { isRefused } from '../embedding'
 import type { FrictionSetup } from '../model/friction'
 import { radians } from '../number'
 import type { State } from '../state'
@@ -41,7 +42,7 @@ export const FRICTION_PRESETS = {
 } as const satisfies Record<string, FrictionPreset>
 
 export function frictionPresets(page: Live): TemplateResult {
-  const { store, session, words } = page
+  const { store, state, session, words } = page
   const { damped, shell } = words.say
   const names = Object.keys(FRICTION_PRESETS) as (keyof typeof FRICTION_PRESETS)[]
   return menu({
@@ -52,6 +53,7 @@ export function frictionPresets(page: Live): TemplateResult {
     toggle: (open) => store.setSession({ menu: open ? 'frictions' : null }),
     items: names.map((name) => ({
       text: damped.presets[name],
+      disabled: isRefused(state, FRICTION_PRESETS[name]),
       act: () => {
         const text = words.fill(shell.replaced, { name: damped.presets[name] })
         store.replace({ ...store.moment, ...FRICTION_PRESETS[name], t: 0 }, { key: 'example', text })

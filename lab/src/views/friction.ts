@@ -77,13 +77,13 @@ function drivenSentence(page: Live): string {
   const { words, state } = page
   const { damped: say, units } = words.say
   const section = sectionOf(page)
-  const { count = 0, most = 0, done = false, repeats = null } = section ?? {}
+  const { count = 0, most = 0, done = false, stopped = false, repeats = null } = section ?? {}
   if (repeats === 1)
     return words.fill(say.repeats, {
       period: words.with(words.fixed((2 * Math.PI) / state.driveFrequency, 3), units.s),
     })
   if (repeats !== null) return words.fill(say.repeatsMany, { count: repeats })
-  return words.fill(done ? say.chaotic : say.driving, { count, most, longest: LONGEST })
+  return words.fill(stopped ? say.tooFast : done ? say.chaotic : say.driving, { count, most, longest: LONGEST })
 }
 
 function sentence(page: Live): string {

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { hint, menu } from '../controls/parts'
 import { icon } from '../draw/icons'
+import { isRefused } from '../embedding'
 import type { Motion } from '../model'
 import { DEGREES, radians } from '../number'
 import { allOrbits, choose, letterOf, placeOf, withOrbit, withoutOrbit } from '../orbits'
@@ -32,15 +33,18 @@ function row(page: Live, motion: Motion, start: Start, place: number, count: num
   )
   const text = words.fill(phase.energy, { regime: phase.regimes[regime], energy })
   const chosen = place === placeOf(state)
+  // Where a start is locked, its orbit stays the chosen one.
+  const locked = isRefused(state, choose(state, place))
+  const stays = isRefused(state, withoutOrbit(state, place))
   const remove = () => store.set({ ...withoutOrbit(state, place), t: 0 })
   const removeName = words.fill(phase.remove, { letter })
   return html`<div class="row orbit-row ${chosen ? 'chosen' : ''}" data-orbit=${letter}>
-    <input type="radio" name="orbit" id="orbit-${letter}" .checked=${chosen} aria-label="${letter}: ${orbitWords(page, start)}, ${text}, ${phase.period} ${time}"
+    <input type="radio" name="orbit" id="orbit-${letter}" .checked=${chosen} ?disabled=${locked} title=${locked ? words.say.embedding.locked : nothing} aria-label="${letter}: ${orbitWords(page, start)}, ${text}, ${phase.period} ${time}"
       @change=${() => store.set({ ...choose(state, place) })} @keydown=${(event: KeyboardEvent) => event.key === 'Delete' && remove()}>
     <b class="letter" aria-hidden="true">${letter}</b>
     <span class="name"><span class="number">${orbitWords(page, start)}</span><small>${text}</small></span><span class="result">${time}</span>
     ${
-      count > 1
+      count > 1 && !stays
         ? html`<button type="button" class="icon remove" aria-label=${removeName} title=${removeName} @click=${remove}>${icon('close')}</button>`
         : nothing
     }</div>`
@@ -71,7 +75,7 @@ function addMenu(page: Live): TemplateResult {
     items: kinds.map(([text, start]) => ({
       text,
       note: orbitWords(page, start),
-      disabled: full,
+      disabled: full || isRefused(state, withOrbit(state, start)),
       act: () => store.set({ ...withOrbit(state, start), t: 0 }),
     })),
   })

@@ -96,13 +96,13 @@ function header(page: Page, views: readonly View[]): TemplateResult {
 }
 
 function bar(page: Page, one: Message): TemplateResult {
-  const { words, store } = page
+  const { words, store, state } = page
   const { linkFaults, shell, messages } = words.say
   const close = () => store.dismiss(one.key)
   if (one.faults) {
     const intro = one.faults.length > 1 ? linkFaults.introMany : linkFaults.intro
     return message(
-      html`<p>${intro} ${one.faults.map((fault) => html`${rich(faultText(words, fault))} `)}${linkFaults.kept}</p>`,
+      html`<p>${intro} ${one.faults.map((fault) => html`${faultText(words, fault, state.hide)} `)}${linkFaults.kept}</p>`,
       messages.close,
       close,
     )

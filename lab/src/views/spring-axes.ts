@@ -24,14 +24,18 @@ export function springSpan({ period, escapeTime, regime, scale }: SpringOrbit): 
 
 const POINTS = 200
 
+/** A range below has no scale in doubles: it is drawn as nothing beside another one. */
+const LEAST = 1e-290
+const wide = (range: number, other: number): number => (range > LEAST ? range : other)
+
 /** What the plot over time shows: the whole of a bounded motion; of an escape four times what lies inside, and its own side. */
 function timeAxis(orbit: SpringOrbit, inner: number, farthest: number): readonly [number, number] {
   const { escapeTime, u0 } = orbit
   if (!Number.isFinite(escapeTime)) {
-    const most = roundUp(1.08 * Math.max(farthest, Math.abs(u0)) || 1)
+    const most = roundUp(wide(1.08 * Math.max(farthest, Math.abs(u0)), 1))
     return [-most, most]
   }
-  const most = roundUp(4 * inner || 1)
+  const most = roundUp(wide(4 * inner, 1))
   const side = orbit.escapesTo
   // It turns once at most on its way.
   const far = Math.min(
@@ -47,15 +51,17 @@ export function springAxes(orbit: SpringOrbit): SpringAxes {
   const outer = Math.max(0, ...equilibria.map(({ u }) => u))
   const bounded = Number.isFinite(low) && Number.isFinite(high)
   const farthest = bounded ? Math.max(-low, high) : 0
-  const reach = roundUp(Math.max(1.08 * farthest, (bounded ? 1.05 : 1.5) * Math.abs(u0), 1.4 * outer) || 1)
+  const reach = roundUp(wide(Math.max(1.08 * farthest, (bounded ? 1.05 : 1.5) * Math.abs(u0), 1.4 * outer), 1))
   const inner = bounded ? Math.max(farthest, outer) : 1.2 * Math.max(Math.abs(u0), outer)
   const inside = Array.from({ length: POINTS + 1 }, (_, i) => inner * ((2 * i) / POINTS - 1))
   const top = Math.max(energy, ...barriers)
   const speeds = inside.map((u) => orbit.speed(u, top)).filter((speed) => !Number.isNaN(speed))
-  const fastest = roundUp(Math.max(1.08 * Math.max(0, ...speeds), 1.15 * Math.abs(velocity0)) || reach / scale)
+  const fastest = roundUp(
+    wide(Math.max(1.08 * Math.max(0, ...speeds), 1.15 * Math.abs(velocity0)), wide(reach / scale, 1)),
+  )
   const heights = equilibria.map(({ height }) => height)
   const lowest = Math.min(energy, ...heights)
-  const rise = Math.max(energy, ...heights) - lowest || fastest ** 2 / 2
+  const rise = wide(Math.max(energy, ...heights) - lowest, wide(fastest ** 2 / 2, 1))
   return {
     reach,
     fastest,

@@ -48,8 +48,12 @@ function force(page: Live): TemplateResult {
     )}</div>`
 }
 
+/** A time with its decimals, or with as many digits where they would be zeros or say nothing. */
+const timeWords = ({ words }: Live, value: number, decimals: number): string =>
+  value > 0 && (value < 0.1 || value >= 1e6) ? words.significant(value, decimals) : words.fixed(value, decimals)
+
 const endless = (page: Live, value: number): string =>
-  Number.isFinite(value) ? page.words.fixed(value, 4) : page.words.say.spring.facts.infinite
+  Number.isFinite(value) ? timeWords(page, value, 4) : page.words.say.spring.facts.infinite
 
 function facts(page: Live, orbit: SpringOrbit): TemplateResult {
   const { words } = page
@@ -60,11 +64,11 @@ function facts(page: Live, orbit: SpringOrbit): TemplateResult {
     html`<dt class=${big}>${rich(name)}</dt><dd class=${big} id=${id === '' ? nothing : id}>${rich(value)}</dd>`
   const from = orbit.escapeTimeBackward
   return html`<dl class="facts">
-    ${escapes ? row(say.escape, words.fixed(orbit.escapeTime, 4), 'spring-escape', 'big') : row(say.period, endless(page, orbit.period), 'spring-period', 'big')}
+    ${escapes ? row(say.escape, timeWords(page, orbit.escapeTime, 4), 'spring-escape', 'big') : row(say.period, endless(page, orbit.period), 'spring-period', 'big')}
     ${row(say.regime, spring.regimes[orbit.regime], 'spring-regime')}
     ${row(say.energy, shortNumber(words, orbit.energy), 'spring-energy')}
     ${row(say.range, rangeWords(page, orbit), 'spring-range')}
-    ${Number.isFinite(from) ? row(say.from, words.fixed(from, 4), 'spring-from') : nothing}</dl>`
+    ${Number.isFinite(from) ? row(say.from, timeWords(page, from, 4), 'spring-from') : nothing}</dl>`
 }
 
 function equilibriaTable({ page, orbit }: SpringView): TemplateResult {
@@ -101,8 +105,8 @@ function sentence(page: Live): string {
     name: spring.names[orbit.name],
     low: short(low),
     high: short(high),
-    period: words.fixed(period, 3),
-    time: words.fixed(Number.isFinite(escapeTime) ? escapeTime : escapeTimeBackward, 3),
+    period: timeWords(page, period, 3),
+    time: timeWords(page, Number.isFinite(escapeTime) ? escapeTime : escapeTimeBackward, 3),
     u: short(u0),
   }
   switch (regime) {

@@ -229,6 +229,31 @@ test('a file that is dropped is read', async ({ browser }) => {
   await page.context().close()
 })
 
+test('a folder that is dropped is named, and the next file is read', async ({ browser }) => {
+  const { page } = await opening(browser)
+  const errors: string[] = []
+  page.on('pageerror', (error) => errors.push(String(error)))
+  const drop = (name: string, text: string | null) =>
+    page.evaluate(
+      ([called, content]) => {
+        const file = new File([content ?? ''], called as string)
+        // What a browser says of a folder.
+        if (content === null) file.arrayBuffer = () => Promise.reject(new DOMException('not found', 'NotFoundError'))
+        const event = new Event('drop', { bubbles: true, cancelable: true })
+        Object.defineProperty(event, 'dataTransfer', { value: { files: [file] } })
+        document.querySelector('.drop')?.dispatchEvent(event)
+      },
+      [name, text] as const,
+    )
+  await drop('records', null)
+  await expect(page.locator('.refusal')).toContainText('records: not found.')
+  await drop('record.csv', await readFile(RECORD, 'utf8'))
+  await expect(page.locator('.file-name')).toHaveText('record.csv')
+  await expect(page.locator('#data-omega0')).toBeVisible()
+  expect(errors).toEqual([])
+  await page.context().close()
+})
+
 test('the offline file says that it has no fit', async ({ browser }) => {
   const context = await browser.newContext({ offline: true })
   const page = await context.newPage()

@@ -81,6 +81,15 @@ test('story 8: another angle, another time, and every number is another one', as
   }
 })
 
+test('story 8: a swing whose numbers no double holds says so', async ({ lab }) => {
+  for (const entry of ['novice', 'lima', 'salas']) {
+    await show(lab, `view=derivation&entry=${entry}&th0=1e-300rad&L=1m&g=9.81&t=0.7s&lang=en`)
+    await expect(lab.locator('.sides').filter({ hasText: 'smaller than the computer can hold' }).first()).toBeVisible()
+    await expect(lab.locator('.sides').filter({ hasText: '12 digits agree' }).first()).toBeVisible()
+    await expect(lab.locator('.sides').filter({ hasText: /NaN|∞/ })).toHaveCount(0)
+  }
+})
+
 test('story 8: numbers go on with the time while it plays', async ({ lab }) => {
   await show(lab, 'view=derivation&th0=150deg&t=0s')
   const left = () => lab.locator('[data-equality=pendulum]').getAttribute('data-left')

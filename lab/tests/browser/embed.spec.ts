@@ -212,6 +212,60 @@ test('story 11: a link that opens with a plain g is closed at once', async ({ br
   await page.context().close()
 })
 
+test('story 11: what was open, to be undone or wrong before a link does not say the g that it hides', async ({
+  lab,
+}) => {
+  const follow = async (hash: string) => {
+    await lab.evaluate((next) => {
+      location.hash = next
+    }, hash)
+    await drawn(lab)
+  }
+  await show(lab, 'th0=30deg&L=1m&g=9.81&t=0s&lang=en')
+  await lab.locator('#menu-examples').click()
+  await lab.locator('.menu [role=menuitem]').first().click()
+  await expect(lab.locator('.message')).toContainText('Undo')
+  await lab.locator('#menu-save-pendulum').click()
+  await lab.locator('.menu [role=menuitem]').first().click()
+  await expect(lab.locator('dialog')).toBeVisible()
+  await follow('th0=40deg&L=1m&g=9.81&hide=g&t=0s&lang=en&mine=7')
+  await expect(lab.locator('dialog, .message:has-text("Undo")')).toHaveCount(0)
+  await expect(lab.locator('[data-value=hidden]')).toHaveCount(1)
+  // What is not ours stands in the link that is written next.
+  await expect.poll(() => lab.url()).toMatch(/&g=~[0-9a-z]+&.*&mine=7$/)
+  for (const [wrong, told] of [
+    ['NaN', 'g=NaN is not a number. The usual value is shown instead.'],
+    ['2000', 'g=2000 is outside 0.001 m/s² to 1000 m/s². The usual value is shown instead.'],
+  ] as const) {
+    await show(lab, `g=${wrong}&hide=g&t=0s&lang=en`)
+    await expect(lab.locator('.message')).toContainText(told)
+  }
+  await show(lab, 'view=lab&t=0s')
+})
+
+test('story 11: a locked start stays the chosen one of the portrait, and no example of friction replaces it', async ({
+  lab,
+}) => {
+  await show(lab, 'view=phase&lock=w0&th0=50deg&w0=1&t=0s&lang=en')
+  for (const letter of ['A', 'B', 'C']) {
+    const radio = lab.locator(`#orbit-${letter}`)
+    await (letter === 'A' ? expect(radio).toBeEnabled() : expect(radio).toBeDisabled())
+  }
+  await expect(lab.locator('#orbit-B')).toHaveAttribute('title', 'Locked by the sender.')
+  await expect(lab.locator('[data-orbit=A] .remove')).toHaveCount(0)
+  await lab.locator('[data-orbit=C] .remove').click()
+  await expect(lab.locator('.orbit-row')).toHaveCount(2)
+  await lab.locator('#menu-orbit').click()
+  for (const item of await lab.locator('.menu [role=menuitem]').all()) await expect(item).toBeDisabled()
+  await lab.keyboard.press('Escape')
+  await show(lab, 'view=friction&lock=th0&th0=50deg&t=0s&lang=en')
+  await lab.locator('#menu-frictions').click()
+  for (const item of await lab.locator('.menu [role=menuitem]').all()) await expect(item).toBeDisabled()
+  await lab.keyboard.press('Escape')
+  await lab.mouse.move(0, 0)
+  await show(lab, 'view=lab&t=0s')
+})
+
 test('story 11: the form makes the code of a frame that shows what was chosen', async ({ browser }) => {
   const page = await opened(browser, 't=0s', { permissions: ['clipboard-read', 'clipboard-write'] })
   await show(page, 'view=handouts&handout=embed&th0=150deg&L=0.9m&g=3.71&t=0s&lang=en')

@@ -81,6 +81,17 @@ test('bad links: each bad value is named with what is shown instead, and the res
   await expect(lab.locator('.message')).toHaveCount(0)
 })
 
+test('bad links: what they hold is told as it is, and is no wider than the page', async ({ lab }) => {
+  await show(lab, `__proto__=1&utm_a=b_c&x*y=*z*&p={kept}&th0=${'9'.repeat(400)}&${'k'.repeat(2000)}=1&t=0s&lang=en`)
+  const message = lab.locator('.message')
+  for (const text of ['__proto__=1 is not', 'utm_a=b_c is not', 'x*y=*z* is not', 'p={kept} is not a number'])
+    await expect(message).toContainText(text)
+  expect(await lab.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0)
+  await show(lab, 'view=phase&w0=100&t=100000s&lang=en')
+  expect(await lab.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0)
+  await show(lab, 'view=lab&t=0s')
+})
+
 test('fields out of range: one sentence with value and range, the motion stays', async ({ lab }) => {
   await show(lab, 'th0=150deg&L=1m&g=9.81&t=0s')
   for (const [name, typed, said] of [

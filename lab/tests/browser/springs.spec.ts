@@ -59,6 +59,20 @@ test('springs by their examples are in every regime, with the numbers of the cor
   await expect(lab.locator('#spring-equilibria tbody tr')).toHaveCount(5)
 })
 
+test('springs of any size have charts, and their times digits', async ({ lab }) => {
+  const errors: string[] = []
+  lab.on('console', (message) => message.type() === 'error' && errors.push(message.text()))
+  for (const [link, time] of [
+    ['p=1e-6&q=1e-6&u0=1e-300', '6283.1853'],
+    ['p=0&q=1&u0=1e-160', '7.416\u00a0×\u00a010160'],
+    ['q=1e6&u0=1000&v0=-1e6', '7.416\u00a0×\u00a010−6'],
+  ] as const) {
+    await show(lab, `view=springs&${link}&t=0s&lang=en`)
+    await expect(lab.locator('#spring-period')).toHaveText(time)
+  }
+  expect(errors).toEqual([])
+})
+
 test('springs start where the portrait is clicked, and by the arrow keys', async ({ lab }) => {
   await show(lab, 'view=springs&p=1&q=1&u0=1.5&t=0s')
   const plot = lab.locator('[data-plot=spring-portrait]')
