@@ -110,7 +110,7 @@ pub fn gravity_of_period(
 /// ```
 /// use libration_fit::{fit::Measure, gravity_of_decay};
 /// let [first, last] = [40f64, 20.0].map(|swing| Measure { value: swing.to_radians(), u: 0.01 });
-/// let found = gravity_of_decay(Measure { value: 2.0513, u: 0.0 }, Measure { value: 1.0, u: 0.0 }, first, last)?;
+/// let found = gravity_of_decay(Measure { value: 2.0396, u: 0.0 }, Measure { value: 1.0, u: 0.0 }, first, last)?;
 /// assert!((found.g.value - 9.81).abs() < 0.005, "{found:?}");
 /// # Ok::<(), libration_fit::fit::FitRefusal>(())
 /// ```

@@ -177,7 +177,7 @@ describe('springs', () => {
         forceOf('duffing', 0, 1, 0),
         forceOf('duffing', 0, 0, 0),
       ]) {
-        const { reach, fastest, lowest, highest, times } = frameOf(orbit(force, u0))
+        const { reach, fastest, lowest, highest, times } = springAxes(orbit(force, u0))
         for (const range of [reach, fastest, highest - lowest, times[1] - times[0]])
           expect([u0, Number.isFinite(1000 / range), range > 0]).toEqual([u0, true, true])
       }

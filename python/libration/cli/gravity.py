@@ -55,7 +55,7 @@ Local masses move the true g by some 0.0005 m/s^2, seldom by more than 0.002.
 EXAMPLES = (
     "libration gravity --period 2.022±0.001 --length 1.000±0.001 --swing 20±1deg",
     "libration gravity --period 2.0218s --length 1m --swing 20deg --latitude -23.5deg",
-    "libration gravity --period 2.0513s --length 1m --swing 40deg --end 20±1deg",
+    "libration gravity --period 2.0396s --length 1m --swing 40deg --end 20±1deg",
     "libration gravity --latitude 52.1deg",
     "libration gravity --pivot 2.0061±0.0001s,0.66m --pivot 2.0063±0.0001s,0.34m",
     "libration gravity --pivot 2.0061s,66cm --pivot 2.0063s --between 1.00010±0.00001m",

@@ -22,7 +22,7 @@ KNOWN = {"full": fully, "short": nearly}
 
 def _allowed(found: MotionParts, *given: Any) -> Any:
     """Whether all is finite, there is a force, and turns and half periods are so few that the floats can tell them."""
-    kind = jnp.finfo(given[0].dtype)
+    kind = np.finfo(given[0].dtype)
     most, largest = 2.0 ** (kind.nmant - 3), float(kind.max) ** 0.5 / 4
     usual = (abs(found.turn) < most) & (abs(found.count) < most) & (abs(found.x) < largest) & (given[-1] != 0)
     return usual & jnp.isfinite(sum(0 * each for each in given))
@@ -34,7 +34,7 @@ def _evaluated(known: Known, slopes: bool, given: tuple[Any, ...]) -> Any:
     functions = jacobi(found)
     values = apart(lambda: state(found, functions, given[3]), given[0])
     allowed = _allowed(found, *given)
-    steep = (found.complement == 0) & (abs(found.argument) > np.log(float(jnp.finfo(given[0].dtype).max)) / 2)
+    steep = (found.complement == 0) & (abs(found.argument) > np.log(float(np.finfo(given[0].dtype).max)) / 2)
     return tuple(jnp.where(allowed, value, jnp.nan) for value in values), jnp.where(allowed & ~steep, 1.0, jnp.nan)
 
 

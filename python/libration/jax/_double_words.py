@@ -35,7 +35,7 @@ def parts(value: Fraction, dtype: Any, count: int) -> list[Any]:
 
 def rounded(value: Any) -> Any:
     """The value, rounded to a float before it is used again."""
-    largest = jnp.finfo(value.dtype).max
+    largest = np.finfo(value.dtype).max
     return jnp.minimum(jnp.maximum(value, -largest), largest)
 
 

@@ -10,6 +10,7 @@ import math
 from typing import Any
 
 import jax.numpy as jnp
+import numpy as np
 from jax.lax import stop_gradient
 
 from ._double_words import TWO_PI, apart, parts, two_sum
@@ -79,7 +80,7 @@ def hyperbolic_terms(found: Nome, v: Any, low: Any, folded: Any) -> tuple[Any, A
     gone = jnp.expm1(-2 * y)
     gone = gone - 2 * low * (1 + gone)
     square = 1 + gone
-    largest = math.log(float(jnp.finfo(v.dtype).max)) - 2
+    largest = math.log(float(np.finfo(v.dtype).max)) - 2
     h = q * (square + jnp.exp(jnp.minimum(2 * (y + low), largest)))
     zero2, zero3, zero4 = at_zero(q)
     first, second, third, fourth = theta_quotients(q, h)

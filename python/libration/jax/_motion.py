@@ -61,7 +61,10 @@ def motion(
     >>> print(f"{jax.grad(lambda omega0: motion(2.0, 1.0, 0.0, omega0)[0])(1.0):.4f}")
     -1.8181
     """
-    return _motion(_chosen(digits), *_given(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0))
+    found: tuple[jax.Array, jax.Array] = _motion(
+        _chosen(digits), *_given(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
+    )
+    return found
 
 
 def advance(
@@ -105,7 +108,10 @@ def advance(
     >>> print(f"{theta:.4f} {velocity:.4f}")
     -0.3062 -0.9090
     """
-    return _motion(_chosen(digits), *_given(dt=dt, theta=theta, velocity=velocity, omega0=omega0))
+    found: tuple[jax.Array, jax.Array] = _motion(
+        _chosen(digits), *_given(dt=dt, theta=theta, velocity=velocity, omega0=omega0)
+    )
+    return found
 
 
 def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = "full") -> jax.Array:
@@ -145,7 +151,8 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
     >>> print(f"{period(3.0):.4f}")
     16.1555
     """
-    return _period(_chosen(digits), *_given(theta=theta, velocity=velocity, omega0=omega0))
+    found: jax.Array = _period(_chosen(digits), *_given(theta=theta, velocity=velocity, omega0=omega0))
+    return found
 
 
 @partial(jax.jit, static_argnums=0)
