@@ -79,7 +79,8 @@ export const enFriction = {
   captionEnergy: 'The energy goes from {first} to {last} of that at the top.',
   captionPhase:
     'Velocity against angle within one turn, from the start to {to}, with the separatrix of the pendulum without friction.',
-  captionSection: '{count} points of angle and velocity, one for each period of the drive. Of a motion that repeats only its cycle is drawn.',
+  captionSection:
+    '{count} points of angle and velocity, one for each period of the drive. Of a motion that repeats only its cycle is drawn.',
   dampedColumn: 'with friction',
   freeColumn: 'without',
 }

@@ -79,7 +79,8 @@ export const esFriction: FrictionCatalogue = {
   captionEnergy: 'La energía va de {first} a {last} de la energía en la cima.',
   captionPhase:
     'La velocidad en función del ángulo dentro de una vuelta, del inicio a {to}, con la separatriz del péndulo sin fricción.',
-  captionSection: '{count} puntos de ángulo y velocidad, uno por cada periodo de la fuerza. De un movimiento que se repite solo se dibuja el ciclo.',
+  captionSection:
+    '{count} puntos de ángulo y velocidad, uno por cada periodo de la fuerza. De un movimiento que se repite solo se dibuja el ciclo.',
   dampedColumn: 'con fricción',
   freeColumn: 'sin',
 }

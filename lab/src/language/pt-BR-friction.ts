@@ -79,7 +79,8 @@ export const ptBRFriction: FrictionCatalogue = {
   captionEnergy: 'A energia vai de {first} a {last} da energia no topo.',
   captionPhase:
     'A velocidade em função do ângulo dentro de uma volta, do início até {to}, com a separatriz do pêndulo sem atrito.',
-  captionSection: '{count} pontos de ângulo e velocidade, um para cada período da força. De um movimento que se repete desenha-se só o ciclo.',
+  captionSection:
+    '{count} pontos de ângulo e velocidade, um para cada período da força. De um movimento que se repete desenha-se só o ciclo.',
   dampedColumn: 'com atrito',
   freeColumn: 'sem',
 }
