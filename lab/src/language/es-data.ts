@@ -85,9 +85,11 @@ export const esData: DataCatalogue = {
   again: 'Ajustar de nuevo',
   failed: 'El ajuste no pudo hacerse: {why}.',
 
-  sentence: '_g_ = *{g}*, de {count} muestras{swing}, ajustado con {model}.',
-  sentenceLength: '_L_ = *{length}*, de {count} muestras{swing}, ajustado con {model}.',
-  sentenceOmega: '_ω_{0} = *{omega}*, de {count} muestras{swing}, ajustado con {model}.',
+  sentence: '_g_ = *{g}*, de {counted}{swing}, ajustado con {model}.',
+  sentenceLength: '_L_ = *{length}*, de {counted}{swing}, ajustado con {model}.',
+  sentenceOmega: '_ω_{0} = *{omega}*, de {counted}{swing}, ajustado con {model}.',
+  samples: '{count} muestras',
+  periods: '{count} periodos',
   ofSwings: 'de oscilaciones de hasta {angle}',
   sentenceRefuted: 'El registro *no debe citarse* como de un péndulo: {verdict}.',
   sentenceRefutedTogether: 'Uno de los registros *no debe citarse* como de un péndulo.',
@@ -191,7 +193,7 @@ export const esData: DataCatalogue = {
   sineHelp: 'La última fila es la ecuación lineal, cuyas oscilaciones son senos amortiguados.',
   verdicts: 'Veredictos',
   grades: { refuted: 'No citar', warning: 'Aviso', note: 'Nota' },
-  noVerdicts: 'Nada habla contra el resultado.',
+  noVerdicts: 'Sin avisos.',
 
   timing: {
     title: 'Cronometrado',

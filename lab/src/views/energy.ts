@@ -72,12 +72,20 @@ function domain(study: Study, total: boolean): [number, number] {
   return [FACTOR * (low - 0.25 * least), FACTOR * (top + 0.25 * least)]
 }
 
+/** Two ticks at least: where round numbers leave one, the outermost of finer ones. */
+export function energyTicks([low, high]: readonly [number, number], most: number): number[] {
+  const values = roundTicks(low, high, Math.max(2, most))
+  if (values.length > 1) return values
+  const finer = roundTicks(low, high, 6)
+  return [finer[0] as number, finer.at(-1) as number]
+}
+
 function draw(page: Live, study: Study, total: boolean, size: PlotSize): TemplateResult {
   const { words, t, session } = page
   const { height, rem } = size
   const ends = domain(study, total)
   const sy = linearScale(ends, [height, 0])
-  const values = roundTicks(ends[0], ends[1], Math.max(2, Math.floor(height / (1.25 * rem))))
+  const values = energyTicks(ends, Math.floor(height / (1.25 * rem)))
   const decimals = tickDecimals(values)
   const { plots } = words.say
   const near = ends[0] < 100 && ends[1] > 100
