@@ -41,6 +41,13 @@ export class Measurement {
   axis: Axis = 'swing'
   /** The line of a refusal or a failure. */
   message = ''
+  /** Whether the refusal asks what the fields of “Say otherwise” can answer: they are the options of the command. */
+  get asks(): boolean {
+    return this.phase === 'refused' && /--(column|unit|rate|run)/.test(this.message)
+  }
+
+  /** Whether it ever did: the fields stay open while they are filled. */
+  asked = false
   /** Part of the steps of the fit that have begun. */
   progress = 0
   /** What was stated when the last fit began. */
@@ -203,6 +210,7 @@ export class Measurement {
       default:
         this.phase = told.kind
         this.message = told.message
+        this.asked ||= this.asks
     }
     this.changed()
   }

@@ -7,6 +7,7 @@ import FORMULAS from '../src/derivation/formulas.tex'
 import { EQUALITIES, LESSONS } from '../src/derivation/lessons'
 import { Moment } from '../src/derivation/moment'
 import { around, carlsonF, legendreF, mean, slope } from '../src/derivation/second-route'
+import { angleOf } from '../src/draw/circle'
 import { Words } from '../src/language'
 import '../src/language/derivation'
 import { completedModel, type Model, openModel, type Setup } from '../src/model'
@@ -80,6 +81,21 @@ function states(count: number): State[] {
   return out
 }
 
+/** With the mass 1 kg, from the motion in the plane: its acceleration less gravity along the rod, by second differences of the place. */
+function pullOf({ setup, t }: State): number {
+  const motion = model.motion(setup)
+  const h = 1e-3 / (motion.omega0 * Math.max(1, Math.sqrt(motion.energyRatio)))
+  const place = (at: number) => {
+    const theta = motion.theta(at)
+    return [setup.length * Math.sin(theta), -setup.length * Math.cos(theta)] as const
+  }
+  const [before, now, after] = [place(t - h), place(t), place(t + h)]
+  const [ax, ay] = [0, 1].map((i) => ((before[i] as number) - 2 * (now[i] as number) + (after[i] as number)) / h ** 2)
+  // Towards the pivot.
+  const [nx, ny] = now.map((each) => -each / setup.length)
+  return (ax as number) * (nx as number) + ((ay as number) + setup.gravity) * (ny as number)
+}
+
 const momentOf = ({ setup, t }: State): Moment => new Moment(model, model.motion(setup), t)
 
 /** Where an equality does not hold, as lines. */
@@ -107,6 +123,26 @@ describe('story 8: 1,000 pendulums', () => {
     expect(all.length).toBe(1000)
     for (const kind of ['rest', 'libration', 'separatrix', 'rotation'])
       expect([kind, all.filter(({ regime }) => regime === kind).length >= 4]).toEqual([kind, true])
+  })
+
+  it('the rod pulls with what keeps the mass on the arc', () => {
+    for (const state of states(1000).slice(0, 60)) {
+      const now = momentOf(state)
+      const { weight, across, pull } = now.forces
+      const size = weight + state.setup.length * now.velocity ** 2
+      expect(Math.abs(pullOf(state) - pull) / size, JSON.stringify(state)).toBeLessThan(1e-5)
+      expect(pull).toBeGreaterThanOrEqual(across)
+      // The weight alone is not it, where the mass moves.
+      if (size > 1.01 * weight) expect(Math.abs(pullOf(state) - across) / size).toBeGreaterThan(1e-3)
+    }
+  })
+
+  it('φ goes round against the clock, once from 0 to 360 degrees', () => {
+    for (const degrees of [0, 1, 90, 179, 181, 270, 359])
+      expect(angleOf(0.3 * Math.cos(radians(degrees)), 0.3 * Math.sin(radians(degrees)))).toBeCloseTo(
+        radians(degrees),
+        12,
+      )
   })
 
   it('every displayed equality holds to 1e-9', () => {

@@ -15,8 +15,18 @@ import {
   symmetricLogTicks,
   tickDecimals,
 } from '../src/draw/scale'
+import { energyTicks } from '../src/views/energy'
 
 const numbers = (...values: number[]) => Float64Array.from(values)
+
+describe('ticks of the energy', () => {
+  it('are two at least', () => {
+    expect(roundTicks(93.25, 93.55, 2)).toEqual([93.4])
+    expect(energyTicks([93.25, 93.55], 2)).toEqual([93.3, 93.5])
+    expect(energyTicks([0, 104], 3)).toEqual([0, 50, 100])
+    for (let low = 0; low < 1; low += 0.01) expect(energyTicks([93 + low, 93.3 + low], 2).length).toBeGreaterThan(1)
+  })
+})
 
 describe('a scale', () => {
   it.each([

@@ -8,7 +8,7 @@ import { Motion } from '../src/model/motion'
 import { Section } from '../src/model/section'
 import { radians } from '../src/number'
 import { envelopeOf } from '../src/views/friction-charts'
-import { withinOneTurn } from '../src/views/friction-phase'
+import { sectionEnds, withinOneTurn } from '../src/views/friction-phase'
 import { FRICTION_PRESETS } from '../src/views/friction-presets'
 
 beforeAll(async () => {
@@ -114,6 +114,12 @@ describe('friction', () => {
       expect(law.below[0]).toBe(-(law.above[0] as number))
     }
     expect(new AveragedLaw(of({ torque: 1 }, 20), 6).done).toBe(true)
+    // Dry friction stops it: the law ends there.
+    const stopped = of({ linear: 0, dry: 0.5 }, 200)
+    const rest = stopped.rests.at(-1)
+    expect(rest?.[1]).toBe(stopped.reach)
+    expect(rest?.[0]).toBeLessThan(stopped.reach)
+    expect(new AveragedLaw(stopped, 6).t.at(-1)).toBeCloseTo(rest?.[0] as number, 12)
     // After three turns it swings about three.
     const thrown = new AveragedLaw(of({ theta0: 0, velocity0: 12, linear: 0.1, quadratic: 0.03 }, 30), 6)
     thrown.advance()
@@ -147,6 +153,15 @@ describe('friction: the section of a driven pendulum', () => {
     expect([made.stopped, made.done, made.count]).toEqual([true, true, 19])
     expect(made.angles.subarray(0, 19)).toEqual(whole.angles.subarray(0, 19))
     expect(whole.stopped).toBe(false)
+  })
+
+  it('draws rounding no larger than it is', () => {
+    const [low, high] = sectionEnds(Float64Array.of(1.5, 1.5 + 1e-15), 8)
+    expect(high - low).toBe(2)
+    expect((low + high) / 2).toBeCloseTo(1.5, 12)
+    const [least, most] = sectionEnds(Float64Array.of(-3, 1), 8)
+    expect([least, most].map((each) => each.toFixed(2))).toEqual(['-3.48', '1.48'])
+    expect(sectionEnds(new Float64Array(), 1).map((each) => each.toFixed(2))).toEqual(['-1.24', '1.24'])
   })
 
   it('has the points of one long motion', () => {

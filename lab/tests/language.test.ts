@@ -132,13 +132,15 @@ describe('numbers', () => {
 
 describe('markup', () => {
   it('is bold, symbol, index and power', () => {
-    expect(pieces("*a* _T_{0} _θ'_ x^{2}").map(({ kind, text }) => [kind, text])).toEqual([
+    expect(pieces("*a* _T_{0} _θ'_ _u''_ x^{2}").map(({ kind, text }) => [kind, text])).toEqual([
       ['bold', 'a'],
       ['text', ' '],
       ['symbol', 'T'],
       ['index', '0'],
       ['text', ' '],
       ['dotted', 'θ'],
+      ['text', ' '],
+      ['twice', 'u'],
       ['text', ' x'],
       ['power', '2'],
     ])

@@ -72,7 +72,7 @@ export const LESSONS = {
     duffing: 'p duffing p duffing-energy',
     coefficients: 'p nine-first nine-second !salas-9 p ten-p ten-q !salas-10 p',
     cosine: 'p duffing-rate duffing-parameter p duffing-solution p',
-    start: 'p any-start p turn-theta limit-theta p',
+    start: 'p any-start p salas-turn-theta salas-limit-theta p',
     period: 'p salas-period salas-turn !salas-25 p salas-26 !salas-26 salas-27 !salas-27 salas-28 !salas-28 p',
     trigonometric: 'p trigonometric p table:errors',
   }),

@@ -113,10 +113,17 @@ export class Moment {
     return this.#acceleration
   }
 
-  /** The weight and its parts along and across the arc, in N for each kilogram. */
-  get forces(): { readonly weight: number; readonly along: number; readonly across: number } {
-    const { gravity } = this.motion.setup
-    return { weight: gravity, along: -gravity * Math.sin(this.theta), across: gravity * Math.cos(this.theta) }
+  /** The weight, its parts along the arc and along the rod, and the pull of the rod, in N for each kilogram: mg cos θ + mLθ̇². */
+  get forces(): {
+    readonly weight: number
+    readonly along: number
+    readonly across: number
+    readonly pull: number
+  } {
+    const { gravity, length } = this.motion.setup
+    const across = gravity * Math.cos(this.theta)
+    const pull = across + length * this.velocity ** 2
+    return { weight: gravity, along: -gravity * Math.sin(this.theta), across, pull }
   }
 
   /** What an acceleration is measured against: its largest, or where it turns over the square of the velocity that it changes. */

@@ -2,6 +2,7 @@
 
 import { type Equality, MOVING, SWING, square } from './equality'
 import type { Half, Moment } from './moment'
+import { MOTION } from './motion'
 import { STEPS } from './steps'
 
 /** Salas's variable and its velocity. */
@@ -54,10 +55,10 @@ function salas23(now: Moment): number {
 }
 
 /** An equality of the other ways in Salas's letters. */
-function again(id: string, name: string): Equality {
-  const found = STEPS.find((each) => each.id === id)
+function again(id: string, name: string, tag = 'Salas (25)'): Equality {
+  const found = [...STEPS, ...MOTION].find((each) => each.id === id)
   if (!found) throw new Error(`no equality ${id}`)
-  return { ...found, id: name, tag: 'Salas (25)' }
+  return { ...found, id: name, tag }
 }
 
 const rational = (name: string, of: (m: number) => number): Equality => ({
@@ -192,6 +193,8 @@ export const SALAS: readonly Equality[] = [
   },
   again('period', 'salas-period'),
   again('turn-period', 'salas-turn'),
+  again('turn-theta', 'salas-turn-theta', ''),
+  again('limit-theta', 'salas-limit-theta', ''),
   rational('salas-26', RATIONAL['salas-26']),
   rational('salas-27', RATIONAL['salas-27']),
   rational('salas-28', RATIONAL['salas-28']),

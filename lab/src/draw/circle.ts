@@ -20,13 +20,18 @@ const RADIUS = 92
 
 const n = (value: number): string => value.toFixed(1)
 
+/** φ from the axis of the width, against the clock: in [0, 2π). */
+export function angleOf(x: number, s: number): number {
+  const phi = Math.atan2(s, x)
+  return phi < 0 ? phi + 2 * Math.PI : phi
+}
+
 export function circle({ x, s, kappa, swings, width, height }: CircleSpec): TemplateResult {
   const unit = RADIUS / Math.max(1, kappa)
   const { x: cx, y: cy } = CENTRE
   const at = { x: cx + unit * x, y: cy - unit * s }
   const large = Math.hypot(at.x - cx, at.y - cy) > 34
-  // φ from the axis of the width, against the clock.
-  const phi = Math.atan2(s, x)
+  const phi = angleOf(x, s)
   const end = { x: cx + 24 * Math.cos(phi), y: cy - 24 * Math.sin(phi) }
   const named = { x: cx + 36 * Math.cos(phi / 2), y: cy - 36 * Math.sin(phi / 2) }
   return svg`
@@ -42,8 +47,8 @@ export function circle({ x, s, kappa, swings, width, height }: CircleSpec): Temp
         : nothing
     }
     ${
-      large && swings && Math.abs(phi) > 0.35
-        ? svg`<path class="angle-arc" d="M${cx + 24} ${cy}A24 24 0 0 ${phi > 0 ? 0 : 1} ${n(end.x)} ${n(end.y)}"/>
+      large && swings && phi > 0.35
+        ? svg`<path class="angle-arc" d="M${cx + 24} ${cy}A24 24 0 ${phi > Math.PI ? 1 : 0} 0 ${n(end.x)} ${n(end.y)}"/>
     <text class="symbol" x=${n(named.x)} y=${n(named.y + 5)} text-anchor="middle">φ</text>`
         : nothing
     }

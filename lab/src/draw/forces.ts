@@ -16,6 +16,8 @@ const ROD = 128
 const ANGLE = 0.72
 /** Length of the weight's arrow. */
 const WEIGHT = 92
+/** That of the rod's pull: the weight along the rod, and what keeps a moving mass on the arc. */
+const PULL = WEIGHT * (Math.cos(ANGLE) + 0.25)
 
 const n = (value: number): string => value.toFixed(1)
 const [SIN, COS] = [Math.sin(ANGLE), Math.cos(ANGLE)]
@@ -46,13 +48,13 @@ export function forces({ weight, along, across, rod }: ForcesSpec): TemplateResu
     <path class="rod" d="M${PIVOT.x} ${PIVOT.y}L${n(BOB.x)} ${n(BOB.y)}"/>
     <circle class="pivot" cx=${PIVOT.x} cy=${PIVOT.y} r="3.5"/>
     <path class="drop-line" d="M${n(BOB.x + part.x)} ${n(BOB.y + part.y)}L${n(BOB.x)} ${n(BOB.y + WEIGHT)}L${n(BOB.x + rest.x)} ${n(BOB.y + rest.y)}"/>
-    ${arrow(-46 * SIN, -46 * COS, 'quiet')}
+    ${arrow(-PULL * SIN, -PULL * COS, 'quiet')}
     ${arrow(rest.x, rest.y, 'quiet')}
     ${arrow(part.x, part.y, 'strong')}
     ${arrow(0, WEIGHT, '')}
     <circle class="bob" cx=${n(BOB.x)} cy=${n(BOB.y)} r="10"/>
-    <text class="symbol" x=${n(PIVOT.x + 0.5 * ROD * SIN + 12)} y=${n(PIVOT.y + 0.5 * ROD * COS - 4)}>L</text>
-    <text x=${n(BOB.x - 46 * SIN + 14)} y=${n(BOB.y - 46 * COS + 8)}>${rod}</text>
+    <text class="symbol" x=${n(PIVOT.x + 0.72 * ROD * SIN + 12)} y=${n(PIVOT.y + 0.72 * ROD * COS - 4)}>L</text>
+    <text x=${n(BOB.x - PULL * SIN + 14)} y=${n(BOB.y - PULL * COS + 8)}>${rod}</text>
     <text x=${n(BOB.x + part.x - 8)} y=${n(BOB.y + part.y + 4)} text-anchor="end" class="ink">${richSvg(along)}</text>
     <text x=${n(BOB.x + rest.x + 8)} y=${n(BOB.y + rest.y + 2)}>${richSvg(across)}</text>
     <text x=${n(BOB.x)} y=${n(BOB.y + WEIGHT + 17)} text-anchor="middle">${richSvg(weight)}</text>`

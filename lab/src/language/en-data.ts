@@ -85,9 +85,11 @@ export const enData = {
   again: 'Fit again',
   failed: 'The fit could not run: {why}.',
 
-  sentence: '_g_ = *{g}*, from {count} samples{swing}, fitted with {model}.',
-  sentenceLength: '_L_ = *{length}*, from {count} samples{swing}, fitted with {model}.',
-  sentenceOmega: '_ω_{0} = *{omega}*, from {count} samples{swing}, fitted with {model}.',
+  sentence: '_g_ = *{g}*, from {counted}{swing}, fitted with {model}.',
+  sentenceLength: '_L_ = *{length}*, from {counted}{swing}, fitted with {model}.',
+  sentenceOmega: '_ω_{0} = *{omega}*, from {counted}{swing}, fitted with {model}.',
+  samples: '{count} samples',
+  periods: '{count} periods',
   ofSwings: 'of swings up to {angle}',
   sentenceRefuted: 'The record is *not to be quoted* as a pendulum’s: {verdict}.',
   sentenceRefutedTogether: 'One of the records is *not to be quoted* as a pendulum’s.',
@@ -191,7 +193,7 @@ export const enData = {
   sineHelp: 'The last row is the linear equation, whose swings are damped sines.',
   verdicts: 'Verdicts',
   grades: { refuted: 'Do not quote', warning: 'Warning', note: 'Note' },
-  noVerdicts: 'Nothing speaks against the result.',
+  noVerdicts: 'No warnings.',
 
   timing: {
     title: 'Timed',

@@ -41,7 +41,7 @@ export const enDerivation = {
     'salas-28': 'The factor before the fraction makes it a quarter of the period.',
     'lima-16': 'Jacobi’s sn has become a sine. Time counts from the turn on the right.',
     'horsley-3':
-      'The root of _k_ belongs above, and sn has become a sine. Here _k_ is sin²(_θ_{0}/2), _F_{0} the integral of the start, _H_ the sign of the velocity. For _θ_{0} < 0 the corrected line has the other sign before it.',
+      'The root of _k_ belongs above, and sn has become a sine. Here _k_ is sin²(_θ_{0}/2), _γ_{0} = _κ_/√_k_, _F_{0} the integral of the start, _H_ the sign of the velocity. For _θ_{0} < 0 the corrected line has the other sign before it.',
   },
   kind: {
     rest: 'Here _κ_² = *{m}*: the pendulum is *at rest*, and stays.',
@@ -55,12 +55,14 @@ export const enDerivation = {
     along: '_mg_ sin _θ_',
     across: '_mg_ cos _θ_',
     rod: 'rod',
-    caption: 'For each kilogram of your pendulum now: weight {weight}, along the arc {along}, along the rod {across}.',
+    caption:
+      'For each kilogram of your pendulum now: weight {weight}; of the weight along the arc {along}, along the rod {across}; the rod pulls with {pull}.',
   },
   circle: {
     name: 'The circle of the energy',
     caption:
-      "The point has the width _θ'_/2_ω_{0} = {x} and the height sin(_θ_/2) = {s}. It stays at the distance _κ_ = {kappa}. Dashed: the separatrix, _κ_ = 1.",
+      "The point has the width _θ'_/(2_ω_{0}) = {x} and the height sin(_θ_/2) = {s}. It stays at the distance _κ_ = {kappa}. Dashed: the separatrix, _κ_ = 1: it just reaches the top.",
+    angle: 'Its angle is _φ_ = {phi}.',
   },
   coefficients: {
     name: 'Coefficients of the series of sn',
@@ -93,7 +95,7 @@ export const enDerivation = {
         text: [
           'The acceleration depends on the angle, and the angle is what we look for. A trick helps: multiply both sides by the velocity.',
           "Now both sides are derivatives that we know: on the left of _θ'_²/2, on the right of _ω_{0}² cos _θ_. So one sum never changes. It is the energy, counted from the bottom; now it is what it was at the start:",
-          'Half the angle makes a square of the second term:',
+          'With half the angle, 1 − cos _θ_ becomes a square:',
         ],
       },
       kind: {
@@ -106,8 +108,8 @@ export const enDerivation = {
       substitution: {
         title: 'An angle that goes round',
         text: [
-          "The last sum is a circle: its point has the height sin(_θ_/2) and the width _θ'_/2_ω_{0}, and _κ_ is its radius. For a swing call the radius _k_, and the angle of the point _φ_. Where _θ_ turns back, _φ_ goes on:",
-          'How fast does it go round? Take the derivative of the first line and put in the second. The cosine of _φ_ cancels, and cos(_θ_/2) is a root:',
+          "The last sum is a circle: its point has the height sin(_θ_/2) and the width _θ'_/(2_ω_{0}), and _κ_ is its radius. For a swing call the radius _k_, and the angle of the point _φ_. Where _θ_ turns back, _φ_ goes on:",
+          'How fast does it go round? Take the derivative of the first line and put in the second. The cosine of _φ_ cancels, and cos(_θ_/2) = √(1 − _k_² sin²_φ_):',
           'If the pendulum turns over, _θ_ itself goes on. Then half of it is _φ_, with the sign of the turn, and _k_ is 1/_κ_:',
         ],
       },
@@ -116,7 +118,7 @@ export const enDerivation = {
         text: [
           'Each small step of _φ_ takes a time: the step over the rate. All of them together are the time since the start, where _φ_ was _φ_{0}. This integral is no elementary function. It has a name, the *elliptic integral of the first kind*, _F_:',
           'From the bottom to the turning point _φ_ grows by a right angle. That takes a quarter of the period:',
-          'Nobody has to do the integral. Gauss found it by means: take the arithmetic and the geometric mean of two numbers, of these again, and so on until both are one number, _M_. Then:',
+          'Nobody has to do the integral. Gauss found it from averages. Begin with 1 and √(1−_k_²); take their arithmetic and their geometric mean, of these again, until both are one number, _M_. Then:',
           'A turn takes _φ_ through two right angles:',
         ],
       },
@@ -235,7 +237,7 @@ export const enDerivation = {
         title: 'The solution is a cn',
         text: [
           'The paper tries nine of Jacobi’s twelve functions. For a swing cn has real constants: _c_{1} is the tangent of half the turning angle. Then its rate is _ω_{0}, and its parameter _m_ again:',
-          'The phase is _c_{2} = _u_{0} − _K_, with _u_{0} = _F_(_φ_{0}):',
+          'The phase is _c_{2} = _a_ − _K_, with _a_ = _F_(_φ_{0}):',
           'Near the top _u_ is large. The motion is not: the tangent has its pole there.',
         ],
       },

@@ -7,12 +7,12 @@ export const enFriction = {
     linear: { label: 'Linear friction', symbol: '_γ_' },
     quadratic: { label: 'Quadratic', symbol: '_β_' },
     dry: { label: 'Dry', symbol: '_μ_' },
-    torque: { label: 'Constant torque', symbol: '_τ_{0}' },
-    drive: { label: 'Driving torque', symbol: '_τ_{1}' },
+    torque: { label: 'Constant torque over mL²', symbol: '_τ_{0}' },
+    drive: { label: 'Driving torque over mL²', symbol: '_τ_{1}' },
     driveFrequency: { label: 'Frequency', symbol: '_Ω_' },
     until: { label: 'Seconds shown', symbol: '' },
   },
-  equation: "_θ_″ + 2_γ_ _θ'_ + _β_|_θ'_| _θ'_ + _μ_ sgn _θ'_ + _ω_{0}² sin _θ_ = _τ_{0} + _τ_{1} cos _Ωt_",
+  equation: "_θ''_ + 2_γ_ _θ'_ + _β_|_θ'_| _θ'_ + _μ_ sgn _θ'_ + _ω_{0}² sin _θ_ = _τ_{0} + _τ_{1} cos _Ωt_",
   loading: 'Loading friction …',
   failed: 'Friction could not be loaded.',
   again: 'Try again',
@@ -47,7 +47,7 @@ export const enFriction = {
   tooFast: 'Driven, it becomes *too fast* to be followed: {count} of {most} periods are computed.',
 
   angle: 'Angle',
-  angleUnit: 'turning points joined; dots: averaged law; dashed: no friction',
+  angleUnit: 'blue: turning points; red dots: predicted by averaging; dashed: no friction',
   angleUnitDriven: '_θ_; dashed: no friction, no torque',
   energy: 'Energy',
   energyUnit: '% of that at the top; dashed: no friction',
@@ -68,6 +68,7 @@ export const enFriction = {
     swings: 'turning points',
     end: 'energy at the end',
     quality: 'quality _Q_ = _ω_{0}/2_γ_',
+    qualityLinear: '_Q_ of the linear friction alone',
     repeats: 'repeats after',
     one: 'one period of the drive',
     periods: '{count} periods of the drive',
@@ -78,7 +79,8 @@ export const enFriction = {
   captionEnergy: 'The energy goes from {first} to {last} of that at the top.',
   captionPhase:
     'Velocity against angle within one turn, from the start to {to}, with the separatrix of the pendulum without friction.',
-  captionSection: '{count} points of angle and velocity, one for each period of the drive.',
+  captionSection:
+    '{count} points of angle and velocity, one for each period of the drive. Of a motion that repeats only its cycle is drawn.',
   dampedColumn: 'with friction',
   freeColumn: 'without',
 }

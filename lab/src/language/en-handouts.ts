@@ -56,12 +56,13 @@ export const enHandouts = {
   columns: { amplitude: '_θ_{0}, °', time: '10 _T_, s', period: '_T_, s', ratio: '_T_/_T_{0}', g: '_g_, m/s²' },
   made: 'Made with libration. Link of this sheet: {link}',
   answers: 'Answers',
-  answersOf: 'Computed with the exact solution. Values read from a chart may differ in the last digit.',
+  answersOf: 'Computed with the exact solution. Read from a chart, _T_/_T_{0} may be off by 0.01, and _g_ by 0.2 m/s².',
   swings: 'swings',
   turnsOver: 'turns over',
   uncorrected: 'without correction',
   corrected: 'corrected',
   linear: '_T_{0}',
+  tooShort: '{percent} too short',
   first: 'with _θ_{0}²/16',
   amplitude: 'amplitude',
   potential: 'potential energy',
@@ -103,7 +104,8 @@ export const enHandouts = {
   takeM: 'Take _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Take _k_: C++17, Boost, GSL, Maple.',
 
-  shownHelp: 'Nothing chosen is everything.',
+  shownHelp: 'Tick nothing to show everything.',
+  hiddenHelp: 'With _g_ hidden only Lab and Data can be shown.',
   parts: {
     pendulum: 'pendulum',
     values: 'values',
@@ -128,7 +130,7 @@ export const enHandouts = {
   copyLink: 'Copy the link',
   local: 'This address is of your own machine. Put the page on a server first, so that others can see it.',
   show: 'Show it here',
-  hide: 'Take it away',
+  hide: 'Hide the preview',
   previewTitle: 'The embedded page',
 }
 

@@ -124,6 +124,7 @@ export const enLater = {
     tableUnit: 'against _u_',
     cosine: 'cosine',
     onePeriod: 'over one period, 4_K_',
+    oneTurn: 'over one turn, 2_K_',
     modulus: 'Modulus',
     parameter: 'Parameter',
     which: 'Which of them does my program ask for?',

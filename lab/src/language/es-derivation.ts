@@ -41,7 +41,7 @@ export const esDerivation: DerivationCatalogue = {
     'salas-28': 'El factor delante de la fracción la hace un cuarto del periodo.',
     'lima-16': 'El sn de Jacobi se ha vuelto un seno. El tiempo cuenta desde el retorno a la derecha.',
     'horsley-3':
-      'La raíz de _k_ pertenece al numerador, y sn se ha vuelto un seno. Aquí _k_ es sin²(_θ_{0}/2), _F_{0} la integral del inicio, _H_ el signo de la velocidad. Para _θ_{0} < 0 la línea corregida lleva el otro signo.',
+      'La raíz de _k_ pertenece al numerador, y sn se ha vuelto un seno. Aquí _k_ es sin²(_θ_{0}/2), _γ_{0} = _κ_/√_k_, _F_{0} la integral del inicio, _H_ el signo de la velocidad. Para _θ_{0} < 0 la línea corregida lleva el otro signo.',
   },
   kind: {
     rest: 'Aquí _κ_² = *{m}*: el péndulo está *en reposo*, y se queda.',
@@ -56,12 +56,13 @@ export const esDerivation: DerivationCatalogue = {
     across: '_mg_ cos _θ_',
     rod: 'varilla',
     caption:
-      'Por cada kilogramo de su péndulo ahora: peso {weight}, a lo largo del arco {along}, a lo largo de la varilla {across}.',
+      'Por cada kilogramo de su péndulo ahora: peso {weight}; del peso, a lo largo del arco {along}, de la varilla {across}; la varilla tira con {pull}.',
   },
   circle: {
     name: 'El círculo de la energía',
     caption:
-      "El punto tiene la anchura _θ'_/2_ω_{0} = {x} y la altura sin(_θ_/2) = {s}. Se queda a la distancia _κ_ = {kappa}. De trazos: la separatriz, _κ_ = 1.",
+      "El punto tiene la anchura _θ'_/(2_ω_{0}) = {x} y la altura sin(_θ_/2) = {s}. Se queda a la distancia _κ_ = {kappa}. De trazos: la separatriz, _κ_ = 1: llega justo a la cima.",
+    angle: 'Su ángulo es _φ_ = {phi}.',
   },
   coefficients: {
     name: 'Coeficientes de la serie de sn',
@@ -94,7 +95,7 @@ export const esDerivation: DerivationCatalogue = {
         text: [
           'La aceleración depende del ángulo, y el ángulo es lo que buscamos. Un truco ayuda: multiplique ambos lados por la velocidad.',
           "Ahora ambos lados son derivadas que conocemos: a la izquierda la de _θ'_²/2, a la derecha la de _ω_{0}² cos _θ_. Así que una suma no cambia nunca. Es la energía, contada desde el punto más bajo; ahora es la que era al inicio:",
-          'La mitad del ángulo hace del segundo término un cuadrado:',
+          'Con la mitad del ángulo, 1 − cos _θ_ se vuelve un cuadrado:',
         ],
       },
       kind: {
@@ -107,8 +108,8 @@ export const esDerivation: DerivationCatalogue = {
       substitution: {
         title: 'Un ángulo que da la vuelta',
         text: [
-          "La última suma es un círculo: su punto tiene la altura sin(_θ_/2) y la anchura _θ'_/2_ω_{0}, y _κ_ es el radio. Para una oscilación llame al radio _k_, y al ángulo del punto _φ_. Donde _θ_ se vuelve atrás, _φ_ sigue:",
-          '¿Con qué rapidez gira? Derive la primera línea y ponga en ella la segunda. El coseno de _φ_ se cancela, y cos(_θ_/2) es una raíz:',
+          "La última suma es un círculo: su punto tiene la altura sin(_θ_/2) y la anchura _θ'_/(2_ω_{0}), y _κ_ es el radio. Para una oscilación llame al radio _k_, y al ángulo del punto _φ_. Donde _θ_ se vuelve atrás, _φ_ sigue:",
+          '¿Con qué rapidez gira? Derive la primera línea y ponga en ella la segunda. El coseno de _φ_ se cancela, y cos(_θ_/2) = √(1 − _k_² sin²_φ_):',
           'Si el péndulo da vueltas, _θ_ mismo sigue siempre. Entonces su mitad es _φ_, con el signo de la vuelta, y _k_ es 1/_κ_:',
         ],
       },
@@ -117,7 +118,7 @@ export const esDerivation: DerivationCatalogue = {
         text: [
           'Cada pequeño paso de _φ_ lleva un tiempo: el paso dividido por la rapidez. Todos juntos son el tiempo desde el inicio, donde _φ_ era _φ_{0}. Esta integral no es una función elemental. Tiene un nombre, la *integral elíptica de primera especie*, _F_:',
           'Del punto más bajo al punto de retorno _φ_ crece en un ángulo recto. Eso lleva un cuarto del periodo:',
-          'Nadie tiene que hacer la integral. Gauss la halló por medias: tome la media aritmética y la geométrica de dos números, luego las de estas, y así hasta que ambas sean un solo número, _M_. Entonces:',
+          'Nadie tiene que hacer la integral. Gauss la halló por medias. Comience con 1 y √(1−_k_²); tome su media aritmética y su media geométrica, luego las de estas, hasta que ambas sean un solo número, _M_. Entonces:',
           'En una vuelta _φ_ recorre dos ángulos rectos:',
         ],
       },
@@ -236,7 +237,7 @@ export const esDerivation: DerivationCatalogue = {
         title: 'La solución es un cn',
         text: [
           'El artículo prueba nueve de las doce funciones de Jacobi. Para una oscilación cn tiene constantes reales: _c_{1} es la tangente de la mitad del ángulo de retorno. Entonces su rapidez es _ω_{0}, y su parámetro otra vez _m_:',
-          'La fase es _c_{2} = _u_{0} − _K_, con _u_{0} = _F_(_φ_{0}):',
+          'La fase es _c_{2} = _a_ − _K_, con _a_ = _F_(_φ_{0}):',
           'Cerca de la cima _u_ es grande. El movimiento no lo es: la tangente tiene allí su polo.',
         ],
       },

@@ -56,12 +56,13 @@ export const esHandouts: HandoutsCatalogue = {
   columns: { amplitude: '_θ_{0}, °', time: '10 _T_, s', period: '_T_, s', ratio: '_T_/_T_{0}', g: '_g_, m/s²' },
   made: 'Hecho con libration. Enlace de esta hoja: {link}',
   answers: 'Respuestas',
-  answersOf: 'Calculadas con la solución exacta. Los valores leídos en una gráfica pueden diferir en la última cifra.',
+  answersOf: 'Calculadas con la solución exacta. Leído de la gráfica, _T_/_T_{0} puede errar 0,01, y _g_ 0,2 m/s².',
   swings: 'oscila',
   turnsOver: 'da vueltas',
   uncorrected: 'sin corrección',
   corrected: 'corregido',
   linear: '_T_{0}',
+  tooShort: '{percent} demasiado corto',
   first: 'con _θ_{0}²/16',
   amplitude: 'amplitud',
   potential: 'energía potencial',
@@ -103,7 +104,8 @@ export const esHandouts: HandoutsCatalogue = {
   takeM: 'Reciben _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Reciben _k_: C++17, Boost, GSL, Maple.',
 
-  shownHelp: 'Nada marcado es todo.',
+  shownHelp: 'Si no marca nada, se muestra todo.',
+  hiddenHelp: 'Con _g_ oculto solo se muestran Laboratorio y Datos.',
   parts: {
     pendulum: 'péndulo',
     values: 'valores',
@@ -128,6 +130,6 @@ export const esHandouts: HandoutsCatalogue = {
   copyLink: 'Copiar el enlace',
   local: 'Esta dirección es de su propia máquina. Ponga antes la página en un servidor, para que otros la vean.',
   show: 'Mostrarla aquí',
-  hide: 'Quitarla',
+  hide: 'Ocultar la vista previa',
   previewTitle: 'La página insertada',
 }

@@ -125,6 +125,7 @@ export const esLater: LaterCatalogue = {
     tableUnit: 'contra _u_',
     cosine: 'coseno',
     onePeriod: 'en un periodo, 4_K_',
+    oneTurn: 'en una vuelta, 2_K_',
     modulus: 'Módulo',
     parameter: 'Parámetro',
     which: '¿Cuál de ellos pide mi programa?',

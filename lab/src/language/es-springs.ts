@@ -54,7 +54,7 @@ export const esSprings: SpringCatalogue = {
 
   facts: {
     regime: 'Movimiento',
-    period: 'Período _T_',
+    period: 'Periodo _T_',
     escape: 'Escapa en _t_',
     infinite: 'infinito',
     from: 'vino del infinito en',
@@ -74,7 +74,7 @@ export const esSprings: SpringCatalogue = {
   potential: 'Potencial',
   potentialUnit: '_V_ en función del desplazamiento _u_',
   energyLine: '_E_',
-  portrait: 'Retrato de fase',
+  portrait: 'Retrato de fases',
   portraitUnit: "velocidad _u'_ en función del desplazamiento _u_",
   time: 'Desplazamiento',
   timeUnit: '_u_ en función del tiempo _t_',

@@ -85,9 +85,11 @@ export const ptBRData: DataCatalogue = {
   again: 'Ajustar de novo',
   failed: 'O ajuste não pôde ser feito: {why}.',
 
-  sentence: '_g_ = *{g}*, de {count} amostras{swing}, ajustado com {model}.',
-  sentenceLength: '_L_ = *{length}*, de {count} amostras{swing}, ajustado com {model}.',
-  sentenceOmega: '_ω_{0} = *{omega}*, de {count} amostras{swing}, ajustado com {model}.',
+  sentence: '_g_ = *{g}*, de {counted}{swing}, ajustado com {model}.',
+  sentenceLength: '_L_ = *{length}*, de {counted}{swing}, ajustado com {model}.',
+  sentenceOmega: '_ω_{0} = *{omega}*, de {counted}{swing}, ajustado com {model}.',
+  samples: '{count} amostras',
+  periods: '{count} períodos',
   ofSwings: 'de oscilações de até {angle}',
   sentenceRefuted: 'O registro *não deve ser citado* como de um pêndulo: {verdict}.',
   sentenceRefutedTogether: 'Um dos registros *não deve ser citado* como de um pêndulo.',
@@ -191,7 +193,7 @@ export const ptBRData: DataCatalogue = {
   sineHelp: 'A última linha é a equação linear, cujas oscilações são senos amortecidos.',
   verdicts: 'Vereditos',
   grades: { refuted: 'Não citar', warning: 'Aviso', note: 'Nota' },
-  noVerdicts: 'Nada fala contra o resultado.',
+  noVerdicts: 'Nenhum aviso.',
 
   timing: {
     title: 'Cronometrado',

@@ -41,7 +41,7 @@ export const ptBRDerivation: DerivationCatalogue = {
     'salas-28': 'O fator antes da fração faz dela um quarto do período.',
     'lima-16': 'O sn de Jacobi virou um seno. O tempo conta desde o retorno à direita.',
     'horsley-3':
-      'A raiz de _k_ pertence ao numerador, e sn virou um seno. Aqui _k_ é sin²(_θ_{0}/2), _F_{0} a integral do início, _H_ o sinal da velocidade. Para _θ_{0} < 0 a linha corrigida leva o outro sinal.',
+      'A raiz de _k_ pertence ao numerador, e sn virou um seno. Aqui _k_ é sin²(_θ_{0}/2), _γ_{0} = _κ_/√_k_, _F_{0} a integral do início, _H_ o sinal da velocidade. Para _θ_{0} < 0 a linha corrigida leva o outro sinal.',
   },
   kind: {
     rest: 'Aqui _κ_² = *{m}*: o pêndulo está *em repouso*, e fica.',
@@ -56,12 +56,13 @@ export const ptBRDerivation: DerivationCatalogue = {
     across: '_mg_ cos _θ_',
     rod: 'haste',
     caption:
-      'Para cada quilograma do seu pêndulo agora: peso {weight}, ao longo do arco {along}, ao longo da haste {across}.',
+      'Para cada quilograma do seu pêndulo agora: peso {weight}; do peso, ao longo do arco {along}, da haste {across}; a haste puxa com {pull}.',
   },
   circle: {
     name: 'O círculo da energia',
     caption:
-      "O ponto tem a largura _θ'_/2_ω_{0} = {x} e a altura sin(_θ_/2) = {s}. Fica à distância _κ_ = {kappa}. Tracejada: a separatriz, _κ_ = 1.",
+      "O ponto tem a largura _θ'_/(2_ω_{0}) = {x} e a altura sin(_θ_/2) = {s}. Fica à distância _κ_ = {kappa}. Tracejada: a separatriz, _κ_ = 1: chega justo ao topo.",
+    angle: 'O seu ângulo é _φ_ = {phi}.',
   },
   coefficients: {
     name: 'Coeficientes da série de sn',
@@ -94,7 +95,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         text: [
           'A aceleração depende do ângulo, e o ângulo é o que procuramos. Um truque ajuda: multiplique os dois lados pela velocidade.',
           "Agora os dois lados são derivadas que conhecemos: à esquerda a de _θ'_²/2, à direita a de _ω_{0}² cos _θ_. Então uma soma nunca muda. É a energia, contada a partir do ponto mais baixo; agora ela é o que era no início:",
-          'A metade do ângulo faz do segundo termo um quadrado:',
+          'Com a metade do ângulo, 1 − cos _θ_ torna-se um quadrado:',
         ],
       },
       kind: {
@@ -107,8 +108,8 @@ export const ptBRDerivation: DerivationCatalogue = {
       substitution: {
         title: 'Um ângulo que dá a volta',
         text: [
-          "A última soma é um círculo: o seu ponto tem a altura sin(_θ_/2) e a largura _θ'_/2_ω_{0}, e _κ_ é o raio. Para uma oscilação chame o raio de _k_, e o ângulo do ponto de _φ_. Onde _θ_ volta atrás, _φ_ segue:",
-          'Com que rapidez ele gira? Derive a primeira linha e ponha nela a segunda. O cosseno de _φ_ se cancela, e cos(_θ_/2) é uma raiz:',
+          "A última soma é um círculo: o seu ponto tem a altura sin(_θ_/2) e a largura _θ'_/(2_ω_{0}), e _κ_ é o raio. Para uma oscilação chame o raio de _k_, e o ângulo do ponto de _φ_. Onde _θ_ volta atrás, _φ_ segue:",
+          'Com que rapidez ele gira? Derive a primeira linha e ponha nela a segunda. O cosseno de _φ_ se cancela, e cos(_θ_/2) = √(1 − _k_² sin²_φ_):',
           'Se o pêndulo dá voltas, o próprio _θ_ segue sempre. Então a metade dele é _φ_, com o sinal da volta, e _k_ é 1/_κ_:',
         ],
       },
@@ -117,7 +118,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         text: [
           'Cada pequeno passo de _φ_ leva um tempo: o passo dividido pela rapidez. Todos juntos são o tempo desde o início, onde _φ_ era _φ_{0}. Esta integral não é função elementar. Ela tem um nome, a *integral elíptica de primeira espécie*, _F_:',
           'Do ponto mais baixo ao ponto de retorno _φ_ cresce de um ângulo reto. Isso leva um quarto do período:',
-          'Ninguém precisa fazer a integral. Gauss a achou por médias: tome a média aritmética e a geométrica de dois números, depois as destas, e assim por diante até que ambas sejam um só número, _M_. Então:',
+          'Ninguém precisa fazer a integral. Gauss a achou por médias. Comece com 1 e √(1−_k_²); tome a média aritmética e a geométrica deles, depois as destas, até que ambas sejam um só número, _M_. Então:',
           'Em uma volta _φ_ percorre dois ângulos retos:',
         ],
       },
@@ -236,7 +237,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         title: 'A solução é um cn',
         text: [
           'O artigo experimenta nove das doze funções de Jacobi. Para uma oscilação cn tem constantes reais: _c_{1} é a tangente da metade do ângulo de retorno. Então a sua rapidez é _ω_{0}, e o seu parâmetro é outra vez _m_:',
-          'A fase é _c_{2} = _u_{0} − _K_, com _u_{0} = _F_(_φ_{0}):',
+          'A fase é _c_{2} = _a_ − _K_, com _a_ = _F_(_φ_{0}):',
           'Perto do topo _u_ é grande. O movimento não é: a tangente tem ali o seu polo.',
         ],
       },

@@ -56,12 +56,13 @@ export const ptBRHandouts: HandoutsCatalogue = {
   columns: { amplitude: '_θ_{0}, °', time: '10 _T_, s', period: '_T_, s', ratio: '_T_/_T_{0}', g: '_g_, m/s²' },
   made: 'Feito com libration. Link desta lista: {link}',
   answers: 'Respostas',
-  answersOf: 'Calculadas com a solução exata. Valores lidos num gráfico podem diferir no último algarismo.',
+  answersOf: 'Calculadas com a solução exata. Lido do gráfico, _T_/_T_{0} pode errar 0,01, e _g_ 0,2 m/s².',
   swings: 'oscila',
   turnsOver: 'dá voltas',
   uncorrected: 'sem correção',
   corrected: 'corrigido',
   linear: '_T_{0}',
+  tooShort: '{percent} curto demais',
   first: 'com _θ_{0}²/16',
   amplitude: 'amplitude',
   potential: 'energia potencial',
@@ -102,7 +103,8 @@ export const ptBRHandouts: HandoutsCatalogue = {
   takeM: 'Recebem _m_: SciPy, mpmath, Octave, MATLAB, Mathematica, Sage.',
   takeK: 'Recebem _k_: C++17, Boost, GSL, Maple.',
 
-  shownHelp: 'Nada marcado é tudo.',
+  shownHelp: 'Sem nada marcado, mostra-se tudo.',
+  hiddenHelp: 'Com _g_ oculto só se mostram Laboratório e Dados.',
   parts: {
     pendulum: 'pêndulo',
     values: 'valores',
@@ -127,6 +129,6 @@ export const ptBRHandouts: HandoutsCatalogue = {
   copyLink: 'Copiar o link',
   local: 'Este endereço é da sua própria máquina. Ponha antes a página num servidor, para que outros a vejam.',
   show: 'Mostrar aqui',
-  hide: 'Retirar',
+  hide: 'Ocultar a prévia',
   previewTitle: 'A página incorporada',
 }

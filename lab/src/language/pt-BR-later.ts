@@ -125,6 +125,7 @@ export const ptBRLater: LaterCatalogue = {
     tableUnit: 'contra _u_',
     cosine: 'cosseno',
     onePeriod: 'em um período, 4_K_',
+    oneTurn: 'em uma volta, 2_K_',
     modulus: 'Módulo',
     parameter: 'Parâmetro',
     which: 'Qual deles o meu programa pede?',

@@ -74,7 +74,7 @@ export const ptBRSprings: SpringCatalogue = {
   potential: 'Potencial',
   potentialUnit: '_V_ em função do deslocamento _u_',
   energyLine: '_E_',
-  portrait: 'Retrato de fases',
+  portrait: 'Retrato de fase',
   portraitUnit: "velocidade _u'_ em função do deslocamento _u_",
   time: 'Deslocamento',
   timeUnit: '_u_ em função do tempo _t_',

@@ -1,12 +1,12 @@
 // The little markup of the catalogues, for the eye and for the ear: *bold*, _symbol_, _symbol_{index}, ^{power}.
 //
-// `_T_{0}` is T with an index 0; `_θ'_` has a dot above. Spoken text is the same without marks, with symbols
+// `_T_{0}` is T with an index 0; `_θ'_` has a dot above, `_θ''_` two. Spoken text is the same without marks, with symbols
 // in words where the catalogue has them.
 
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
 
 interface Piece {
-  readonly kind: 'text' | 'bold' | 'symbol' | 'dotted' | 'index' | 'power'
+  readonly kind: 'text' | 'bold' | 'symbol' | 'dotted' | 'twice' | 'index' | 'power'
   readonly text: string
 }
 
@@ -22,7 +22,8 @@ export function pieces(text: string): Piece[] {
     const [whole, bold, symbol, index, power] = match
     if (bold !== undefined) push('bold', bold)
     else if (symbol !== undefined) {
-      if (symbol.endsWith("'")) push('dotted', symbol.slice(0, -1))
+      if (symbol.endsWith("''")) push('twice', symbol.slice(0, -2))
+      else if (symbol.endsWith("'")) push('dotted', symbol.slice(0, -1))
       else push('symbol', symbol)
       push('index', index ?? '')
     } else push('power', power ?? '')
@@ -42,6 +43,8 @@ export function rich(text: string, values: Parameters<typeof filled>[1] = {}): T
         return html`<i>${piece.text}</i>`
       case 'dotted':
         return html`<i class="dotted">${piece.text}</i>`
+      case 'twice':
+        return html`<i class="dotted twice">${piece.text}</i>`
       case 'index':
         return html`<sub>${rich(piece.text)}</sub>`
       case 'power':
@@ -63,6 +66,8 @@ export function richSvg(text: string): TemplateResult {
       case 'dotted':
         // A full stop, raised: a mark that combines is not where it belongs in every font.
         return svg`<tspan class="symbol">${piece.text}</tspan><tspan class="symbol" dx="-0.3em" dy="-0.85em">.</tspan><tspan class="symbol" dx="0.06em" dy="0.85em">\u200b</tspan>`
+      case 'twice':
+        return svg`<tspan class="symbol">${piece.text}</tspan><tspan class="symbol" dx="-0.42em" dy="-0.85em">..</tspan><tspan class="symbol" dx="-0.06em" dy="0.85em">\u200b</tspan>`
       case 'index':
         return svg`<tspan dy="3" font-size="72%">${piece.text}</tspan><tspan dy="-3">\u200b</tspan>`
       case 'power':
@@ -78,6 +83,7 @@ export function plain(text: string): string {
   return pieces(text)
     .map(({ kind, text: part }) => {
       if (kind === 'dotted') return `${part}\u0307`
+      if (kind === 'twice') return `${part}\u0308`
       if (kind === 'power') return superscript(part)
       return kind === 'bold' ? plain(part) : part
     })

@@ -15,16 +15,18 @@ export class AveragedLaw {
   readonly #from: number
   readonly #middle: number
 
-  /** From the first turning point on; none where it does not turn back, and the law says nothing of torques. */
+  /** From the first turning point on, to where dry friction stops it; none where it does not turn back: the law says nothing of torques. */
   constructor(motion: DampedMotion, points: number) {
-    const { setup, turning, reach } = motion
+    const { setup, turning, reach, rests } = motion
+    const last = rests.at(-1)
+    const end = last && last[1] === reach ? last[0] : reach
     this.#damped = dampedOf(setup)
     const theta = turning.theta[0] ?? Number.NaN
     this.#from = turning.t[0] ?? Number.NaN
     this.#middle = 2 * Math.PI * Math.round(theta / (2 * Math.PI))
     this.#thetaMax = Math.abs(theta - this.#middle)
     const many = setup.torque !== 0 || setup.drive !== 0 || Number.isNaN(theta) ? 0 : points
-    this.t = Float64Array.from({ length: many }, (_, i) => this.#from + ((reach - this.#from) * (i + 1)) / many)
+    this.t = Float64Array.from({ length: many }, (_, i) => this.#from + ((end - this.#from) * (i + 1)) / many)
     this.above = new Float64Array(many)
     this.below = new Float64Array(many)
     if (this.done) this.#damped.free()

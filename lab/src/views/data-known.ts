@@ -41,7 +41,7 @@ export function correct(page: Live, measurement: Measurement): TemplateResult {
     return html`<tr><th scope="row">${name}</th><td>${field(measurement, `column-${role}`, `${name}: ${data.column}`)}</td>
       <td>${field(measurement, `unit-${role}`, `${name}: ${data.unit}`)}</td></tr>`
   }
-  return html`<details id="data-correct"><summary>${data.correct}</summary><p class="soft small">${data.correctHelp}</p>
+  return html`<details id="data-correct" ?open=${measurement.asked}><summary>${data.correct}</summary><p class="soft small">${data.correctHelp}</p>
     <table class="roles"><thead><tr><th scope="col">${data.role}</th><th scope="col">${data.column}</th><th scope="col">${data.unit}</th></tr></thead>
     <tbody>${ROLES.map(row)}</tbody></table>
     ${entryLine(data.rate, field(measurement, 'rate', data.rate))}${entryLine(data.run, field(measurement, 'run', data.run))}</details>`

@@ -123,7 +123,7 @@ function found({ words }: Live, reading: Reading): TemplateResult {
   ]
   return html`<p class="small" id="data-rows">${rows}${count > 1 ? html`, ${words.fill(data.ofRuns, { run, count })}` : nothing}</p>
     <h2>${data.understood}</h2>
-    <ul class="said" id="data-understood" tabindex="0" role="list" aria-label=${data.understood}>${sentences}</ul>`
+    <ul class="said" id="data-understood" role="list" aria-label=${data.understood}>${sentences}</ul>`
 }
 
 export function dataSource(page: Live, measurement: Measurement): TemplateResult {

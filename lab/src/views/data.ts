@@ -65,8 +65,7 @@ function status(page: Live, now: Measurement): TemplateResult {
     now.files.map(({ name }) => name),
     words.language,
   )
-  // The options of the command are fields here.
-  const options = refused && /--(column|unit|rate|run)/.test(now.message)
+  const options = now.asks
   const message =
     now.phase === 'failed'
       ? html`<span>${words.fill(data.failed, { why: now.message })}</span>`
@@ -125,7 +124,10 @@ function sentence(page: Live): string {
   const text = words.with(withUncertainty(words, of), unit)
   const angle = `${words.fixed(degrees(fit.swing ?? Number.NaN), 0)}°`
   const swing = fit.swing === null ? '' : ` ${words.fill(data.ofSwings, { angle })}`
-  const values = { g: text, length: text, omega: text, count: fit.samples, swing, model: data.frictions[fit.model] }
+  const measured = measurement.reading?.measured
+  const each = measured === 'gate' || measured === 'swings' ? data.periods : data.samples
+  const counted = words.fill(each, { count: fit.samples })
+  const values = { g: text, length: text, omega: text, counted, swing, model: data.frictions[fit.model] }
   const form = fit.length ? (fit.length_given ? data.sentence : data.sentenceLength) : data.sentenceOmega
   return words.fill(form, values)
 }

@@ -7,7 +7,7 @@ import { html, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
 import { type Block, LESSONS, type Step } from '../derivation/lessons'
 import { Moment } from '../derivation/moment'
-import { CIRCLE_BOX, circle } from '../draw/circle'
+import { angleOf, CIRCLE_BOX, circle } from '../draw/circle'
 import { FORCES_BOX, forces } from '../draw/forces'
 import { icon } from '../draw/icons'
 import { plain, rich } from '../language/rich'
@@ -120,25 +120,29 @@ function figure(page: Live, name: 'forces' | 'circle', now: Moment): TemplateRes
   const fixed = (value: number) => words.fixed(value, 4)
   if (name === 'circle') {
     const { x, s } = now.now
-    const caption = words.fill(derivation.circle.caption, { x: fixed(x), s: fixed(s), kappa: fixed(now.kappa) })
+    const swings = now.regime === 'libration'
+    const place = words.fill(derivation.circle.caption, { x: fixed(x), s: fixed(s), kappa: fixed(now.kappa) })
+    const angle = words.fill(derivation.circle.angle, { phi: words.angle(angleOf(x, s), 1) })
+    const caption = swings ? `${place} ${angle}` : place
     const spec = {
       x,
       s,
       kappa: now.kappa,
-      swings: now.regime === 'libration',
-      width: "_θ'_/2_ω_{0}",
-      height: words.formula('sin _θ_/2'),
+      swings,
+      width: "_θ'_/(2_ω_{0})",
+      height: words.formula('sin(_θ_/2)'),
     }
     return html`<figure class="lesson-figure drawing"><svg viewBox="0 0 ${CIRCLE_BOX.width} ${CIRCLE_BOX.height}" role="img" aria-label=${derivation.circle.name}>${circle(spec)}</svg>
       <figcaption class="soft small">${rich(words.formula(caption))}</figcaption></figure>`
   }
   const newton = (value: number) => words.with(words.fixed(value, 3), 'N')
-  const { weight, along, across } = now.forces
+  const { weight, along, across, pull } = now.forces
   const say = derivation.forces
   const caption = words.fill(say.caption, {
     weight: newton(weight),
     along: newton(along),
     across: newton(across),
+    pull: newton(pull),
   })
   const spec = { ...say, along: words.formula(say.along) }
   return html`<figure class="lesson-figure drawing"><svg viewBox="0 0 ${FORCES_BOX.width} ${FORCES_BOX.height}" role="img" aria-label=${say.name}>${forces(spec)}</svg>
@@ -187,7 +191,7 @@ function body(page: Live): TemplateResult {
   const window = windowOf(Number.isFinite(period) ? period : 8, t)
   const filled = values(page, now)
   follow(page)
-  const last = html`<span class="soft option"><span>${rich(Number.isFinite(period) ? words.say.functions.onePeriod : '')}</span></span>`
+  const last = html`<span class="soft option"><span>${rich(!Number.isFinite(period) ? '' : now.regime === 'rotation' ? words.say.functions.oneTurn : words.say.functions.onePeriod)}</span></span>`
   return html`<div class="derivation-columns"><div class="lesson">${bar(page)}
       ${stepsOf(state.entry).map((step, i) => shownStep(page, step, i + 1, now, filled))}</div>
     ${bench(page, [])}</div>${player(page, window, [], last)}`

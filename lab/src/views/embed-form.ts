@@ -31,6 +31,8 @@ function embeddedLink({ store, words }: Live, { show, lock, hide }: EmbedChoices
   )
   const state: State = {
     ...moment,
+    // It begins at the start, not where this page happens to be.
+    t: 0,
     language: words.language,
     embed: true,
     show: allowed,
@@ -85,7 +87,8 @@ export function embedForm(page: Live): TemplateResult {
   return html`<div class="handout-columns embed-columns"><div class="column handout-choices">
       <fieldset class="group"><legend>${handouts.views}</legend>${OFFERED.map((name) => show(name, views[name], !possible.includes(name)))}</fieldset>
       <fieldset class="group"><legend>${handouts.partsOf}</legend>${SECTIONS.map((name) => show(name, handouts.parts[name]))}</fieldset>
-      <p class="soft small">${handouts.shownHelp}</p></div>
+      <p class="soft small">${handouts.shownHelp}</p>
+      ${chosen.hide ? html`<p class="soft small" id="hidden-help">${rich(handouts.hiddenHelp)}</p>` : nothing}</div>
     <div class="column handout-choices">
       <fieldset class="group"><legend>${handouts.locked}</legend>${LOCKS.map((name) =>
         box(`lock-${name}`, names[name], chosen.lock.includes(name), (on) =>

@@ -6,7 +6,7 @@ import { extent } from '../draw/curve'
 import { type Line, plot } from '../draw/plot'
 import { linearScale } from '../draw/scale'
 import { type Study, showsTotal } from '../study'
-import { roundTicksOf } from './axis-ticks'
+import { ticksAt } from './axis-ticks'
 import { chart, type PlotSize } from './chart'
 import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
@@ -73,6 +73,14 @@ function domain(study: Study, total: boolean): [number, number] {
   return [FACTOR * (low - 0.25 * least), FACTOR * (top + 0.25 * least)]
 }
 
+/** Two ticks at least: where round numbers leave one, the outermost of finer ones. */
+export function energyTicks([low, high]: readonly [number, number], most: number): number[] {
+  const values = roundTicks(low, high, Math.max(2, most))
+  if (values.length > 1) return values
+  const finer = roundTicks(low, high, 6)
+  return [finer[0] as number, finer.at(-1) as number]
+}
+
 function draw(page: Live, study: Study, total: boolean, size: PlotSize): TemplateResult {
   const { words, t, session } = page
   const { height, rem } = size
@@ -88,7 +96,7 @@ function draw(page: Live, study: Study, total: boolean, size: PlotSize): Templat
       sx: timeScale(study.window, size),
       sy,
       xs: timeTicks(words, study.window, size),
-      ys: roundTicksOf(words, ...ends, Math.max(2, Math.floor(height / (1.25 * rem)))),
+      ys: ticksAt(words, energyTicks(ends, Math.floor(height / (1.25 * rem)))),
       xLabels: true,
       lines: lines(page, study, total),
       levels: near ? [100] : [],

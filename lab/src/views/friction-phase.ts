@@ -73,16 +73,27 @@ function drawSpiral({ page, damped, tracks }: FrictionView, size: PlotSize): Tem
   return html`${drawing}${start}<b class="orbit-spot" style="left:${sx(withinTurn(theta) * DEGREES).toFixed(1)}px;top:${sy(velocity).toFixed(1)}px"></b>`
 }
 
-function drawSection({ page }: FrictionView, section: Section, size: PlotSize): TemplateResult {
+/** Least span of the velocities of a section, as a part of that of the phase portrait: rounding is not drawn large. */
+const LEAST_SPAN = 0.25
+
+/** Ends of the axis of velocities of a section. */
+export function sectionEnds(velocities: Float64Array, portrait: number): [number, number] {
+  const [low, high] = velocities.length === 0 ? [-1, 1] : extent(velocities)
+  const middle = (low + high) / 2
+  const half = Math.max(0.62 * (high - low), (LEAST_SPAN / 2) * portrait)
+  return [middle - half, middle + half]
+}
+
+function drawSection({ page, tracks }: FrictionView, section: Section, size: PlotSize): TemplateResult {
   const { words } = page
-  const { angles, velocities, count } = section
-  const [x, y] = [angles.subarray(0, count), velocities.subarray(0, count)]
-  const [low, high] = count === 0 ? [-1, 1] : extent(y)
-  const room = 0.12 * (high - low) || 1
+  const { angles, velocities, count, repeats } = section
+  // Of a motion that repeats its cycle is drawn: without what the start has left in it.
+  const from = repeats === null ? 0 : count - repeats
+  const [x, y] = [angles.subarray(from, count), velocities.subarray(from, count)]
+  const portrait = spiralScales(spiralOf(tracks), size).sy
   const sx = linearScale([-180, 180], [0, size.width])
-  const sy = linearScale([low - room, high + room], [size.height, 0])
-  // Of a motion that repeats there are but a few places.
-  const few = section.repeats === null ? '' : 'few'
+  const sy = linearScale(sectionEnds(y, portrait.high - portrait.low), [size.height, 0])
+  const few = repeats === null ? '' : 'few'
   return plot(
     {
       ...size,
@@ -93,7 +104,7 @@ function drawSection({ page }: FrictionView, section: Section, size: PlotSize): 
       lines: [],
       under: svg`<g transform="scale(0.1)"><path class="section-dots ${few}" d=${dotsOf({ x, y }, sx, sy, 1, DEGREES)}/></g>`,
     },
-    [section, count, words],
+    [section, count, words, sy.key],
   )
 }
 

@@ -59,7 +59,7 @@ function facts(page: Live, { damped, section }: FrictionView): TemplateResult {
     ${section ? row('repeats', names.repeats, repeats === null ? names.none : repeats === 1 ? names.one : words.fill(names.periods, { count: repeats })) : nothing}
     ${row('turns', names.turns, words.given(damped.turnsOver))}
     ${section ? nothing : html`${row('swings', names.swings, words.given(damped.turning.t.length))}${row('end', names.end, end)}`}
-    ${state.linear > 0 ? row('quality', names.quality, words.significant(motion.omega0 / (2 * state.linear))) : nothing}</dl>`
+    ${state.linear > 0 ? row('quality', state.quadratic > 0 || state.dry > 0 ? names.qualityLinear : names.quality, words.significant(motion.omega0 / (2 * state.linear))) : nothing}</dl>`
 }
 
 function body(page: Live): TemplateResult {

@@ -17,8 +17,8 @@ import { orbitOf, type SpringView, shortNumber, springView } from './spring-view
 import { numberValue, type Slide } from './values'
 
 const EQUATIONS = {
-  duffing: '_u_″ + _p_ _u_ + _q_ _u_³ = 0',
-  'cubic-quintic': '_u_″ + _p_ _u_ + _q_ _u_³ + _s_ _u_⁵ = 0',
+  duffing: "_u''_ + _p_ _u_ + _q_ _u_³ = 0",
+  'cubic-quintic': "_u''_ + _p_ _u_ + _q_ _u_³ + _s_ _u_⁵ = 0",
 } as const
 
 /** Ends of a slider about a value, which may lie beyond them. */

@@ -84,11 +84,13 @@ function answerTexts(
   const speed = (value: number) => words.with(words.fixed(value, 3), units['rad/s'])
   const g = (value: number) => words.with(words.fixed(value, 3), units['m/s2'])
   const percent = (value: number, digits: number) => words.with(words.fixed(100 * value, digits), '%')
+  // Both formulas give less than the exact period.
+  const short = (value: number, digits: number) => words.fill(handouts.tooShort, { percent: percent(-value, digits) })
   const { small, large, error, measured, portrait, top, energy, reading } = answers
   return {
     small: `_T_{0} = ${seconds(small)}`,
     large: `_T_/_T_{0} = ${words.fixed(large.ratio, 3)}, _T_ = ${seconds(large.period)}`,
-    error: `${handouts.linear}: ${percent(error.linear, 2)}; ${handouts.first}: ${percent(error.first, 3)}`,
+    error: `${handouts.linear}: ${short(error.linear, 2)}; ${handouts.first}: ${short(error.first, 3)}`,
     measured: `${handouts.uncorrected} _g_ = ${g(measured.uncorrected)}; ${handouts.corrected} _g_ = ${g(measured.corrected)}`,
     portrait: portrait.map(({ name, turns }) => `${name}: ${turns ? handouts.turnsOver : handouts.swings}`).join('; '),
     top: `_θ'_ = ${speed(top)}`,

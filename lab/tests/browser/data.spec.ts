@@ -99,7 +99,8 @@ test('story 16: one clear question, and the answer to it', async ({ browser }) =
   )
   await expect(page.locator('#data-refusal')).toContainText('asks.csv: ')
   await expect(page.locator('#data-refusal')).toContainText('write --column angle=')
-  await page.locator('#data-correct summary').click()
+  // The question opens its fields.
+  await expect(page.locator('#data-correct')).toHaveAttribute('open', '')
   await page.locator('#data-column-angle').fill('theta')
   await page.locator('#data-unit-angle').fill('deg')
   await page.keyboard.press('Enter')

@@ -268,15 +268,17 @@ test('story 11: a locked start stays the chosen one of the portrait, and no exam
 
 test('story 11: the form makes the code of a frame that shows what was chosen', async ({ browser }) => {
   const page = await opened(browser, 't=0s', { permissions: ['clipboard-read', 'clipboard-write'] })
-  await show(page, 'view=handouts&handout=embed&th0=150deg&L=0.9m&g=3.71&t=0s&lang=en')
+  await show(page, 'view=handouts&handout=embed&th0=150deg&L=0.9m&g=3.71&t=1.5s&lang=en')
   const code = page.locator('#embed-code')
   const source = async () =>
     readLink((/src="[^"]*(#[^"]*)"/.exec(await code.inputValue())?.[1] ?? '').replaceAll('&amp;', '&'))
   expect((await source()).state).toMatchObject({ embed: true, lock: ['L', 'g'], show: ['phase'], view: 'phase' })
+  await expect(code).not.toHaveValue(/[#&;]t=/)
   await page.locator('#show-phase').uncheck()
   for (const name of ['show-pendulum', 'show-motion', 'show-play', 'lock-curves', 'hide-g'])
     await page.locator(`#${name}`).check()
   await expect(page.locator('#show-phase')).toBeDisabled()
+  await expect(page.locator('#hidden-help')).toHaveText('With g hidden only Lab and Data can be shown.')
   await page.getByRole('button', { name: '640 × 480' }).click()
   const { state, faults } = await source()
   expect(faults).toEqual([])
