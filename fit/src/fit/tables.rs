@@ -2,6 +2,7 @@
 
 use super::covariance::autocorrelations;
 use super::curve::{CurveFit, inside, nearest};
+use super::dark::{Coarse, Smooth, coarse, smooth};
 use super::data::{extent, median};
 use super::monte_carlo::interval;
 use super::options::{FitOptions, Model};
@@ -17,6 +18,11 @@ use libration::{Frequency, Friction, Orbit};
 
 /// A relative uncertainty of omega0 beyond this says that the rows hold no more than the mean period of an unknown swing.
 const MOST_SPREAD: f64 = 0.05;
+
+/// Fewer different times in the dark tell no curve through them from a straight line.
+const LEAST_VALUES: usize = 4;
+
+const UNKNOWN_SWING: &str = "the periods do not determine the swing, so g is not known";
 
 /// Rows that can be used, and what was left out.
 struct Rows {
@@ -128,6 +134,15 @@ pub(super) fn gate(
     transits: Option<&[f64]>,
     options: &FitOptions,
 ) -> Result<Fit, FitRefusal> {
+    let few = transits.and_then(coarse);
+    if few.is_some_and(|few| few.values == 1) {
+        let mut fit = gate(t, periods, None, options).map_err(|_| FitRefusal::new(UNKNOWN_SWING))?;
+        fit.verdicts.push(Verdict::new(
+            Grade::Note,
+            "every passage is dark for the same time: the swing was read from the decay of the periods",
+        ));
+        return Ok(fit);
+    }
     let columns: Vec<&[f64]> = [Some(t), Some(periods), transits].into_iter().flatten().collect();
     let mut rows = usable(&columns, periods)?;
     let failed = || {
@@ -147,15 +162,36 @@ pub(super) fn gate(
         }
         rows.kept = (0..keep.len()).filter(|i| keep[*i]).map(|i| rows.kept[i]).collect();
     }
-    let (best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
-    if linear.is_some() && best.u(0) > MOST_SPREAD * best.values[0] {
+    let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
+    let curve = transits.zip(few).and_then(|(dark, few)| {
+        let dark: Vec<f64> = rows.kept.iter().map(|row| dark[*row]).collect();
+        smooth(&times, &dark, few)
+    });
+    let smoothed = transits.zip(curve.as_ref()).map(|(dark, curve)| {
+        let mut all = dark.to_vec();
+        rows.kept.iter().zip(&curve.dark).for_each(|(row, dark)| all[*row] = *dark);
+        all
+    });
+    let transits = smoothed.as_deref().or(transits);
+    let (mut best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
+    if let Some(curve) = &curve {
+        add_errors_of_curve(&mut best, curve, periods, &rows.kept);
+    }
+    let determined = best.u(0) <= MOST_SPREAD * best.values[0];
+    if linear.is_none() && !(determined && best.u(1) <= best.values[1].abs()) {
+        return Err(FitRefusal::new(UNKNOWN_SWING));
+    }
+    if !determined {
         return Err(FitRefusal::new(format!(
             "{} periods do not determine omega0 beside an unknown swing: give more of them, or a table of periods against swings",
             rows.kept.len()
         )));
     }
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
-    let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
+    let said = transits.zip(few).and_then(|(dark, few)| {
+        let dark: Vec<f64> = rows.kept.iter().map(|row| dark[*row]).collect();
+        of_few_values(few, &dark, &best, curve.is_some())
+    });
     let model = model_of_gate(&best, t, periods, transits, &rows.kept);
     let swings = match transits {
         Some(dark) => {
@@ -171,16 +207,59 @@ pub(super) fn gate(
     fit.diagnostics.lag1 = autocorrelations(&best.residuals, 1)[1];
     if let Some(place) = linear {
         fit.model = Model::Linear;
+        // An uncertainty that is NaN knows none.
+        let known_swing = best.values[1] >= 2.0 * best.u(1);
         fit.friction.linear = Some(Estimate::new(best.values[place], best.u(place), 0.0, 0.0));
-        if best.values[1] < 2.0 * best.u(1) {
+        if !known_swing {
             fit.verdicts.push(Verdict::new(
                 Grade::Warning,
                 "the periods do not determine the swing: omega0 holds for small swings only",
             ));
         }
     }
+    fit.verdicts.extend(said);
     fit.verdicts.extend(of_correlation(&fit));
     Ok(fit)
+}
+
+/// What a coarse clock does to a swing read from times in the dark.
+fn of_few_values(few: Coarse, dark: &[f64], best: &CurveFit, smooth: bool) -> Option<Verdict> {
+    let count = few.values;
+    if smooth && count >= LEAST_VALUES {
+        return Some(Verdict::new(
+            Grade::Note,
+            format!(
+                "the times in the dark have only {count} different values: the swing was read from a smooth curve through them"
+            ),
+        ));
+    }
+    let matters = smooth || few.dilution(dark) > best.u(1) / best.values[1].abs();
+    matters.then(|| {
+        Verdict::new(
+            Grade::Warning,
+            format!(
+                "the swing was read from dark times of only {count} different values; use a finer clock or state the swing"
+            ),
+        )
+    })
+}
+
+/// Adds to the covariance what the errors of the curve through the times in the dark make of the values.
+fn add_errors_of_curve(best: &mut CurveFit, curve: &Smooth, periods: &[f64], kept: &[usize]) {
+    let measured: Vec<f64> = kept.iter().map(|row| periods[*row]).collect();
+    let count = best.values.len();
+    for error in &curve.errors {
+        let dark: Vec<f64> = curve.dark.iter().zip(error).map(|(dark, error)| dark + error).collect();
+        let moved = nearest(&|values| by_transits(&dark, values), &measured, &best.values, 0);
+        // Without a minimum there the uncertainty is not known.
+        let shift =
+            |place: usize| moved.as_ref().map_or(f64::NAN, |moved| moved.values[place] - best.values[place]);
+        for i in 0..count {
+            for j in 0..count {
+                best.covariance.matrix[(i, j)] += shift(i) * shift(j);
+            }
+        }
+    }
 }
 
 /// Periods of passages whose speed is a width, values[1], over the time that the flag takes.

@@ -91,6 +91,16 @@ fn passages(time: &[f64], state: &[f64], factor: f64) -> Vec<(f64, f64)> {
     found
 }
 
+/// When each period begins, from 0, where each follows the one before.
+pub(super) fn sums(periods: &[f64]) -> Vec<f64> {
+    let begin = |sum: &mut f64, period: &f64| {
+        let start = *sum;
+        *sum += period;
+        Some(start)
+    };
+    periods.iter().scan(0.0, begin).collect()
+}
+
 /// Leaves out periods near a multiple or a half of the others: a missed passage, or one too many.
 pub(super) fn without_miscounts(record: &mut Record, lines: &[usize]) {
     let Some(periods) = record.series(Quantity::Period).map(|series| series.values.clone()) else { return };

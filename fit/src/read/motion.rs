@@ -139,9 +139,6 @@ fn finish(
         }
         Chosen::Gate(period, transit) => {
             record.kind = Kind::Gate;
-            if selection.time.is_none() {
-                record.time = Vec::new();
-            }
             let series = |quantity, column: usize| {
                 let factor = table.heads[column]
                     .unit
@@ -152,6 +149,12 @@ fn finish(
             };
             record.series = vec![series(Quantity::Period, period)];
             record.series.extend(transit.map(|column| series(Quantity::Transit, column)));
+            if selection.time.is_none() {
+                record.time = gate::sums(&record.series[0].values);
+                record
+                    .understood
+                    .push("No column of times: each period begins where the one above ends.".into());
+            }
             record.understood.push("A table of a light gate: periods, not samples.".into());
             gate::without_miscounts(record, &lines);
             return Ok(());
