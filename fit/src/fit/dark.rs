@@ -5,7 +5,10 @@
 //! a free decay they grow smoothly: a polynomial, of a degree by Akaike's criterion, leaves the rounding out. It is taken where
 //! what it leaves is no more than rounding.
 
+use super::curve::{CurveFit, nearest};
 use super::data::median;
+use super::result::{Grade, Verdict};
+use libration::{Frequency, Orbit};
 use nalgebra::{DMatrix, DVector};
 
 /// The largest degree of the polynomial.
@@ -14,6 +17,9 @@ const MOST_DEGREE: usize = 4;
 const LEAST_ROWS: usize = 20;
 /// Deviation from the curve, in steps, up to which it is rounding: 1/sqrt(6) with its scatter in some twenty rows.
 const MOST_DEVIATION: f64 = 0.6;
+
+/// Fewer different times in the dark tell no curve through them from a straight line.
+const LEAST_VALUES: usize = 4;
 
 /// Times of few values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,12 +44,33 @@ pub(super) fn coarse(dark: &[f64]) -> Option<Coarse> {
 
 impl Coarse {
     /// The share by which rounding draws the width of the flag to nothing, where each time is taken as it is.
-    pub fn dilution(&self, dark: &[f64]) -> f64 {
+    fn dilution(&self, dark: &[f64]) -> f64 {
         let n = dark.len() as f64;
         let mean = dark.iter().sum::<f64>() / n;
         let variance = dark.iter().map(|dark| (dark - mean).powi(2)).sum::<f64>() / n;
         // The period goes with the square of the width.
         0.5 * self.step * self.step / 6.0 / variance
+    }
+    /// What a coarse clock does to a swing read from times in the dark.
+    pub fn verdict(&self, dark: &[f64], best: &CurveFit, smooth: bool) -> Option<Verdict> {
+        let count = self.values;
+        if smooth && count >= LEAST_VALUES {
+            return Some(Verdict::new(
+                Grade::Note,
+                format!(
+                    "the times in the dark have only {count} different values: the swing was read from a smooth curve through them"
+                ),
+            ));
+        }
+        let matters = smooth || self.dilution(dark) > best.u(1) / best.values[1].abs();
+        matters.then(|| {
+            Verdict::new(
+                Grade::Warning,
+                format!(
+                    "the swing was read from dark times of only {count} different values; use a finer clock or state the swing"
+                ),
+            )
+        })
     }
 }
 
@@ -53,6 +80,38 @@ pub(super) struct Smooth {
     pub dark: Vec<f64>,
     /// Independent errors of it, one standard uncertainty each.
     pub errors: Vec<Vec<f64>>,
+}
+
+impl Smooth {
+    /// Adds to the covariance what the errors of the curve make of the values.
+    pub fn add_errors(&self, best: &mut CurveFit, measured: &[f64]) {
+        let count = best.values.len();
+        for error in &self.errors {
+            let dark: Vec<f64> = self.dark.iter().zip(error).map(|(dark, error)| dark + error).collect();
+            let moved = nearest(&|values| by_transits(&dark, values), measured, &best.values, 0);
+            // Without a minimum there the uncertainty is not known.
+            let shift = |place: usize| {
+                moved.as_ref().map_or(f64::NAN, |moved| moved.values[place] - best.values[place])
+            };
+            for i in 0..count {
+                for j in 0..count {
+                    best.covariance.matrix[(i, j)] += shift(i) * shift(j);
+                }
+            }
+        }
+    }
+}
+
+fn period_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
+    if velocity.abs() >= 2.0 * omega0 {
+        return None;
+    }
+    Some(Orbit::new(0.0, velocity, Frequency::from_omega0(omega0).ok()?).ok()?.period())
+}
+
+/// Periods of passages whose speed is a width, values[1], over the time that the flag takes.
+pub(super) fn by_transits(dark: &[f64], values: &[f64]) -> Option<Vec<f64>> {
+    dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
 }
 
 /// The curve; none where the times leave more than rounding beside it.

@@ -2,7 +2,7 @@
 
 use super::covariance::autocorrelations;
 use super::curve::{CurveFit, inside, nearest};
-use super::dark::{Coarse, Smooth, coarse, smooth};
+use super::dark::{by_transits, coarse, smooth};
 use super::data::{extent, median};
 use super::monte_carlo::interval;
 use super::options::{FitOptions, Model};
@@ -19,9 +19,6 @@ use libration::{Frequency, Friction, Orbit};
 /// A relative uncertainty of omega0 beyond this says that the rows hold no more than the mean period of an unknown swing.
 const MOST_SPREAD: f64 = 0.05;
 
-/// Fewer different times in the dark tell no curve through them from a straight line.
-const LEAST_VALUES: usize = 4;
-
 const UNKNOWN_SWING: &str = "the periods do not determine the swing, so g is not known";
 
 /// Rows that can be used, and what was left out.
@@ -36,13 +33,6 @@ fn period_of_angle(theta_max: f64, omega0: f64) -> Option<f64> {
         return None;
     }
     Some(Orbit::new(theta_max, 0.0, Frequency::from_omega0(omega0).ok()?).ok()?.period())
-}
-
-fn period_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
-    if velocity.abs() >= 2.0 * omega0 {
-        return None;
-    }
-    Some(Orbit::new(0.0, velocity, Frequency::from_omega0(omega0).ok()?).ok()?.period())
 }
 
 fn swing_of_velocity(velocity: f64, omega0: f64) -> f64 {
@@ -136,6 +126,7 @@ pub(super) fn gate(
 ) -> Result<Fit, FitRefusal> {
     let few = transits.and_then(coarse);
     if few.is_some_and(|few| few.values == 1) {
+        usable(&[t, periods], periods)?;
         let mut fit = gate(t, periods, None, options).map_err(|_| FitRefusal::new(UNKNOWN_SWING))?;
         fit.verdicts.push(Verdict::new(
             Grade::Note,
@@ -175,7 +166,8 @@ pub(super) fn gate(
     let transits = smoothed.as_deref().or(transits);
     let (mut best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
     if let Some(curve) = &curve {
-        add_errors_of_curve(&mut best, curve, periods, &rows.kept);
+        let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
+        curve.add_errors(&mut best, &measured);
     }
     let determined = best.u(0) <= MOST_SPREAD * best.values[0];
     if linear.is_none() && !(determined && best.u(1) <= best.values[1].abs()) {
@@ -190,7 +182,7 @@ pub(super) fn gate(
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     let said = transits.zip(few).and_then(|(dark, few)| {
         let dark: Vec<f64> = rows.kept.iter().map(|row| dark[*row]).collect();
-        of_few_values(few, &dark, &best, curve.is_some())
+        few.verdict(&dark, &best, curve.is_some())
     });
     let model = model_of_gate(&best, t, periods, transits, &rows.kept);
     let swings = match transits {
@@ -220,51 +212,6 @@ pub(super) fn gate(
     fit.verdicts.extend(said);
     fit.verdicts.extend(of_correlation(&fit));
     Ok(fit)
-}
-
-/// What a coarse clock does to a swing read from times in the dark.
-fn of_few_values(few: Coarse, dark: &[f64], best: &CurveFit, smooth: bool) -> Option<Verdict> {
-    let count = few.values;
-    if smooth && count >= LEAST_VALUES {
-        return Some(Verdict::new(
-            Grade::Note,
-            format!(
-                "the times in the dark have only {count} different values: the swing was read from a smooth curve through them"
-            ),
-        ));
-    }
-    let matters = smooth || few.dilution(dark) > best.u(1) / best.values[1].abs();
-    matters.then(|| {
-        Verdict::new(
-            Grade::Warning,
-            format!(
-                "the swing was read from dark times of only {count} different values; use a finer clock or state the swing"
-            ),
-        )
-    })
-}
-
-/// Adds to the covariance what the errors of the curve through the times in the dark make of the values.
-fn add_errors_of_curve(best: &mut CurveFit, curve: &Smooth, periods: &[f64], kept: &[usize]) {
-    let measured: Vec<f64> = kept.iter().map(|row| periods[*row]).collect();
-    let count = best.values.len();
-    for error in &curve.errors {
-        let dark: Vec<f64> = curve.dark.iter().zip(error).map(|(dark, error)| dark + error).collect();
-        let moved = nearest(&|values| by_transits(&dark, values), &measured, &best.values, 0);
-        // Without a minimum there the uncertainty is not known.
-        let shift =
-            |place: usize| moved.as_ref().map_or(f64::NAN, |moved| moved.values[place] - best.values[place]);
-        for i in 0..count {
-            for j in 0..count {
-                best.covariance.matrix[(i, j)] += shift(i) * shift(j);
-            }
-        }
-    }
-}
-
-/// Periods of passages whose speed is a width, values[1], over the time that the flag takes.
-fn by_transits(dark: &[f64], values: &[f64]) -> Option<Vec<f64>> {
-    dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
 }
 
 /// The swings while linear friction, values[2], makes them smaller from values[1].

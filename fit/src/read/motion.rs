@@ -159,6 +159,12 @@ fn finish(
             gate::without_miscounts(record, &lines);
             return Ok(());
         }
+        Chosen::Passages(count) => {
+            record.kind = Kind::Gate;
+            record.series = vec![gate::counted_periods(&record.time, &table.heads[count])];
+            record.understood.push(gate::TWICE.into());
+            return Ok(());
+        }
         Chosen::Track(x, y) => {
             let (xs, ys) = (values(x), values(y));
             let length_unit =
@@ -213,6 +219,7 @@ fn tell_columns(table: &Table<'_>, selection: &Selection, record: &mut Record) {
     let values = match selection.chosen {
         Chosen::One(quantity, column) => Some((quantity.words(), name(column))),
         Chosen::Track(x, y) => Some(("the position", format!("{}, {}", name(x), name(y)))),
+        Chosen::Passages(count) => Some(("the count of the passages of a gate", name(count))),
         Chosen::Gate(period, None) => Some(("the period", name(period))),
         Chosen::Gate(period, Some(transit)) => Some((
             "the period and how long a passage is dark",
