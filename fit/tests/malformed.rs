@@ -29,8 +29,11 @@ fn files_that_are_no_tables() {
     refused("a letter to nobody\nwith two lines\n", "f.csv: holds no row of numbers");
     refused("NaN,NaN\nNaN,NaN\n", "f.csv: holds no row of numbers");
     refused("t,theta\nNaN,NaN\n,\n", "f.csv: holds no row of numbers");
-    refused("<html><body>404</body></html>", "f.csv: holds no row of numbers");
-    refused("{\"time\": [], \"theta\": []}", "f.csv: holds no row of numbers");
+    refused("<html><body>404</body></html>", "f.csv: is a page of HTML; save the table as CSV");
+    refused(
+        "{\"time\": [], \"theta\": []}",
+        "f.csv: is JSON; write a table of text, or give its times and values to libration.fit in Python",
+    );
 }
 
 #[test]
@@ -38,7 +41,8 @@ fn bytes_that_are_no_text() {
     let text = "; allowed is a table of text, or XLSX, XLS, ZIP, TRK";
     refused(b"t,theta\n0,1\x00\n", &format!("f.csv: is not text: byte 11 is 0x00{text}"));
     refused(b"\x89PNG\r\n\x1a\n\x00\x00", &format!("f.csv: is not text: byte 6 is 0x1a{text}"));
-    refused(b"%PDF-1.7\n\x01\x02", &format!("f.csv: is not text: byte 9 is 0x01{text}"));
+    refused(b"%PDF-1.7\n\x01\x02", "f.csv: is a PDF; give the file of the raw data");
+    refused(b"\x1f\x8b\x08\x00", "f.csv: is packed by gzip; unpack it first");
     refused(b"0,1\n1,\x7f2\n", &format!("f.csv: is not text: byte 6 is 0x7f{text}"));
     let arrays = "f.csv: a MATLAB, HDF or Parquet file; load it and hand over its arrays, or save it as CSV";
     refused(b"MATLAB 5.0 MAT-file, Platform: PCWIN64", arrays);

@@ -7,8 +7,25 @@ use super::{degrees, near, record, refusal, says};
 #[test]
 fn a_list_of_periods() {
     let record = record("n;T (s)\n1;1.602\n2;1.601\n3;1.600\n");
-    assert_eq!((record.kind, record.time.len()), (Kind::Gate, 0));
+    assert_eq!(record.kind, Kind::Gate);
     near(&record.series(Quantity::Period).unwrap().values, &[1.602, 1.601, 1.6], 0.0);
+    near(&record.time, &[0.0, 1.602, 3.203], 1e-12);
+    says(&record, "each period begins where the one above ends");
+}
+
+#[test]
+fn a_period_beside_a_time() {
+    for header in ["t (s),T (s)", "t,T", "T (s),t (s)"] {
+        let swapped = header.starts_with('T');
+        let row = |t: f64, period: f64| {
+            if swapped { format!("{period},{t}\n") } else { format!("{t},{period}\n") }
+        };
+        let rows = [row(0.5, 2.0908), row(2.6, 2.0899), row(4.7, 2.0885)].concat();
+        let record = record(&format!("{header}\n{rows}"));
+        assert_eq!(record.kind, Kind::Gate, "{header}");
+        near(&record.time, &[0.5, 2.6, 4.7], 0.0);
+        near(&record.series(Quantity::Period).unwrap().values, &[2.0908, 2.0899, 2.0885], 0.0);
+    }
 }
 
 #[test]

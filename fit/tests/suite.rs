@@ -10,6 +10,7 @@ mod fit_no_record;
 mod fit_record;
 mod fit_verdicts;
 mod fit_windows;
+mod gates;
 mod gravity;
 mod malformed;
 mod more_oddities;

@@ -4,6 +4,7 @@ mod assembly;
 mod bootstrap;
 mod covariance;
 mod curve;
+mod dark;
 mod data;
 mod diagnosis;
 mod entry;

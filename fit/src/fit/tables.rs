@@ -2,6 +2,7 @@
 
 use super::covariance::autocorrelations;
 use super::curve::{CurveFit, inside, nearest};
+use super::dark::{by_transits, coarse, smooth};
 use super::data::{extent, median};
 use super::monte_carlo::interval;
 use super::options::{FitOptions, Model};
@@ -18,6 +19,8 @@ use libration::{Frequency, Friction, Orbit};
 /// A relative uncertainty of omega0 beyond this says that the rows hold no more than the mean period of an unknown swing.
 const MOST_SPREAD: f64 = 0.05;
 
+const UNKNOWN_SWING: &str = "the periods do not determine the swing, so g is not known";
+
 /// Rows that can be used, and what was left out.
 struct Rows {
     kept: Vec<usize>,
@@ -30,13 +33,6 @@ fn period_of_angle(theta_max: f64, omega0: f64) -> Option<f64> {
         return None;
     }
     Some(Orbit::new(theta_max, 0.0, Frequency::from_omega0(omega0).ok()?).ok()?.period())
-}
-
-fn period_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
-    if velocity.abs() >= 2.0 * omega0 {
-        return None;
-    }
-    Some(Orbit::new(0.0, velocity, Frequency::from_omega0(omega0).ok()?).ok()?.period())
 }
 
 fn swing_of_velocity(velocity: f64, omega0: f64) -> f64 {
@@ -128,6 +124,16 @@ pub(super) fn gate(
     transits: Option<&[f64]>,
     options: &FitOptions,
 ) -> Result<Fit, FitRefusal> {
+    let few = transits.and_then(coarse);
+    if few.is_some_and(|few| few.values == 1) {
+        usable(&[t, periods], periods)?;
+        let mut fit = gate(t, periods, None, options).map_err(|_| FitRefusal::new(UNKNOWN_SWING))?;
+        fit.verdicts.push(Verdict::new(
+            Grade::Note,
+            "every passage is dark for the same time: the swing was read from the decay of the periods",
+        ));
+        return Ok(fit);
+    }
     let columns: Vec<&[f64]> = [Some(t), Some(periods), transits].into_iter().flatten().collect();
     let mut rows = usable(&columns, periods)?;
     let failed = || {
@@ -147,15 +153,37 @@ pub(super) fn gate(
         }
         rows.kept = (0..keep.len()).filter(|i| keep[*i]).map(|i| rows.kept[i]).collect();
     }
-    let (best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
-    if linear.is_some() && best.u(0) > MOST_SPREAD * best.values[0] {
+    let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
+    let curve = transits.zip(few).and_then(|(dark, few)| {
+        let dark: Vec<f64> = rows.kept.iter().map(|row| dark[*row]).collect();
+        smooth(&times, &dark, few)
+    });
+    let smoothed = transits.zip(curve.as_ref()).map(|(dark, curve)| {
+        let mut all = dark.to_vec();
+        rows.kept.iter().zip(&curve.dark).for_each(|(row, dark)| all[*row] = *dark);
+        all
+    });
+    let transits = smoothed.as_deref().or(transits);
+    let (mut best, swing, linear) = gate_once(t, periods, transits, &rows.kept).ok_or_else(failed)?;
+    if let Some(curve) = &curve {
+        let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
+        curve.add_errors(&mut best, &measured);
+    }
+    let determined = best.u(0) <= MOST_SPREAD * best.values[0];
+    if linear.is_none() && !(determined && best.u(1) <= best.values[1].abs()) {
+        return Err(FitRefusal::new(UNKNOWN_SWING));
+    }
+    if !determined {
         return Err(FitRefusal::new(format!(
             "{} periods do not determine omega0 beside an unknown swing: give more of them, or a table of periods against swings",
             rows.kept.len()
         )));
     }
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
-    let times: Vec<f64> = rows.kept.iter().map(|row| t[*row]).collect();
+    let said = transits.zip(few).and_then(|(dark, few)| {
+        let dark: Vec<f64> = rows.kept.iter().map(|row| dark[*row]).collect();
+        few.verdict(&dark, &best, curve.is_some())
+    });
     let model = model_of_gate(&best, t, periods, transits, &rows.kept);
     let swings = match transits {
         Some(dark) => {
@@ -171,21 +199,19 @@ pub(super) fn gate(
     fit.diagnostics.lag1 = autocorrelations(&best.residuals, 1)[1];
     if let Some(place) = linear {
         fit.model = Model::Linear;
+        // An uncertainty that is NaN knows none.
+        let known_swing = best.values[1] >= 2.0 * best.u(1);
         fit.friction.linear = Some(Estimate::new(best.values[place], best.u(place), 0.0, 0.0));
-        if best.values[1] < 2.0 * best.u(1) {
+        if !known_swing {
             fit.verdicts.push(Verdict::new(
                 Grade::Warning,
                 "the periods do not determine the swing: omega0 holds for small swings only",
             ));
         }
     }
+    fit.verdicts.extend(said);
     fit.verdicts.extend(of_correlation(&fit));
     Ok(fit)
-}
-
-/// Periods of passages whose speed is a width, values[1], over the time that the flag takes.
-fn by_transits(dark: &[f64], values: &[f64]) -> Option<Vec<f64>> {
-    dark.iter().map(|dark| period_of_velocity(values[1] / dark, values[0])).collect()
 }
 
 /// The swings while linear friction, values[2], makes them smaller from values[1].

@@ -70,6 +70,9 @@ pub(super) fn of_correlation(fit: &Fit) -> Option<Verdict> {
         return None;
     }
     let ratio = fit.omega0.u / diagnostics.omega0_u_naive;
+    if !ratio.is_finite() {
+        return None;
+    }
     Some(Verdict::new(
         Grade::Note,
         format!(

@@ -15,11 +15,12 @@ pub(super) fn profiles(table: &Table<'_>) -> Vec<Profile> {
 const LEAST_ROWS: usize = 8;
 
 /// Decides what a column named `T` is: a time if it rises as a clock does, as in Kinovea's files, and else a period. Beside a few
-/// angles it is a period: those of wider swings are longer.
+/// angles it is a period: those of wider swings are longer; beside a time too.
 pub(super) fn settle(heads: &mut [Head], profiles: &[Profile]) {
+    let timed = heads.iter().any(|head| head.name != "T" && head.meaning == Some(Meaning::Time));
     let angles = heads.iter().any(|head| head.meaning == Some(Meaning::Angle));
     for (head, profile) in heads.iter_mut().zip(profiles) {
-        let table = angles && profile.count < LEAST_ROWS;
+        let table = timed || angles && profile.count < LEAST_ROWS;
         if head.name == "T" && head.meaning == Some(Meaning::Period) && profile.clock() && !table {
             head.meaning = Some(Meaning::Time);
         }

@@ -1,11 +1,41 @@
 //! Light gates: tables of periods, and tables of events, where a gate is 1 while dark and 0 otherwise.
 
-use super::names::Meaning;
+use super::heads::Head;
+use super::names::{Meaning, words};
 use super::options::Options;
 use super::profile::median;
 use super::record::{Kind, Quantity, Record, Series};
-use super::refusal::{Refusal, listed, plain};
+use super::refusal::{Refusal, listed, plain, quoted};
 use super::table::Table;
+
+pub(super) const TWICE: &str =
+    "A period is the time to the second passage after: each swing passes the gate twice.";
+
+/// The time from each passage to the second after; NaN for the last two.
+fn periods(passages: &[f64]) -> Vec<f64> {
+    let period = |k: usize| passages.get(k + 2).map_or(f64::NAN, |next| next - passages[k]);
+    (0..passages.len()).map(period).collect()
+}
+
+/// Refuses a column that counts 1, 2, 3, ... beside a time, unless its name says that it counts passages.
+pub(super) fn counted(head: &Head) -> Result<(), Refusal> {
+    // Pass, passage, passagem, paso; Durchgang; crossing; cruce, cruzamento.
+    let begins = ["pas", "durchg", "cross", "cruce", "cruza"];
+    if words(&head.name).split(' ').any(|word| begins.iter().any(|begin| word.starts_with(begin))) {
+        return Ok(());
+    }
+    let name = quoted(&head.written);
+    let reason = format!(
+        "column {name} counts rows beside the time and is no angle; where each row is a passage of a gate, name it \"passage\""
+    );
+    Err(Refusal::fault(None, reason))
+}
+
+/// The periods of counted passages.
+pub(super) fn counted_periods(passages: &[f64], head: &Head) -> Series {
+    let name = head.written.clone();
+    Series { quantity: Quantity::Period, name, values: periods(passages), uncertainty: None }
+}
 
 /// The passages in a table of events; `None` if the table is none.
 pub(super) fn events(table: &Table<'_>, options: &Options, record: &mut Record) -> Result<bool, Refusal> {
@@ -42,9 +72,7 @@ pub(super) fn events(table: &Table<'_>, options: &Options, record: &mut Record) 
     record.understood.push(
         "Events of a light gate, not samples: dark while 1; the times are those when it became dark.".into(),
     );
-    record
-        .understood
-        .push("A period is the time to the second passage after: each swing passes the gate twice.".into());
+    record.understood.push(TWICE.into());
     if gates.len() > 1 {
         let (names, name) = (listed(&names), plain(&names[chosen]));
         record
@@ -56,11 +84,7 @@ pub(super) fn events(table: &Table<'_>, options: &Options, record: &mut Record) 
         record.understood.push("The last passage is open: its time in the dark is unknown.".into());
     }
     let dark = found.iter().map(|passage| passage.1).collect();
-    let every_second: Vec<f64> = found
-        .iter()
-        .enumerate()
-        .map(|(k, passage)| found.get(k + 2).map_or(f64::NAN, |next| next.0 - passage.0))
-        .collect();
+    let every_second = periods(&record.time);
     let series =
         |quantity, values| Series { quantity, name: names[chosen].clone(), values, uncertainty: None };
     record.series = vec![series(Quantity::Period, every_second), series(Quantity::Transit, dark)];
@@ -89,6 +113,16 @@ fn passages(time: &[f64], state: &[f64], factor: f64) -> Vec<(f64, f64)> {
     }
     found.extend(dark.map(|start| (start, f64::NAN)));
     found
+}
+
+/// When each period begins, from 0, where each follows the one before.
+pub(super) fn sums(periods: &[f64]) -> Vec<f64> {
+    let begin = |sum: &mut f64, period: &f64| {
+        let start = *sum;
+        *sum += period;
+        Some(start)
+    };
+    periods.iter().scan(0.0, begin).collect()
 }
 
 /// Leaves out periods near a multiple or a half of the others: a missed passage, or one too many.

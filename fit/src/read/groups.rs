@@ -52,7 +52,10 @@ fn by_suffix(heads: &[Head], clocks: &[usize]) -> Option<Vec<Option<String>>> {
 
 /// `Time, Angle, Time, Angle` or `t, x, y, x, y`: the k-th column of a name belongs to the k-th run.
 fn by_repetition(heads: &[Head]) -> Option<Vec<Option<String>>> {
-    let names: Vec<String> = heads.iter().map(|head| words(&head.written)).collect();
+    // A period T beside times t repeats nothing.
+    let period = |head: &Head| head.name == "T" && head.meaning == Some(Meaning::Period);
+    let name = |head: &Head| if period(head) { "T".into() } else { words(&head.written) };
+    let names: Vec<String> = heads.iter().map(name).collect();
     let meant = |k: usize| {
         heads[k].meaning.is_some_and(|meaning| !matches!(meaning, Meaning::Uncertainty | Meaning::Index))
     };

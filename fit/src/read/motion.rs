@@ -139,9 +139,6 @@ fn finish(
         }
         Chosen::Gate(period, transit) => {
             record.kind = Kind::Gate;
-            if selection.time.is_none() {
-                record.time = Vec::new();
-            }
             let series = |quantity, column: usize| {
                 let factor = table.heads[column]
                     .unit
@@ -152,8 +149,20 @@ fn finish(
             };
             record.series = vec![series(Quantity::Period, period)];
             record.series.extend(transit.map(|column| series(Quantity::Transit, column)));
+            if selection.time.is_none() {
+                record.time = gate::sums(&record.series[0].values);
+                record
+                    .understood
+                    .push("No column of times: each period begins where the one above ends.".into());
+            }
             record.understood.push("A table of a light gate: periods, not samples.".into());
             gate::without_miscounts(record, &lines);
+            return Ok(());
+        }
+        Chosen::Passages(count) => {
+            record.kind = Kind::Gate;
+            record.series = vec![gate::counted_periods(&record.time, &table.heads[count])];
+            record.understood.push(gate::TWICE.into());
             return Ok(());
         }
         Chosen::Track(x, y) => {
@@ -210,6 +219,7 @@ fn tell_columns(table: &Table<'_>, selection: &Selection, record: &mut Record) {
     let values = match selection.chosen {
         Chosen::One(quantity, column) => Some((quantity.words(), name(column))),
         Chosen::Track(x, y) => Some(("the position", format!("{}, {}", name(x), name(y)))),
+        Chosen::Passages(count) => Some(("the count of the passages of a gate", name(count))),
         Chosen::Gate(period, None) => Some(("the period", name(period))),
         Chosen::Gate(period, Some(transit)) => Some((
             "the period and how long a passage is dark",

@@ -29,7 +29,7 @@ pub(super) struct Run {
 /// The columns whose values a row must have.
 fn needed(chosen: &Chosen) -> Vec<usize> {
     match *chosen {
-        Chosen::One(_, column) | Chosen::Gate(column, _) => vec![column],
+        Chosen::One(_, column) | Chosen::Gate(column, _) | Chosen::Passages(column) => vec![column],
         Chosen::Track(x, y) | Chosen::Swings(x, y) => vec![x, y],
     }
 }

@@ -3,6 +3,7 @@
 
 use super::axes;
 use super::circle::circle;
+use super::gate;
 use super::groups::Group;
 use super::heads::Head;
 use super::names::{Meaning, words};
@@ -22,6 +23,8 @@ pub(super) enum Chosen {
     Track(usize, usize),
     /// A gate: periods, and times in the dark.
     Gate(usize, Option<usize>),
+    /// A count of the passages of a gate, whose times are those of the table.
+    Passages(usize),
     /// Periods against angles of release.
     Swings(usize, usize),
 }
@@ -242,7 +245,12 @@ impl Choice<'_> {
         if counters < unsaid.len() {
             unsaid.retain(|k| !self.counter(*k));
         }
-        self.by_look(&unsaid, &moving, &still)
+        match unsaid[..] {
+            [column] if time.is_some() && self.counter(column) && self.profiles[column].step == 1.0 => {
+                gate::counted(&self.heads[column]).map(|()| Chosen::Passages(column))
+            }
+            _ => self.by_look(&unsaid, &moving, &still),
+        }
     }
 
     fn scaled(&self, column: usize) -> Quantity {

@@ -43,7 +43,9 @@ def model_words(fit: Any, say: Words = ENGLISH) -> str:
 
 
 def small(u: float, whole: float) -> str:
-    """A part of an uncertainty to two digits, 0 where it does not count."""
+    """A part of an uncertainty to two digits, 0 where it does not count, `not known` where it is no number."""
+    if math.isnan(u):
+        return "not known"
     return f"{u:.2g}" if u > 1e-6 * whole else "0"
 
 
