@@ -65,7 +65,7 @@ fn periods_alone_are_fitted() {
     let rows: String = pairs.iter().copied().enumerate().map(row).collect();
     holds(&fitted(&format!("n;T/s\n{rows}")));
     let lone: String = pairs.iter().map(|pair| format!("{:.4}\n", pair[2].0 - pair[0].0)).collect();
-    for header in ["T", "T/s"] {
+    for header in ["T", "T/s", "T (s)", "Period T (s)"] {
         holds(&fitted(&format!("{header}\n{lone}")));
     }
 }

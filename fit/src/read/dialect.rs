@@ -155,6 +155,10 @@ fn separator(sample: &[&str]) -> (Separator, Vec<String>) {
     if share(sample, |line| line.contains(',')) > 0.5 && share(sample, decimal) <= 0.5 {
         return (Separator::One(','), Vec::new());
     }
+    // Blanks separate nothing in lines of one cell: those of a header `T (s)` belong to its name.
+    if share(sample, |line| line.split_whitespace().nth(1).is_none()) == 1.0 {
+        return (Separator::One(';'), Vec::new());
+    }
     (Separator::Blanks, Vec::new())
 }
 

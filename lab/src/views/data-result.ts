@@ -13,6 +13,8 @@ import type { Live } from './page'
 /** Two digits of the uncertainty, and the value as far as it goes. */
 export function withUncertainty(words: Words, { value, u }: Pick<Estimate, 'value' | 'u'>, factor = 1): string {
   const size = Math.abs(u * factor)
+  // What is not known is null, and no exact value.
+  if (!Number.isFinite(u)) return `${words.significant(value * factor, 3)} ± ?`
   if (!(size > 0)) return words.significant(value * factor, 6)
   const decimals = Math.max(0, 1 - Math.floor(Math.log10(Number(size.toPrecision(2)))))
   return `${words.fixed(value * factor, decimals)} ± ${words.fixed(size, decimals)}`
@@ -70,8 +72,12 @@ export function budget({ words }: Live, rows: Fit['budget'], { of, unit }: Omit<
   // What a spreadsheet would state is no part of it.
   const parts = rows.filter(({ source }) => source !== INDEPENDENT)
   const independent = rows.find(({ source }) => source === INDEPENDENT)
+  const part = (u: number) => {
+    if (!Number.isFinite(u)) return '?'
+    return u > 1e-9 * of.u ? words.significant(u, 2) : '0'
+  }
   const line = (name: string, u: number, className = '') =>
-    html`<tr class=${className}><th scope="row">${rich(name)}</th><td>${rich(u > 1e-9 * of.u ? words.significant(u, 2) : '0')}</td></tr>`
+    html`<tr class=${className}><th scope="row">${rich(name)}</th><td>${rich(part(u))}</td></tr>`
   return html`<h2 id="data-budget-title">${data.budget}</h2>
     <table class="data" id="data-budget" aria-labelledby="data-budget-title"><thead><tr><th scope="col">${data.budgetSource}</th><th scope="col">${rich(words.fill(data.budgetColumn, { unit }))}</th></tr></thead>
     <tbody>${parts.map(({ source, u }) => line(sources[source] ?? source, u))}
