@@ -87,8 +87,7 @@ export function embedForm(page: Live): TemplateResult {
   return html`<div class="handout-columns embed-columns"><div class="column handout-choices">
       <fieldset class="group"><legend>${handouts.views}</legend>${OFFERED.map((name) => show(name, views[name], !possible.includes(name)))}</fieldset>
       <fieldset class="group"><legend>${handouts.partsOf}</legend>${SECTIONS.map((name) => show(name, handouts.parts[name]))}</fieldset>
-      <p class="soft small">${handouts.shownHelp}</p>
-      ${chosen.hide ? html`<p class="soft small" id="hidden-help">${rich(handouts.hiddenHelp)}</p>` : nothing}</div>
+      <p class="soft small">${handouts.shownHelp}</p></div>
     <div class="column handout-choices">
       <fieldset class="group"><legend>${handouts.locked}</legend>${LOCKS.map((name) =>
         box(`lock-${name}`, names[name], chosen.lock.includes(name), (on) =>
@@ -96,7 +95,8 @@ export function embedForm(page: Live): TemplateResult {
         ),
       )}</fieldset>
       <fieldset class="group"><legend class="unseen">${plain(handouts.planet)}</legend>${box('hide-g', handouts.planet, chosen.hide, (hide) => change({ hide }))}</fieldset>
-      <p class="soft small">${rich(handouts.planetHelp)}</p></div>
+      <p class="soft small">${rich(handouts.planetHelp)}</p>
+      ${chosen.hide ? html`<p class="soft small" id="hidden-help">${rich(handouts.hiddenHelp)}</p>` : nothing}</div>
     <div class="column embed-result"><div class="entry"><span aria-hidden="true">${handouts.size}</span>${switches(
       handouts.size,
       (Object.keys(SIZES) as Size[]).map((value) => ({ value, text: SIZES[value].join(' × ') })),
