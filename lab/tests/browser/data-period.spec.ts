@@ -61,8 +61,9 @@ test('story 18: what phyphox records of the same swings gives the same g', async
   const { period } = new Pendulum({ theta0: 1, length: 0.8, gravity: 9.81 })
   await page.getByRole('button', { name: 'From a period' }).click()
   await time(page, { time: String(period), length: '0.8', lengthU: '0.001', swing: '1 rad' })
-  const [byPeriod = Number.NaN] = numbers(await page.locator('#timing-g').textContent())
-  expect(Math.abs(byPeriod - 9.81)).toBeLessThan(1e-3)
+  const shown = async () => numbers(await page.locator('#timing-g').textContent())[0] ?? Number.NaN
+  await expect.poll(async () => Math.abs((await shown()) - 9.81)).toBeLessThan(1e-3)
+  const byPeriod = await shown()
   expect(Math.abs(byFile - byPeriod)).toBeLessThan(2 * u)
   // Back again, the fit still stands.
   await page.getByRole('button', { name: 'From a file' }).click()

@@ -108,10 +108,20 @@ export async function decodedVideo(
       const bobs: Place[] = []
       const pixels: string[] = []
       for (const time of wanted) {
-        video.currentTime = time
-        await new Promise((done) => {
+        // The frame of this time is there when it is presented; the first one may have been before.
+        const presented = new Promise<void>((done) => {
+          const look = (_: number, { mediaTime }: VideoFrameCallbackMetadata): void => {
+            if (mediaTime <= time && time < mediaTime + 0.05) done()
+            else video.requestVideoFrameCallback(look)
+          }
+          video.requestVideoFrameCallback(look)
+        })
+        const sought = new Promise((done) => {
           video.onseeked = done
         })
+        video.currentTime = time
+        await sought
+        await Promise.race([presented, new Promise((done) => setTimeout(done, 3000))])
         const canvas = new OffscreenCanvas(video.videoWidth, video.videoHeight)
         canvas.getContext('2d')?.drawImage(video, 0, 0)
         const one = reading(canvas)
