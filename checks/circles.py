@@ -5,6 +5,7 @@ from pathlib import Path
 from python_imports import Folder
 from rust_imports import Crate
 from tree import finish
+from typescript_imports import Scripts
 
 ROOMS = {
     "core/src": Crate,
@@ -16,6 +17,8 @@ ROOMS = {
     "python": Folder,
     "bench": Folder,
     "reference": Folder,
+    "lab": Scripts,
+    "wasm/npm/src": Scripts,
 }
 
 

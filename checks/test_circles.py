@@ -18,6 +18,9 @@ GOOD = {
     "python/libration/time.py": "from numpy import orbit\n",
     "bench/run.py": "import page\n",
     "bench/page.py": "import numpy as run\n",
+    "lab/src/page.ts": "import { html } from 'lit-html'\nimport { table } from './views'\n",
+    "lab/src/views/index.ts": "import type { Column } from '../columns'\nexport const page = (): string => './page'\n",
+    "lab/src/columns.ts": "export interface Column {}\n",
 }
 
 
@@ -52,6 +55,10 @@ def test_a_tree_without_circles_passes(tmp_path):
         ("python/libration/time.py", "importlib.import_module('.orbit', 'libration')\n", "3 files"),
         ("bench/page.py", "def f():\n    import run\n", "bench: 2 files"),
         ("bench/page.py", "from run import f\n", "bench: 2 files"),
+        ("lab/src/columns.ts", "import type { Page } from './page'\n", "lab: 3 files"),
+        ("lab/src/columns.ts", "import {\n  a,\n  b,\n} from './views/index.js'\n", "lab: 2 files"),
+        ("lab/src/columns.ts", "const later = () => import('./page')\n", "lab: 3 files"),
+        ("lab/src/columns.ts", "import './page.css'\nimport Worker from './work?worker&inline'\n", None),
     ],
 )
 def test_a_circle_is_found(file, text, said, tmp_path):

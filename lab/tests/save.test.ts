@@ -4,6 +4,7 @@ import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { version } from '../package.json'
+import type { TableSpec } from '../src/columns'
 import { Words } from '../src/language'
 import { type Model, openModel } from '../src/model'
 import { instants } from '../src/model/solved'
@@ -12,7 +13,6 @@ import { csv } from '../src/save/csv'
 import { delaysOf, FEWEST, type Film, filmOf, MOST, makeFilm, type Sink } from '../src/save/film'
 import { motionCommand, motionCsv, written } from '../src/save/motion-csv'
 import { checkSum, pixelsOf, withDensity } from '../src/save/png'
-import type { TableSpec } from '../src/views/table'
 
 const place = createRequire(import.meta.url)
 let model: Model

@@ -1,10 +1,8 @@
 // The words of the view Hand-outs, in all languages: they come with the view.
 
-import { enHandouts, type HandoutsCatalogue } from './en-handouts'
+import { enHandouts } from './en-handouts'
 import { esHandouts } from './es-handouts'
 import { addWords } from './index'
 import { ptBRHandouts } from './pt-BR-handouts'
-
-export type HandoutsWords = HandoutsCatalogue
 
 addWords({ en: { handouts: enHandouts }, 'pt-BR': { handouts: ptBRHandouts }, es: { handouts: esHandouts } })

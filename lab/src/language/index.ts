@@ -2,26 +2,27 @@
 
 import { degrees, shortest } from '../number'
 import { LANGUAGES, type Language } from '../state'
-import type { DataWords } from './data'
+import type { AbsentCatalogue } from './data-absent'
 import { en, type FirstCatalogue } from './en'
+import type { DataCatalogue } from './en-data'
 import type { DerivationCatalogue } from './en-derivation'
+import type { FrictionCatalogue } from './en-friction'
+import type { HandoutsCatalogue } from './en-handouts'
 import type { LaterCatalogue } from './en-later'
+import type { SaveCatalogue } from './en-save'
+import type { SpringCatalogue } from './en-springs'
 import { es } from './es'
-import type { FrictionWords } from './friction'
-import type { HandoutsWords } from './handouts'
 import { ptBR } from './pt-BR'
 import { filled } from './rich'
-import type { SaveWords } from './save'
-import type { SpringWords } from './springs'
 
 /** What comes with the later views. */
 interface Added extends LaterCatalogue {
   readonly derivation: DerivationCatalogue
-  readonly spring: SpringWords
-  readonly damped: FrictionWords
-  readonly data: DataWords
-  readonly handouts: HandoutsWords
-  readonly save: SaveWords
+  readonly spring: SpringCatalogue
+  readonly damped: FrictionCatalogue
+  readonly data: AbsentCatalogue & DataCatalogue
+  readonly handouts: HandoutsCatalogue
+  readonly save: SaveCatalogue
 }
 type Catalogue = FirstCatalogue & Added
 

@@ -2,9 +2,9 @@
 // back to the same double, at most 17.
 
 import { version } from '../../package.json'
+import type { Column, TableSpec } from '../columns'
 import type { Words } from '../language'
 import { plain } from '../language/rich'
-import type { Column, TableSpec } from '../views/table'
 
 /** The decimal sign of a file; the language's where the reader does not choose. */
 export type DecimalSign = '.' | ','

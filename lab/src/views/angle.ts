@@ -1,6 +1,7 @@
 // The plot of the angle, or of the velocity, over time: exact and compared, with alarms and hatched regions.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { switches } from '../controls/parts'
 import { extent } from '../draw/curve'
 import { hatchedRegions, type Line, plot } from '../draw/plot'
@@ -10,10 +11,10 @@ import { remember } from '../memory'
 import { DEGREES } from '../number'
 import type { Drawn, Study } from '../study'
 import { roundTicksOf } from './axis-ticks'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
-import type { TableSpec } from './table'
 import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
 
 /** Least and greatest of the axis: the exact motion with a margin, and of step-by-step solutions as much as fits three of it. */

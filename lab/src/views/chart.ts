@@ -3,67 +3,19 @@
 import { html, noChange, nothing, type TemplateResult } from 'lit-html'
 import { iconButton } from '../controls/parts'
 import { measured, sizeOf } from '../controls/size'
-import { afterKey, type Drag, dragging, partAlong } from '../controls/slide'
+import { afterKey, dragging, partAlong } from '../controls/slide'
 import { plain, rich } from '../language/rich'
 import type { Window } from '../study'
+import type { ChartSpec, Cursor, Text } from './chart-spec'
 import type { Page } from './page'
 import { saveMenu } from './saving'
-import { type TableSpec, table } from './table'
-import { type SoundSpec, toggleSound } from './trace'
-
-export interface PlotSize {
-  readonly width: number
-  readonly height: number
-  readonly rem: number
-}
-
-/** What a plot lets one move: the time, an amplitude, a start. */
-export interface Cursor {
-  readonly label: string
-  readonly least: number
-  readonly most: number
-  readonly now: number
-  /** As a screen reader says it; null while it moves by itself. */
-  readonly text: string | typeof noChange | null
-  /** Whether the key was one of its own. */
-  readonly key: (event: KeyboardEvent) => boolean
-  readonly drag: Drag
-}
-
-type Text = string | (() => string)
+import { table } from './table'
+import { toggleSound } from './trace'
 
 /** A text, which stays as it was while a hand is on a control: nobody reads it then. */
 function settled(page: Page, text: Text): string | typeof noChange {
   if (typeof text === 'string') return plain(text)
   return page.session.held === null ? plain(text()) : noChange
-}
-
-export interface ChartSpec {
-  readonly key: string
-  readonly className: string
-  readonly title: string
-  readonly unit?: string
-  /** In words, for names of buttons. */
-  readonly name: string
-  /** In rem. */
-  readonly height: number
-  readonly xLabels: boolean
-  readonly switches?: TemplateResult | typeof nothing
-  /** The plot, once its size is known; the text of a plot that has none. */
-  readonly draw: (size: PlotSize) => TemplateResult
-  readonly waiting?: string
-  /** One sentence from the state: the figure in words. A function where it takes time: not asked while a control is held. */
-  readonly caption: Text
-  /** What an arrow key on the plot says, likewise. */
-  readonly spoken?: Text
-  readonly window?: Window
-  /** Instead of the time of `window`. */
-  readonly cursor?: Cursor
-  readonly table?: () => TableSpec
-  readonly sound?: () => SoundSpec
-  /** Below the plot: reasons of hatching, what to do when it is empty. */
-  readonly note?: TemplateResult | typeof nothing
-  readonly over?: TemplateResult | typeof nothing
 }
 
 /** The tools at the right of a title. */

@@ -1,6 +1,7 @@
 // Legend, switch and result in one list: the exact motion, then each curve with its largest error in the window.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import type { Column } from '../columns'
 import { menu } from '../controls/parts'
 import { type Curve, type CurveName, curveKey, kindOf, usualCurve } from '../curves'
 import { icon } from '../draw/icons'
@@ -11,7 +12,6 @@ import { type Drawn, errorFactor, inPercent, type Row, type Study } from '../stu
 import { openDialog } from './dialogs'
 import { examples } from './examples'
 import type { Live } from './page'
-import type { Column } from './table'
 
 /** `Fourier 4`, `RK4, step 0.025 s`: a curve in words. */
 export function curveName({ words }: Pick<Live, 'words'>, curve: Curve): string {

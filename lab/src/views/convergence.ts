@@ -1,6 +1,7 @@
 // The dialog with the error of each scheme against its step, on axes of logarithms: lines whose slopes are the orders.
 
 import { html, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { type Convergence, convergence, ORDERS, SCHEMES } from '../convergence'
 import { clothesOf } from '../draw/clothes'
 import { placedLabels } from '../draw/labels'
@@ -8,11 +9,11 @@ import { plot } from '../draw/plot'
 import { logScale, type Tick } from '../draw/scale'
 import { plain, rich } from '../language/rich'
 import { DEGREES } from '../number'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import { dialog } from './dialogs'
 import { powerText } from './error'
 import type { Live } from './page'
-import type { TableSpec } from './table'
 
 const CLOTHES = clothesOf(SCHEMES.map((name) => ({ name, on: true })))
 

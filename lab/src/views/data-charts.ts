@@ -2,6 +2,7 @@
 
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { lawOf } from '../against-swing'
+import type { TableSpec } from '../columns'
 import { switches } from '../controls/parts'
 import { extent, type Points } from '../draw/curve'
 import { dotsOf } from '../draw/dots'
@@ -13,9 +14,9 @@ import type { Model } from '../model'
 import type { Reading, Result } from '../model/fit-protocol'
 import { DEGREES } from '../number'
 import { roundTicksOf } from './axis-ticks'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import type { Live } from './page'
-import type { TableSpec } from './table'
 
 /** From SI to the unit that is shown. */
 const FACTORS = { angle: DEGREES, velocity: DEGREES, acceleration: 1, gate: 1, swings: 1 } as const

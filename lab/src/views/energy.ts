@@ -1,16 +1,17 @@
 // The energy over time: of step-by-step solutions the total, which drifts; else its two parts and their sum.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import type { Column } from '../columns'
 import { switches } from '../controls/parts'
 import { extent } from '../draw/curve'
 import { type Line, plot } from '../draw/plot'
 import { linearScale, roundTicks } from '../draw/scale'
 import { type Study, showsTotal } from '../study'
 import { ticksAt } from './axis-ticks'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import { curveColumn, curveName } from './compare'
 import type { Live } from './page'
-import type { Column } from './table'
 import { periodMarks, periodVerticals, timeScale, timeText, timeTicks } from './time-axis'
 
 /** Per cent of the energy at the top. */

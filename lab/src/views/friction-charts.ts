@@ -1,6 +1,7 @@
 // The damped motion over time: its angle with the turning points joined, and its energy, each beside the motion without friction.
 
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { extent } from '../draw/curve'
 import { dotsOf } from '../draw/dots'
 import { type Line, plot } from '../draw/plot'
@@ -10,9 +11,9 @@ import { remember } from '../memory'
 import type { DampedMotion, Turning } from '../model/friction'
 import { DEGREES } from '../number'
 import { roundTicksOf, ticksAt } from './axis-ticks'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import type { FrictionView, Tracks } from './friction-view'
-import type { TableSpec } from './table'
 import { timeScale, timeTicks } from './time-axis'
 
 /** Upper and lower turning points: of two neighbours one is a highest and one a lowest angle. */

@@ -1,6 +1,7 @@
 // The damped motion in the phase plane: a spiral into the rest, and of a driven pendulum its Poincaré section.
 
 import { html, svg, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { extent, type Points, pathOf } from '../draw/curve'
 import { dotsOf } from '../draw/dots'
 import { plot } from '../draw/plot'
@@ -10,11 +11,11 @@ import { remember } from '../memory'
 import type { Section } from '../model/section'
 import { DEGREES } from '../number'
 import { roundTicksOf, ticksAt } from './axis-ticks'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import type { FrictionView, Tracks } from './friction-view'
 import type { Live } from './page'
 import { background, withinTurn } from './portrait'
-import type { TableSpec } from './table'
 
 /** Within one turn, in degrees: where it goes over the top the line is lifted. */
 export function withinOneTurn(theta: Float64Array, velocity: Float64Array): { x: Float64Array; y: Float64Array } {

@@ -1,6 +1,7 @@
 // What sn, cn and dn are: lengths in an ellipse, whose x is the chord of the pendulum, and their graph; all at one time.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { afterKey, dragging } from '../controls/slide'
 import { CHORD_BOX, chordAngle, chordDrawing, chordSpot } from '../draw/chord'
 import { ELLIPSE_BOX, ellipseAngle, ellipseDrawing, ellipseSpot } from '../draw/ellipse'
@@ -22,11 +23,11 @@ import {
 import { plain, rich } from '../language/rich'
 import { degrees, radians } from '../number'
 import { type Window, windowOf } from '../study'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import { ellipseValues } from './ellipse-values'
 import type { Live } from './page'
 import { player } from './player'
-import type { TableSpec } from './table'
 
 interface Shown {
   readonly swing: Swing

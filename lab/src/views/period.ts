@@ -1,6 +1,7 @@
 // The period against the amplitude: exact, and every formula of the registry; below, their errors. One amplitude goes through both.
 
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { switches } from '../controls/parts'
 import { afterKey, partAlong } from '../controls/slide'
 import { pathOf } from '../draw/curve'
@@ -22,10 +23,10 @@ import {
 } from '../period-study'
 import { periodKind, periodRows } from '../periods'
 import { amplitudeOf, amplitudeValue, angleText, release } from './amplitude'
-import { type Cursor, chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { Cursor, PlotSize } from './chart-spec'
 import { formulaList, formulaName, formulaShort, signedPercent } from './formula-list'
 import type { Live } from './page'
-import type { TableSpec } from './table'
 
 const resultsOf = remember(
   (model: Model, periods: readonly string[] | null, thetaMax: number, order: 'registry' | 'error') =>

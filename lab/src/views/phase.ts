@@ -3,6 +3,7 @@
 // A click, a drag or the arrow keys start the chosen orbit elsewhere. A start within a pixel of the separatrix is on it.
 
 import { html, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { plot } from '../draw/plot'
 import { grainOf, linearScale, type Scale } from '../draw/scale'
 import { isLocked } from '../embedding'
@@ -14,13 +15,13 @@ import { inRange, type Start, type State } from '../state'
 import { evenTimes, POINTS, spanOf, windowOf } from '../study'
 import { roundTicksOf } from './axis-ticks'
 import { bench } from './bench'
-import { type Cursor, chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { Cursor, PlotSize } from './chart-spec'
 import { orbitAngle } from './orbit-angle'
 import { orbitList, orbitWords } from './orbit-list'
 import type { Live } from './page'
 import { player } from './player'
 import { type Loop, levelCurves, portraitGround, withinTurn } from './portrait'
-import type { TableSpec } from './table'
 
 const others = remember((model: Model, length: number, gravity: number, orbits: State['orbits']) =>
   orbits.map(({ theta0, velocity0 }) => model.motion({ theta0, velocity0, length, gravity })),

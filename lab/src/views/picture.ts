@@ -4,7 +4,7 @@ import { html, nothing, svg, type TemplateResult } from 'lit-html'
 import { BOX, type PendulumSpec, pendulum, spot } from '../draw/pendulum'
 import { plain, richSvg } from '../language/rich'
 import { MM, REM } from '../save/svg'
-import type { ChartSpec } from './chart'
+import type { ChartSpec } from './chart-spec'
 
 /** Units around the plot: 640 wide in all, which is 160 mm. */
 const WIDTH = 640

@@ -4,7 +4,7 @@ import type { TemplateResult } from 'lit-html'
 import { type MenuItem, menu } from '../controls/parts'
 import { icon } from '../draw/icons'
 import type { Ghost } from '../draw/pendulum'
-import type { ChartSpec } from './chart'
+import type { ChartSpec } from './chart-spec'
 import type { Live, Page } from './page'
 
 /** What the part gives. */

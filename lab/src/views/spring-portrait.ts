@@ -3,6 +3,7 @@
 // A click, a drag or the arrow keys in the portrait set the start.
 
 import { html, nothing, svg, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { pathOf } from '../draw/curve'
 import { plot } from '../draw/plot'
 import { grainOf, linearScale, type Scale } from '../draw/scale'
@@ -13,11 +14,11 @@ import { potential, type SpringOrbit } from '../model/spring'
 import { levelCurves, levelThrough } from '../model/spring-levels'
 import { inRange } from '../state'
 import { roundTicksOf } from './axis-ticks'
-import { type Cursor, chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { Cursor, PlotSize } from './chart-spec'
 import type { Live } from './page'
 import type { SpringAxes } from './spring-axes'
 import { type SpringView, shortNumber } from './spring-view'
-import type { TableSpec } from './table'
 
 const POINTS = 400
 

@@ -1,15 +1,16 @@
 // The displacement of a spring over time: two periods, or up to its escape and a little beyond, where nothing is.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import type { TableSpec } from '../columns'
 import { plot } from '../draw/plot'
 import { linearScale } from '../draw/scale'
 import { rich } from '../language/rich'
 import { remember } from '../memory'
 import type { SpringOrbit } from '../model/spring'
 import { roundTicksOf } from './axis-ticks'
-import { chart, type PlotSize } from './chart'
+import { chart } from './chart'
+import type { PlotSize } from './chart-spec'
 import type { SpringView } from './spring-view'
-import type { TableSpec } from './table'
 
 const POINTS = 600
 

@@ -1,35 +1,12 @@
 // The data table behind a chart: the same numbers as are drawn, and all of them as CSV.
 
 import { html, type TemplateResult } from 'lit-html'
+import type { Column, TableSpec } from '../columns'
 import { plain, rich } from '../language/rich'
 import { writeLink } from '../link'
 import { csv, type DecimalSign } from '../save/csv'
 import { saveFile } from '../save/file'
 import type { Page } from './page'
-
-export interface Column {
-  readonly title: string
-  readonly values: Float64Array
-  /** From the unit of the data to that of the table. */
-  readonly factor: number
-  readonly decimals: number
-  /** Significant ones instead, where sizes differ much. */
-  readonly digits?: number
-  /** What its line in the plot wears: the picture that is saved has a key of these. */
-  readonly clothes?: string
-  /** Its formula, or what it is: for the header of a file. */
-  readonly about?: string
-}
-
-export interface TableSpec {
-  readonly caption: string
-  /** Name of the file, without its ending. */
-  readonly file: string
-  readonly first: Column
-  readonly columns: readonly Column[]
-  /** Rows of the short table; else some at even distances. */
-  readonly some?: readonly number[]
-}
 
 const SOME = 8
 

@@ -3,7 +3,7 @@
 import { linearScale, roundTicks, type Scale, type Tick, tickDecimals } from '../draw/scale'
 import type { Words } from '../language'
 import type { Study, Window } from '../study'
-import type { PlotSize } from './chart'
+import type { PlotSize } from './chart-spec'
 import type { Page } from './page'
 
 export function timeScale({ from, to }: Window, { width }: PlotSize): Scale {
