@@ -153,3 +153,13 @@ fn few_dark_times_say_so() {
         Err(refusal) => assert!(refusal.to_string().contains("do not determine the swing"), "{refusal}"),
     }
 }
+
+#[test]
+fn periods_of_two_modes_are_told_and_not_only_refused() {
+    // They hold no swing either; what the record is says more.
+    let t: Vec<f64> = (0..60).map(|i| 2.0 * f64::from(i)).collect();
+    let periods = (0..60).map(|i| 2.0 + 0.3 * libm::sin(1.3 * f64::from(i))).collect();
+    let dark = (0..60).map(|i| 0.02 + 0.004 * libm::cos(0.7 * f64::from(i))).collect();
+    let found = fit(&Data::Gate { t, periods, transits: Some(dark) }, &options()).unwrap();
+    assert_eq!(verdict(&found, "more than one mode"), Some(Grade::Refuted));
+}

@@ -169,16 +169,18 @@ pub(super) fn gate(
         let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
         curve.add_errors(&mut best, &measured);
     }
+    // An uncertainty that is NaN knows none.
     let determined = best.u(0) <= MOST_SPREAD * best.values[0];
-    if linear.is_none() && !(determined && best.u(1) <= best.values[1].abs()) {
-        return Err(FitRefusal::new(UNKNOWN_SWING));
-    }
-    if !determined {
-        return Err(FitRefusal::new(format!(
-            "{} periods do not determine omega0 beside an unknown swing: give more of them, or a table of periods against swings",
-            rows.kept.len()
-        )));
-    }
+    let undetermined = if linear.is_none() && !(determined && best.u(1) <= best.values[1].abs()) {
+        Some(FitRefusal::new(UNKNOWN_SWING))
+    } else {
+        (!determined).then(|| {
+            FitRefusal::new(format!(
+                "{} periods do not determine omega0 beside an unknown swing: give more of them, or a table of periods against swings",
+                rows.kept.len()
+            ))
+        })
+    };
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     let said = transits.zip(few).and_then(|(dark, few)| {
         let dark: Vec<f64> = rows.kept.iter().map(|row| dark[*row]).collect();
@@ -199,7 +201,6 @@ pub(super) fn gate(
     fit.diagnostics.lag1 = autocorrelations(&best.residuals, 1)[1];
     if let Some(place) = linear {
         fit.model = Model::Linear;
-        // An uncertainty that is NaN knows none.
         let known_swing = best.values[1] >= 2.0 * best.u(1);
         fit.friction.linear = Some(Estimate::new(best.values[place], best.u(place), 0.0, 0.0));
         if !known_swing {
@@ -211,7 +212,8 @@ pub(super) fn gate(
     }
     fit.verdicts.extend(said);
     fit.verdicts.extend(of_correlation(&fit));
-    Ok(fit)
+    // A verdict that the record is no pendulum's says more.
+    undetermined.filter(|_| fit.stands()).map_or(Ok(fit), Err)
 }
 
 /// The swings while linear friction, values[2], makes them smaller from values[1].
