@@ -98,10 +98,6 @@ fn record(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
     if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
         return containers::record(bytes, options);
     }
-    if bytes.starts_with(b"MATLAB 5.0") || bytes.starts_with(b"\x89HDF") || bytes.starts_with(b"PAR1") {
-        let reason = "a MATLAB, HDF or Parquet file; load it and hand over its arrays, or save it as CSV";
-        return Err(Refusal::fault(None, reason));
-    }
     if let Some(what) = other_formats::named(bytes) {
         return Err(Refusal::fault(None, what));
     }
