@@ -7,12 +7,12 @@
 
 use crate::objects::{Objects, ask, drop};
 use crate::workspace::{ROWS, leave, say, with_columns, with_text};
-use exchange::{both, each, listed, made, refuse};
+use exchange::{both, each, frequency, listed, made, refuse};
 use libration::STANDARD_GRAVITY;
 use libration::approx::{
     ANGLES, AngleApproximation, AngleFormula, Entry, NUMERICALS, NumericalFormula, NumericalSolution,
 };
-use libration::{Frequency, Orbit, Regime, Turns, VERSION};
+use libration::{Orbit, Regime, Turns, VERSION};
 use std::cell::RefCell;
 
 thread_local! {
@@ -40,9 +40,7 @@ pub extern "C" fn orbit_new(
     gravity: f64,
     given: u32,
 ) -> u32 {
-    let [omega0, omega2, length, gravity] = [(omega0, 1), (omega2, 2), (length, 4), (gravity, 8)]
-        .map(|(value, bit)| (given & bit != 0).then_some(value));
-    let orbit = Frequency::from_arguments(omega0, omega2, length, gravity)
+    let orbit = frequency([omega0, omega2, length, gravity], given)
         .and_then(|frequency| Orbit::new(theta0, velocity0, frequency));
     made(&ORBITS, orbit)
 }

@@ -3,7 +3,7 @@
 
 use crate::objects::{Place, keep};
 use crate::workspace::{self, ROWS, leave, say, with_columns};
-use libration::Domain;
+use libration::{Domain, Frequency};
 
 /// Address of the columns.
 #[unsafe(no_mangle)]
@@ -44,6 +44,13 @@ pub extern "C" fn text_room(length: usize) -> *const u8 {
 /// Leaves a refusal in the text.
 pub fn refuse(Domain { argument, given, allowed }: &Domain) {
     say([argument, given.as_str(), allowed.as_ref()].join("\n"));
+}
+
+/// The frequency of omega0, omega2, length and gravity. Those count whose bit is set in `given`: 1, 2, 4, 8 in their order.
+pub fn frequency(arguments: [f64; 4], given: u32) -> Result<Frequency, Domain> {
+    let [omega0, omega2, length, gravity] =
+        [0, 1, 2, 3].map(|place| (given >> place & 1 == 1).then_some(arguments[place]));
+    Frequency::from_arguments(omega0, omega2, length, gravity)
 }
 
 /// The number of a new object, or 0.

@@ -1,10 +1,10 @@
 //! The pendulum with friction and torque: its trajectory is integrated as far as it is asked for.
 
-use super::exchange::{both, each, listed, made};
+use super::exchange::{self, both, each, listed, made};
 use crate::objects::{Objects, ask, drop};
 use crate::workspace::with_columns;
 use libration::damped::{LazyTrajectory, averaged_turning_angle};
-use libration::{DampedPendulum, Domain, Frequency, Friction, Torque};
+use libration::{DampedPendulum, Domain, Friction, Torque};
 use std::cell::RefCell;
 
 thread_local! {
@@ -30,10 +30,8 @@ pub extern "C" fn damped_new(
     frequency: f64,
     phase: f64,
 ) -> u32 {
-    let [omega0, omega2, length, gravity] = [(omega0, 1), (omega2, 2), (length, 4), (gravity, 8)]
-        .map(|(value, bit)| (given & bit != 0).then_some(value));
     let pendulum = || {
-        let force = Frequency::from_arguments(omega0, omega2, length, gravity)?;
+        let force = exchange::frequency([omega0, omega2, length, gravity], given)?;
         let friction = Friction::new(linear, quadratic, dry, presliding)?;
         let torque = Torque::new(constant, amplitude, frequency, phase)?;
         DampedPendulum::new(theta0, velocity0, force, friction, torque)
