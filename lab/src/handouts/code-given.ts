@@ -30,7 +30,30 @@ export interface Given {
   readonly say: Comments
 }
 
+/** A line; false where the text has none. */
+type Line = string | false
+
 /** The lines of a text, one for each that is said. */
-export function lines(...all: readonly (string | false)[]): string {
+export function lines(...all: readonly Line[]): string {
   return `${all.filter((line) => line !== false).join('\n')}\n`
+}
+
+/** A text of a language: how it comments, what stands before the motion, the motion of each kind, and what it prints. */
+interface Parts {
+  readonly comment: (text: string) => string
+  /** Before a swing or a turn: the convention of the parameter, what is loaded, the start, the parameter. */
+  readonly elliptic: readonly Line[]
+  /** Before what needs no elliptic functions. */
+  readonly elementary: readonly Line[]
+  readonly libration: readonly Line[]
+  readonly rotation: readonly Line[]
+  readonly separatrix: readonly Line[]
+  readonly rest: readonly Line[]
+  readonly shown: readonly Line[]
+}
+
+export function textOf({ kind, say }: Given, parts: Parts): string {
+  const plain = kind === 'separatrix' || kind === 'rest'
+  const before = plain ? [parts.comment(say[kind]), ...parts.elementary] : parts.elliptic
+  return lines(parts.comment(say.equation), ...before, ...parts[kind], ...parts.shown)
 }

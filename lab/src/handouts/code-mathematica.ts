@@ -1,6 +1,6 @@
 // Mathematica, whose elliptic functions take the parameter m. Its numbers have a point, so that it computes with doubles.
 
-import { type Given, lines } from './code-given'
+import { type Given, textOf } from './code-given'
 
 /** `1` is an exact number there, and `1e-7` is not a number. */
 function double(text: string): string {
@@ -19,50 +19,35 @@ export function mathematica(given: Given): string {
     'omega0 = Sqrt[gravity/length];',
   ]
   const energy = [`(* ${say.energy} *)`, 'm = Sin[theta0/2]^2 + (velocity0/(2 omega0))^2;']
-  const shown = (period: boolean) => [
-    period && 'Print["period ", period];',
+  const shown = [
+    kind !== 'rest' && 'Print["period ", period];',
     `Do[Print[{t, theta[t], velocity[t]}], {t, {${times.map(double).join(', ')}}}] (* s *)`,
   ]
-  const head = `(* ${say.equation} *)`
   const convention = `(* EllipticK, EllipticF, JacobiSN, JacobiAmplitude: ${say.parameter} *)`
-  switch (kind) {
-    case 'libration':
-      return lines(
-        head,
-        convention,
-        ...start,
-        ...energy,
-        'period = 4 EllipticK[m]/omega0;',
-        'u0 = EllipticF[ArcTan[velocity0/(2 omega0), Sin[theta0/2]], m]; (* ArcTan[x, y] *)',
-        'theta[t_] := 2 ArcSin[Sqrt[m] JacobiSN[omega0 t + u0, m]];',
-        'velocity[t_] := 2 omega0 Sqrt[m] JacobiCN[omega0 t + u0, m];',
-        ...shown(true),
-      )
-    case 'rotation':
-      return lines(
-        head,
-        convention,
-        ...start,
-        ...energy,
-        `omega = ${minus}omega0 Sqrt[m];`,
-        'period = 2 EllipticK[1/m]/Abs[omega];',
-        'u0 = EllipticF[theta0/2, 1/m];',
-        `theta[t_] := 2 JacobiAmplitude[omega t + u0, 1/m]; (* ${say.turns} *)`,
-        'velocity[t_] := 2 omega JacobiDN[omega t + u0, 1/m];',
-        ...shown(true),
-      )
-    case 'separatrix':
-      return lines(
-        head,
-        `(* ${say.separatrix} *)`,
-        ...start,
-        'u0 = ArcSinh[Tan[theta0/2]];',
-        `theta[t_] := 2 ArcTan[Sinh[${minus}omega0 t + u0]];`,
-        `velocity[t_] := ${minus}2 omega0/Cosh[${minus}omega0 t + u0];`,
-        'period = Infinity;',
-        ...shown(true),
-      )
-    default:
-      return lines(head, `(* ${say.rest} *)`, ...start, 'theta[t_] := theta0;', 'velocity[t_] := 0.;', ...shown(false))
-  }
+  return textOf(given, {
+    comment: (text) => `(* ${text} *)`,
+    elliptic: [convention, ...start, ...energy],
+    elementary: start,
+    libration: [
+      'period = 4 EllipticK[m]/omega0;',
+      'u0 = EllipticF[ArcTan[velocity0/(2 omega0), Sin[theta0/2]], m]; (* ArcTan[x, y] *)',
+      'theta[t_] := 2 ArcSin[Sqrt[m] JacobiSN[omega0 t + u0, m]];',
+      'velocity[t_] := 2 omega0 Sqrt[m] JacobiCN[omega0 t + u0, m];',
+    ],
+    rotation: [
+      `omega = ${minus}omega0 Sqrt[m];`,
+      'period = 2 EllipticK[1/m]/Abs[omega];',
+      'u0 = EllipticF[theta0/2, 1/m];',
+      `theta[t_] := 2 JacobiAmplitude[omega t + u0, 1/m]; (* ${say.turns} *)`,
+      'velocity[t_] := 2 omega JacobiDN[omega t + u0, 1/m];',
+    ],
+    separatrix: [
+      'u0 = ArcSinh[Tan[theta0/2]];',
+      `theta[t_] := 2 ArcTan[Sinh[${minus}omega0 t + u0]];`,
+      `velocity[t_] := ${minus}2 omega0/Cosh[${minus}omega0 t + u0];`,
+      'period = Infinity;',
+    ],
+    rest: ['theta[t_] := theta0;', 'velocity[t_] := 0.;'],
+    shown,
+  })
 }

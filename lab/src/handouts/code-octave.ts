@@ -1,6 +1,6 @@
 // Octave and MATLAB, base language alone. Neither has the incomplete integral there; the arithmetic-geometric mean gives it (DLMF 19.8(i)).
 
-import { type Given, lines } from './code-given'
+import { type Given, textOf } from './code-given'
 
 export function octave(given: Given): string {
   const { kind, say, sign, velocity, length, gravity, times } = given
@@ -30,69 +30,43 @@ export function octave(given: Given): string {
     'u0 = phi/(2^8*a);',
   ]
   // MATLAB has no printf; both have fprintf.
-  const shown = (period: boolean) => [
+  const shown = [
     '',
-    period && "fprintf('period %.15g\\n', period)",
+    kind !== 'rest' && "fprintf('period %.15g\\n', period)",
     "fprintf('%.15g %.15g %.15g\\n', [t; theta; velocity])",
   ]
-  const head = `% ${say.equation}`
   const convention = `% ellipke, ellipj: ${say.parameter}`
-  switch (kind) {
-    case 'libration':
-      return lines(
-        head,
-        convention,
-        ...start,
-        ...energy,
-        '',
-        'period = 4*ellipke(m)/omega0;',
-        'phi = atan2(s, v); a = 1; b = sqrt(mc);',
-        ...incomplete,
-        '[sn, cn, dn] = ellipj(omega0*t + u0, m);',
-        'theta = 2*asin(sqrt(m)*sn);',
-        'velocity = 2*omega0*sqrt(m)*cn;',
-        ...shown(true),
-      )
-    case 'rotation':
-      return lines(
-        head,
-        convention,
-        ...start,
-        ...energy,
-        '',
-        `omega = ${minus}omega0*sqrt(m);`,
-        'K = ellipke(1/m);',
-        'period = 2*K/abs(omega);',
-        'phi = theta0/2; a = 1; b = sqrt(-mc/m);',
-        ...incomplete,
-        'u = omega*t + u0;',
-        `turns = round(u/(2*K));  % ${say.turns}`,
-        '[sn, cn, dn] = ellipj(u - 2*K*turns, 1/m);',
-        'theta = 2*(atan2(sn, cn) + pi*turns);',
-        'velocity = 2*omega*dn;',
-        ...shown(true),
-      )
-    case 'separatrix':
-      return lines(
-        head,
-        `% ${say.separatrix}`,
-        ...start,
-        '',
-        `u = ${minus}omega0*t + asinh(tan(theta0/2));`,
-        'theta = 2*atan(sinh(u));',
-        `velocity = ${minus}2*omega0./cosh(u);`,
-        'period = Inf;',
-        ...shown(true),
-      )
-    default:
-      return lines(
-        head,
-        `% ${say.rest}`,
-        ...start,
-        '',
-        'theta = theta0*ones(size(t));',
-        'velocity = zeros(size(t));',
-        ...shown(false),
-      )
-  }
+  return textOf(given, {
+    comment: (text) => `% ${text}`,
+    elliptic: [convention, ...start, ...energy, ''],
+    elementary: [...start, ''],
+    libration: [
+      'period = 4*ellipke(m)/omega0;',
+      'phi = atan2(s, v); a = 1; b = sqrt(mc);',
+      ...incomplete,
+      '[sn, cn, dn] = ellipj(omega0*t + u0, m);',
+      'theta = 2*asin(sqrt(m)*sn);',
+      'velocity = 2*omega0*sqrt(m)*cn;',
+    ],
+    rotation: [
+      `omega = ${minus}omega0*sqrt(m);`,
+      'K = ellipke(1/m);',
+      'period = 2*K/abs(omega);',
+      'phi = theta0/2; a = 1; b = sqrt(-mc/m);',
+      ...incomplete,
+      'u = omega*t + u0;',
+      `turns = round(u/(2*K));  % ${say.turns}`,
+      '[sn, cn, dn] = ellipj(u - 2*K*turns, 1/m);',
+      'theta = 2*(atan2(sn, cn) + pi*turns);',
+      'velocity = 2*omega*dn;',
+    ],
+    separatrix: [
+      `u = ${minus}omega0*t + asinh(tan(theta0/2));`,
+      'theta = 2*atan(sinh(u));',
+      `velocity = ${minus}2*omega0./cosh(u);`,
+      'period = Inf;',
+    ],
+    rest: ['theta = theta0*ones(size(t));', 'velocity = zeros(size(t));'],
+    shown,
+  })
 }

@@ -1,6 +1,6 @@
 // R, base language alone: K, F and am by the arithmetic-geometric mean (DLMF 19.8(i), 22.20(ii)), with the complement mc as argument.
 
-import { type Given, lines } from './code-given'
+import { type Given, textOf } from './code-given'
 
 export function r(given: Given): string {
   const { kind, say, sign, velocity, length, gravity, times } = given
@@ -43,60 +43,36 @@ export function r(given: Given): string {
     '}',
     '',
   ]
-  const shown = (period: boolean) => [
+  const shown = [
     '',
-    period && 'cat("period", format(period, digits = 15), "\\n")',
+    kind !== 'rest' && 'cat("period", format(period, digits = 15), "\\n")',
     'cat(sprintf("%.15g %.15g %.15g\\n", t, theta, velocity), sep = "")',
   ]
-  const head = `# ${say.equation}`
-  switch (kind) {
-    case 'libration':
-      return lines(
-        head,
-        ...functions,
-        ...start,
-        ...energy,
-        'period <- 4 * elliptic_k(mc) / omega0',
-        'u0 <- elliptic_f(atan2(s, v), mc)',
-        'am <- jacobi_am(omega0 * t + u0, mc)',
-        'theta <- 2 * asin(sqrt(m) * sin(am))',
-        'velocity <- 2 * omega0 * sqrt(m) * cos(am)',
-        ...shown(true),
-      )
-    case 'rotation':
-      return lines(
-        head,
-        ...functions,
-        ...start,
-        ...energy,
-        `omega <- ${minus}omega0 * sqrt(m)`,
-        'period <- 2 * elliptic_k(-mc / m) / abs(omega)',
-        'am <- jacobi_am(omega * t + elliptic_f(theta0 / 2, -mc / m), -mc / m)',
-        `theta <- 2 * am  # ${say.turns}`,
-        'velocity <- 2 * omega * sqrt(cos(am)^2 - mc / m * sin(am)^2)',
-        ...shown(true),
-      )
-    case 'separatrix':
-      return lines(
-        head,
-        `# ${say.separatrix}`,
-        ...start,
-        '',
-        `u <- ${minus}omega0 * t + asinh(tan(theta0 / 2))`,
-        'theta <- 2 * atan(sinh(u))',
-        `velocity <- ${minus}2 * omega0 / cosh(u)`,
-        'period <- Inf',
-        ...shown(true),
-      )
-    default:
-      return lines(
-        head,
-        `# ${say.rest}`,
-        ...start,
-        '',
-        'theta <- rep(theta0, length(t))',
-        'velocity <- numeric(length(t))',
-        ...shown(false),
-      )
-  }
+  return textOf(given, {
+    comment: (text) => `# ${text}`,
+    elliptic: [...functions, ...start, ...energy],
+    elementary: [...start, ''],
+    libration: [
+      'period <- 4 * elliptic_k(mc) / omega0',
+      'u0 <- elliptic_f(atan2(s, v), mc)',
+      'am <- jacobi_am(omega0 * t + u0, mc)',
+      'theta <- 2 * asin(sqrt(m) * sin(am))',
+      'velocity <- 2 * omega0 * sqrt(m) * cos(am)',
+    ],
+    rotation: [
+      `omega <- ${minus}omega0 * sqrt(m)`,
+      'period <- 2 * elliptic_k(-mc / m) / abs(omega)',
+      'am <- jacobi_am(omega * t + elliptic_f(theta0 / 2, -mc / m), -mc / m)',
+      `theta <- 2 * am  # ${say.turns}`,
+      'velocity <- 2 * omega * sqrt(cos(am)^2 - mc / m * sin(am)^2)',
+    ],
+    separatrix: [
+      `u <- ${minus}omega0 * t + asinh(tan(theta0 / 2))`,
+      'theta <- 2 * atan(sinh(u))',
+      `velocity <- ${minus}2 * omega0 / cosh(u)`,
+      'period <- Inf',
+    ],
+    rest: ['theta <- rep(theta0, length(t))', 'velocity <- numeric(length(t))'],
+    shown,
+  })
 }
