@@ -1,11 +1,9 @@
 // Pictures to begin with: figures of the three papers and the edges of the motion. Each replaces the state; one line undoes it.
 
-import { html, type TemplateResult } from 'lit-html'
-import { menu } from '../controls/parts'
-import { icon } from '../draw/icons'
-import { isRefused } from '../embedding'
+import type { TemplateResult } from 'lit-html'
 import { readLink } from '../link'
 import { DEFAULTS, type State } from '../state'
+import { exampleMenu } from './example-menu'
 import type { Page } from './page'
 
 /** As links, so that an example is nothing that a reader could not make. */
@@ -28,23 +26,13 @@ export function exampleState(name: ExampleName, { language, theme, embed, lock, 
 }
 
 export function examples(page: Page): TemplateResult {
-  const { store, state, session, words } = page
+  const { state, words } = page
   const names = Object.keys(EXAMPLES) as ExampleName[]
-  return menu({
+  return exampleMenu(page, {
     key: 'examples',
-    label: html`${words.say.compare.examples}${icon('down')}`,
     name: words.say.compare.examples,
-    open: session.menu === 'examples',
-    toggle: (open) => store.setSession({ menu: open ? 'examples' : null }),
     className: 'right',
     up: state.curves.length > 4,
-    items: names.map((name) => ({
-      text: words.say.examples[name],
-      disabled: isRefused(state, exampleState(name, state)),
-      act: () => {
-        const said = words.fill(words.say.shell.replaced, { name: words.say.examples[name] })
-        store.replace(exampleState(name, state), { key: 'example', text: said })
-      },
-    })),
+    examples: names.map((name) => ({ text: words.say.examples[name], state: exampleState(name, state) })),
   })
 }

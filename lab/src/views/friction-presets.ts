@@ -1,12 +1,10 @@
 // Damped and driven pendulums to begin with. Each replaces pendulum, start and what acts on it; one line undoes it.
 
-import { html, type TemplateResult } from 'lit-html'
-import { menu } from '../controls/parts'
-import { icon } from '../draw/icons'
-import { isRefused } from '../embedding'
+import type { TemplateResult } from 'lit-html'
 import type { FrictionSetup } from '../model/friction'
 import { radians } from '../number'
 import type { State } from '../state'
+import { exampleMenu } from './example-menu'
 import type { Live } from './page'
 
 type FrictionPreset = FrictionSetup & Pick<State, 'until'>
@@ -42,22 +40,8 @@ export const FRICTION_PRESETS = {
 } as const satisfies Record<string, FrictionPreset>
 
 export function frictionPresets(page: Live): TemplateResult {
-  const { store, state, session, words } = page
-  const { damped, shell } = words.say
+  const { damped } = page.words.say
   const names = Object.keys(FRICTION_PRESETS) as (keyof typeof FRICTION_PRESETS)[]
-  return menu({
-    key: 'frictions',
-    label: html`${damped.examples}${icon('down')}`,
-    name: damped.examples,
-    open: session.menu === 'frictions',
-    toggle: (open) => store.setSession({ menu: open ? 'frictions' : null }),
-    items: names.map((name) => ({
-      text: damped.presets[name],
-      disabled: isRefused(state, FRICTION_PRESETS[name]),
-      act: () => {
-        const text = words.fill(shell.replaced, { name: damped.presets[name] })
-        store.replace({ ...store.moment, ...FRICTION_PRESETS[name], t: 0 }, { key: 'example', text })
-      },
-    })),
-  })
+  const examples = names.map((name) => ({ text: damped.presets[name], state: FRICTION_PRESETS[name] }))
+  return exampleMenu(page, { key: 'frictions', name: damped.examples, examples })
 }

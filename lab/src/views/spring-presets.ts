@@ -1,11 +1,9 @@
 // Springs to begin with, one for each kind of motion. Each replaces the spring and its start; one line undoes it.
 
-import { html, type TemplateResult } from 'lit-html'
-import { menu } from '../controls/parts'
-import { icon } from '../draw/icons'
-import { plain } from '../language/rich'
+import type { TemplateResult } from 'lit-html'
 import { companionOf } from '../model/spring'
 import { inRange, type State } from '../state'
+import { type Example, exampleMenu } from './example-menu'
 import type { Live } from './page'
 
 type SpringPreset = Pick<State, 'spring' | 'p' | 'q' | 's' | 'u0' | 'springVelocity0'>
@@ -30,8 +28,6 @@ export const SPRING_PRESETS = {
   quintic: quintic(1, 1, -1, 1.3),
 } as const satisfies Record<string, SpringPreset>
 
-type PresetName = keyof typeof SPRING_PRESETS | 'companion'
-
 /** That of the pendulum in the Lab, if it is a spring that can stand here. */
 function companion({ theta0, velocity0, length, gravity }: State): SpringPreset | null {
   const found = companionOf(theta0, velocity0, length, gravity)
@@ -40,28 +36,11 @@ function companion({ theta0, velocity0, length, gravity }: State): SpringPreset 
 }
 
 export function springPresets(page: Live): TemplateResult {
-  const { store, session, words } = page
-  const { spring, shell } = words.say
-  const names: readonly PresetName[] = [...(Object.keys(SPRING_PRESETS) as PresetName[]), 'companion']
-  return menu({
-    key: 'springs',
-    label: html`${spring.examples}${icon('down')}`,
-    name: spring.examples,
-    open: session.menu === 'springs',
-    toggle: (open) => store.setSession({ menu: open ? 'springs' : null }),
-    className: 'right',
-    items: names.map((name) => {
-      const chosen = name === 'companion' ? companion(store.state) : SPRING_PRESETS[name]
-      return {
-        text: spring.presets[name],
-        ...(name === 'companion' ? { note: words.formula(spring.companionNote) } : {}),
-        disabled: chosen === null,
-        act: () => {
-          if (!chosen) return
-          const text = words.fill(shell.replaced, { name: plain(spring.presets[name]) })
-          store.replace({ ...store.moment, ...chosen, t: 0 }, { key: 'example', text })
-        },
-      }
-    }),
-  })
+  const { state, words } = page
+  const { spring } = words.say
+  const names = Object.keys(SPRING_PRESETS) as (keyof typeof SPRING_PRESETS)[]
+  const examples: Example[] = names.map((name) => ({ text: spring.presets[name], state: SPRING_PRESETS[name] }))
+  const note = words.formula(spring.companionNote)
+  examples.push({ text: spring.presets.companion, note, state: companion(state) })
+  return exampleMenu(page, { key: 'springs', name: spring.examples, className: 'right', examples })
 }
