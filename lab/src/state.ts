@@ -59,7 +59,19 @@ export interface Start {
   readonly velocity0: number
 }
 
-export interface State extends Start {
+/** What acts on the pendulum besides gravity. */
+export interface FrictionAndTorque {
+  /** Friction: γ, β and μ. */
+  readonly linear: number
+  readonly quadratic: number
+  readonly dry: number
+  /** Torque: constant, and amplitude and frequency of what drives it. */
+  readonly torque: number
+  readonly drive: number
+  readonly driveFrequency: number
+}
+
+export interface State extends Start, FrictionAndTorque {
   readonly view: ViewName
   readonly length: number
   readonly gravity: number
@@ -93,14 +105,6 @@ export interface State extends Start {
   readonly s: number
   readonly u0: number
   readonly springVelocity0: number
-  /** Friction of the pendulum: γ, β and μ. */
-  readonly linear: number
-  readonly quadratic: number
-  readonly dry: number
-  /** Torque on it: constant, and amplitude and frequency of what drives it. */
-  readonly torque: number
-  readonly drive: number
-  readonly driveFrequency: number
   /** Seconds of the motion with friction. */
   readonly until: number
   readonly language: Language | 'auto'

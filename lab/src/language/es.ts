@@ -1,22 +1,11 @@
 // Español. Machine-assisted until a native reader has seen it. Marks and {braces} as in en.ts.
 
-import type { FirstCatalogue } from './en'
+import { en, type FirstCatalogue } from './en'
 
 export const es: FirstCatalogue = {
   functionNames: { sin: 'sen', tan: 'tan' },
   machineAssisted: 'traducción automática',
-  units: {
-    'rad/s': 'rad/s',
-    m: 'm',
-    'm/s2': 'm/s²',
-    s: 's',
-    kg: 'kg',
-    deg: '°',
-    '1/s': '1/s',
-    '1/rad': '1/rad',
-    'rad/s2': 'rad/s²',
-    '': '',
-  },
+  units: en.units,
 
   shell: {
     title: 'libration: el péndulo exacto',

@@ -2,16 +2,10 @@
 // what happens in it.
 
 import { DampedPendulum } from 'libration'
+import type { FrictionAndTorque } from '../state'
 import { type Setup, whereverStarted } from './motion'
 
-export interface FrictionSetup extends Setup {
-  readonly linear: number
-  readonly quadratic: number
-  readonly dry: number
-  readonly torque: number
-  readonly drive: number
-  readonly driveFrequency: number
-}
+export interface FrictionSetup extends Setup, FrictionAndTorque {}
 
 /** A pendulum of the core. */
 export function dampedOf(setup: FrictionSetup): DampedPendulum {
