@@ -73,13 +73,13 @@ function frames(): void {
   let wall: number | null = null
   let waiting: FrameRequestCallback[] = []
   performance.now = () => wall ?? real.now()
+  // Every frame waits here, from before `stopTime` too: the page asks for none while one is on its way.
   window.requestAnimationFrame = (act) => {
-    if (wall === null) return real.frame(act)
     waiting.push(act)
     if (waiting.length === 1) real.frame(() => release())
     return 0
   }
-  /** What a test leaves waiting is drawn by the browser's own frames. */
+  /** Outside of a drive, what waits is drawn by the browser's own frames. */
   function release() {
     const left = waiting
     waiting = []
