@@ -1,0 +1,29 @@
+"""The directive `lab`: the lab in a frame, with the state of its link. The site has the built page beside it, in lab/."""
+
+from html import escape
+
+from docutils import nodes
+from docutils.parsers.rst import Directive, directives
+from sphinx.application import Sphinx
+
+
+class Lab(Directive):
+    """A frame of the lab; its argument is the part of a link after the `#`."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+    option_spec = {"height": directives.positive_int}
+
+    def run(self) -> list[nodes.Node]:
+        state = self.state.document.settings.env
+        root = "../" * state.docname.count("/")
+        link = escape(f"{root}lab/index.html#{self.arguments[0].strip()}")
+        height = self.options.get("height", 640)
+        frame = f'<iframe src="{link}&amp;embed=1" width="100%" height="{height}" loading="lazy" title="the lab"></iframe>'
+        whole = f'<p class="lab-link"><a href="{link}">Open it in a page of its own</a></p>'
+        return [nodes.raw("", f'<div class="lab">{frame}{whole}</div>', format="html")]
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    app.add_directive("lab", Lab)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
