@@ -29,7 +29,8 @@ extensions = [
     "source_links",
 ]
 root_doc = "index"
-exclude_patterns = ["extensions", "locales"]
+exclude_patterns = ["extensions", "locales", "templates", "typescript"]
+templates_path = ["templates"]
 
 # ------------------------------------------------------------------------------------------------- pages
 myst_enable_extensions = ["dollarmath", "colon_fence"]
@@ -48,6 +49,7 @@ autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 
 # ------------------------------------------------------------------------------------------------- languages
+language = "en"
 locale_dirs = ["locales"]
 gettext_compact = False
 gettext_uuid = False
@@ -66,7 +68,7 @@ html_math_renderer = "mathml"
 html_theme_options = {
     "show_toc_level": 2,
     "navbar_align": "left",
-    "navbar_end": ["theme-switcher"],
+    "navbar_end": ["languages", "theme-switcher"],
     "footer_start": ["copyright"],
     "footer_end": [],
     "show_prev_next": True,
@@ -83,5 +85,12 @@ def without_blank_ends(app, doctree):
         block.children = [nodes.Text(text)]
 
 
+def parts_once(app, config):
+    """The lab and the rest stand beside the pages in English, for all languages."""
+    if config.language != "en":
+        config.html_extra_path = []
+
+
 def setup(app):
+    app.connect("config-inited", parts_once)
     app.connect("doctree-read", without_blank_ends)

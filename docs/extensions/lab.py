@@ -7,6 +7,10 @@ from docutils.parsers.rst import Directive, directives
 from sphinx.application import Sphinx
 
 
+# What a link of the lab says of its language; each language but English has a folder of the site.
+LANGUAGES = {"pt_BR": "&lang=pt-BR", "es": "&lang=es"}
+
+
 class Lab(Directive):
     """A frame of the lab; its argument is the part of a link after the `#`."""
 
@@ -15,9 +19,11 @@ class Lab(Directive):
     option_spec = {"height": directives.positive_int}
 
     def run(self) -> list[nodes.Node]:
-        state = self.state.document.settings.env
-        root = "../" * state.docname.count("/")
-        link = escape(f"{root}lab/index.html#{self.arguments[0].strip()}")
+        env = self.state.document.settings.env
+        language = env.config.language
+        root = "../" * (env.docname.count("/") + (language != "en"))
+        state = f"{self.arguments[0].strip()}{LANGUAGES.get(language, '')}"
+        link = escape(f"{root}lab/index.html#{state}")
         height = self.options.get("height", 640)
         frame = f'<iframe src="{link}&amp;embed=1" width="100%" height="{height}" loading="lazy" title="the lab"></iframe>'
         whole = f'<p class="lab-link"><a href="{link}">Open it in a page of its own</a></p>'
