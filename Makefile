@@ -264,9 +264,10 @@ test/wasm: wasm
 test/pages: $(TOOLS) $(VENV)/.built
 	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)
 
-# Every link and anchor of the site, and every name that its reference shows.
+# Every link and anchor of the site, every name that its reference shows, and every message of the pages that are translated.
 test/site: $(TOOLS) $(VENV)/.built
-	$(call step,$(SITE) docs target/site)
+	$(call step,$(SITE) -d target/pages docs target/site && sphinx-build --quiet -b gettext -d target/pages docs target/messages && \
+	  $(PY) docs/languages.py target/messages)
 
 test/bench: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check)

@@ -7,8 +7,12 @@ from docutils.parsers.rst import Directive, directives
 from sphinx.application import Sphinx
 
 
-# What a link of the lab says of its language; each language but English has a folder of the site.
-LANGUAGES = {"pt_BR": "&lang=pt-BR", "es": "&lang=es"}
+# By the language of the site: what a link of the lab says of it, and the words of the link below the frame.
+LANGUAGES = {
+    "en": ("", "Open it in a page of its own"),
+    "pt_BR": ("&lang=pt-BR", "Abrir em uma página própria"),
+    "es": ("&lang=es", "Abrir en una página propia"),
+}
 
 
 class Lab(Directive):
@@ -21,12 +25,13 @@ class Lab(Directive):
     def run(self) -> list[nodes.Node]:
         env = self.state.document.settings.env
         language = env.config.language
+        said, words = LANGUAGES[language]
+        # Each language but English has a folder of the site.
         root = "../" * (env.docname.count("/") + (language != "en"))
-        state = f"{self.arguments[0].strip()}{LANGUAGES.get(language, '')}"
-        link = escape(f"{root}lab/index.html#{state}")
+        link = escape(f"{root}lab/index.html#{self.arguments[0].strip()}{said}")
         height = self.options.get("height", 640)
         frame = f'<iframe src="{link}&amp;embed=1" width="100%" height="{height}" loading="lazy" title="the lab"></iframe>'
-        whole = f'<p class="lab-link"><a href="{link}">Open it in a page of its own</a></p>'
+        whole = f'<p class="lab-link"><a href="{link}">{words}</a></p>'
         return [nodes.raw("", f'<div class="lab">{frame}{whole}</div>', format="html")]
 
 
