@@ -37,7 +37,9 @@ def findings(templates: Path) -> list[str]:
             given = {each.id: each.string for each in catalog(file, language) or () if each.id}
             asked = {each.id for each in catalog(templates / f"{page}.pot") or () if each.id}
             found += [f"{language}: {page}: no translation: {each}" for each in sorted(asked) if not given.get(each)]
-            found += [f"{language}: {page}: no longer on the page: {each}" for each in sorted(given) if each not in asked]
+            found += [
+                f"{language}: {page}: no longer on the page: {each}" for each in sorted(given) if each not in asked
+            ]
     return found
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import bucket
 import junction
 import numpy as np
-from why import integrators
 from scipy.special import jv
+from why import integrators
 
 from libration import DampedPendulum, Duffing, Friction
 from libration.plot import plot_periods

@@ -6,7 +6,6 @@ from docutils import nodes
 from docutils.parsers.rst import Directive, directives
 from sphinx.application import Sphinx
 
-
 # By the language of the site: what a link of the lab says of it, and the words of the link below the frame.
 LANGUAGES = {
     "en": ("", "Open it in a page of its own"),
@@ -30,7 +29,9 @@ class Lab(Directive):
         root = "../" * (env.docname.count("/") + (language != "en"))
         link = escape(f"{root}lab/index.html#{self.arguments[0].strip()}{said}")
         height = self.options.get("height", 640)
-        frame = f'<iframe src="{link}&amp;embed=1" width="100%" height="{height}" loading="lazy" title="the lab"></iframe>'
+        frame = (
+            f'<iframe src="{link}&amp;embed=1" width="100%" height="{height}" loading="lazy" title="the lab"></iframe>'
+        )
         whole = f'<p class="lab-link"><a href="{link}">{words}</a></p>'
         return [nodes.raw("", f'<div class="lab">{frame}{whole}</div>', format="html")]
 
