@@ -1,6 +1,7 @@
 """The directive `lab`: the lab in a frame, with the state of its link. The site has the built page beside it, in lab/."""
 
 from html import escape
+from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
@@ -19,7 +20,7 @@ class Lab(Directive):
 
     required_arguments = 1
     final_argument_whitespace = True
-    option_spec = {"height": directives.positive_int}
+    option_spec: ClassVar = {"height": directives.positive_int}
 
     def run(self) -> list[nodes.Node]:
         env = self.state.document.settings.env
