@@ -7,7 +7,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ._derivatives import MOTIONS, PERIODS
+from . import _core_functions as core
+from ._derivatives import MOTIONS, PERIODS, STEPS
+
+FLOAT64 = 'call jax.config.update("jax_enable_x64", True) at the start'
 
 
 def motion(
@@ -62,7 +65,7 @@ def motion(
     -1.8181
     """
     found: tuple[jax.Array, jax.Array] = _motion(
-        _chosen(digits), *_given(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
+        *_arguments(digits, t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
     )
     return found
 
@@ -108,8 +111,8 @@ def advance(
     >>> print(f"{theta:.4f} {velocity:.4f}")
     -0.3062 -0.9090
     """
-    found: tuple[jax.Array, jax.Array] = _motion(
-        _chosen(digits), *_given(dt=dt, theta=theta, velocity=velocity, omega0=omega0)
+    found: tuple[jax.Array, jax.Array] = _step(
+        *_arguments(digits, dt=dt, theta=theta, velocity=velocity, omega0=omega0)
     )
     return found
 
@@ -151,7 +154,7 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
     >>> print(f"{period(3.0):.4f}")
     16.1555
     """
-    found: jax.Array = _period(_chosen(digits), *_given(theta=theta, velocity=velocity, omega0=omega0))
+    found: jax.Array = _period(*_arguments(digits, theta=theta, velocity=velocity, omega0=omega0))
     return found
 
 
@@ -161,27 +164,32 @@ def _motion(digits: str, *given: jax.Array) -> Any:
 
 
 @partial(jax.jit, static_argnums=0)
+def _step(digits: str, *given: jax.Array) -> Any:
+    return STEPS[digits](*jnp.broadcast_arrays(*given))
+
+
+@partial(jax.jit, static_argnums=0)
 def _period(digits: str, *given: jax.Array) -> Any:
     return PERIODS[digits](*jnp.broadcast_arrays(*given))
 
 
-def _chosen(digits: str) -> str:
-    if digits in MOTIONS:
-        return digits
-    raise ValueError(f"digits must be {' or '.join(map(repr, MOTIONS))}, not {digits!r}")
-
-
-def _given(**given: Any) -> list[jax.Array]:
-    """Floats of one kind, at least of 32 bits."""
+def _arguments(digits: str, **given: Any) -> tuple[Any, ...]:
+    """The digits, and floats of one kind, at least of 32 bits."""
+    if digits not in MOTIONS:
+        *others, last = map(repr, MOTIONS)
+        raise ValueError(f"digits must be {', '.join(others)} or {last}, not {digits!r}")
     for name, value in given.items():
         kind = np.dtype(getattr(value, "dtype", np.float32))
         if kind == np.float64 != jnp.result_type(float):
-            raise TypeError(
-                f"{name} is float64, but JAX computes in float32: pass float32, or call "
-                'jax.config.update("jax_enable_x64", True) at the start'
-            )
+            raise TypeError(f"{name} is float64, but JAX computes in float32: pass float32, or {FLOAT64}")
         if jnp.issubdtype(kind, jnp.complexfloating) or isinstance(value, complex):
             raise TypeError(f"{name} must be real, not complex")
+        if digits == "core" and hasattr(value, "dtype") and jnp.issubdtype(kind, jnp.floating) and kind != np.float64:
+            raise TypeError(f'{name} is {kind}, but digits="core" is for float64: pass float64, or digits="full"')
     kind = jnp.result_type(*given.values())
     kind = jnp.promote_types(kind, jnp.float32) if jnp.issubdtype(kind, jnp.floating) else jnp.result_type(float)
-    return [jnp.asarray(value, dtype=kind) for value in given.values()]
+    if digits == "core":
+        if jnp.result_type(float) != np.float64:
+            raise TypeError(f'digits="core" is for float64, but JAX computes in float32: {FLOAT64}')
+        core.ready()
+    return digits, *(jnp.asarray(value, dtype=kind) for value in given.values())
