@@ -24,15 +24,16 @@ def motion(
     Parameters
     ----------
     t : scalar or array
-        Time in s. More than 2**49 half periods, 2**20 in float32, give NaN.
+        Time in s. More than 2**49 half periods, 2**20 in float32, give NaN; for ``"core"`` more than 2**53.
     theta0 : scalar or array
         Initial angle in rad, less than 2**49 turns, 2**20 in float32.
     velocity0 : scalar or array, default 0.0
         Initial angular velocity in rad/s.
     omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, not 0.
-    digits : {"full", "short"}, default "full"
-        ``"full"`` computes with numbers of two floats where digits are lost, ``"short"`` mostly in plain floats.
+        Angular frequency of small swings in rad/s, not 0; positive for ``"core"``.
+    digits : {"full", "short", "core"}, default "full"
+        ``"full"`` computes with numbers of two floats where digits are lost, ``"short"`` mostly in plain floats; ``"core"``
+        calls the core, in float64 on CPUs.
 
     Returns
     -------
@@ -42,17 +43,22 @@ def motion(
     Raises
     ------
     TypeError
-        For float64 while JAX computes in float32, and for complex numbers.
+        For float64 while JAX computes in float32, for complex numbers, and for ``"core"`` with other floats than float64.
     ValueError
         For other `digits`.
+    NotImplementedError
+        For ``"core"`` in a program for another device than a CPU.
+    RuntimeError
+        For ``"core"`` where this jaxlib does not take it.
 
     Notes
     -----
     Error promised, of the largest angle and velocity, for the floats passed: ``"full"`` 1e-14 up to 1,000 periods, in
-    float32 5e-7 and n 2**-47/abs(1 - kappa**2) for n half periods; ``"short"`` 1e-12 and 5e-5 where abs(1 - kappa**2) is
-    1e-4 or more, up to 50 periods. Derivatives in float64: 1e-11 of the largest change where abs(1 - kappa**2) is 1e-6
-    or more, ``"short"`` 1e-4; nearer to the separatrix `libration.sensitivities` has them. The last digits depend on the
-    shape of the arrays, as XLA's do. Source: DLMF 20.2(i), 22.8(i), 22.19(i).
+    float32 5e-7; ``"short"`` 1e-12 and 5e-5 where abs(1 - kappa**2) is 1e-4 or more, up to 50 periods; ``"core"`` that of
+    `libration.motion` for states that are arrays, with its bits. Derivatives in float64: 1e-11 of the largest change where
+    abs(1 - kappa**2) is 1e-6 or more, ``"short"`` 1e-4; the first ones of ``"core"`` are those of `libration.sensitivities`,
+    right next to the separatrix too, and higher ones those of ``"full"``. The last digits of ``"full"`` and ``"short"``
+    depend on the shape of the arrays, as XLA's do. Source: DLMF 20.2(i), 22.8(i), 22.19(i).
 
     Examples
     --------
@@ -86,8 +92,8 @@ def advance(
     dt : scalar or array
         Time to go in s, of any sign, as for `motion`.
     omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, not 0.
-    digits : {"full", "short"}, default "full"
+        Angular frequency of small swings in rad/s, as for `motion`.
+    digits : {"full", "short", "core"}, default "full"
         As for `motion`.
 
     Returns
@@ -97,7 +103,7 @@ def advance(
 
     Raises
     ------
-    TypeError, ValueError
+    TypeError, ValueError, NotImplementedError, RuntimeError
         As for `motion`.
 
     Notes
@@ -130,8 +136,8 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
     velocity : scalar or array, default 0.0
         Angular velocity in rad/s.
     omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, not 0.
-    digits : {"full", "short"}, default "full"
+        Angular frequency of small swings in rad/s, as for `motion`.
+    digits : {"full", "short", "core"}, default "full"
         As for `motion`.
 
     Returns
@@ -141,12 +147,12 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
 
     Raises
     ------
-    TypeError, ValueError
+    TypeError, ValueError, NotImplementedError, RuntimeError
         As for `motion`.
 
     Notes
     -----
-    Error promised, of the period: that of `motion`. Source: DLMF 19.8.5, 22.19(i).
+    Error promised, of the period: that of `motion`, ``"core"`` that of `libration.period`. Source: DLMF 19.8.5, 22.19(i).
 
     Examples
     --------
