@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -254,7 +254,7 @@ test/rust-checked:
 	$(call step,$(QUICK) cargo test --locked --lib --test suite -p libration -p libration-fit)
 
 test/python: $(TOOLS) $(VENV)/.built
-	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules python/tests python/libration)
+	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules --ignore=python/libration/torch python/tests python/libration)
 
 # The package as it is published, against the truth that the native core is held to: with vectors and without.
 test/wasm: wasm
@@ -298,8 +298,18 @@ fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less
 test-rows: ## the tests of columns against the careful code with times=N (30) as many random rows, a million and more (minutes)
 	ROWS_TIMES=$(or $(times),30) cargo test --release --locked -p libration --lib --test suite -- own_ row_tests --nocapture
 
-test-jax: $(VENV)/.built ## gradients by JAX in every stratum, second derivatives too: its compiler takes most of the time (3 minutes)
+test-jax: $(VENV)/.packages $(VENV)/.built ## gradients by JAX in every stratum, second derivatives too: its compiler takes most of the time (3 minutes)
 	@$(PY) -m pytest -q python/tests_jax
+
+# In an environment of its own: on Linux its wheels are those for GPUs, 5 GB.
+TORCH := target/torch
+$(TORCH)/.packages: requirements-torch.txt
+	@$(PYTHON) -m venv $(TORCH)
+	@$(TORCH)/bin/python -m pip install --quiet -r requirements-torch.txt
+	@touch $@
+
+test-torch: $(TORCH)/.packages $(VENV)/.built ## gradients by PyTorch; installs it, 5 GB, the first time (10 minutes, then 1)
+	@PYTHONPATH=python $(TORCH)/bin/python -m pytest -q -o pythonpath=python/tests_jax --doctest-modules python/tests_torch python/libration/torch
 
 test-arm: $(VENV)/.components ## the Rust tests through NEON, by Debian's qemu-user and gcc-aarch64-linux-gnu (20 minutes)
 	@command -v qemu-aarch64 >/dev/null && command -v $(CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER) >/dev/null || { \

@@ -4,7 +4,8 @@
 both and g in measurements; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
 ``libration.elliptic``; ``approx`` holds the approximations by name, ``libration.ensemble`` bunches of many
-pendulums, ``libration.jax`` motions with derivatives for JAX, and ``libration.papers`` three papers worked through.
+pendulums, ``libration.jax`` and ``libration.torch`` motions with derivatives for JAX and PyTorch, and
+``libration.papers`` three papers worked through.
 Angles are in radians, everything else in SI units.
 
 Examples
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from . import papers as papers
     from . import pendulum as pendulum
     from . import plot as plot
+    from . import torch as torch
     from ._core import __version__
     from .damped import DampedPendulum, Friction, Torque
     from .elliptic import (
@@ -177,7 +179,7 @@ if not TYPE_CHECKING:
         elif name in __all__:
             rooms = (import_module(f".{room}", __name__) for room in _ROOMS)
             found = getattr(next(room for room in rooms if name in room.__all__), name)
-        elif name in (*_ROOMS, "approx", "ensemble", "jax", "papers", "plot"):
+        elif name in (*_ROOMS, "approx", "ensemble", "jax", "papers", "plot", "torch"):
             found = import_module(f".{name}", __name__)
         else:
             elliptic = import_module(".elliptic", __name__)

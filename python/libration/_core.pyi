@@ -335,6 +335,10 @@ __all__ = [
     "theta4_q",
     "torque_at",
     "turns",
+    "xla_advance",
+    "xla_motion",
+    "xla_period",
+    "xla_sensitivities",
 ]
 
 __version__: str
@@ -643,6 +647,11 @@ theta4_m: np.ufunc
 theta4_mc: np.ufunc
 theta4_q: np.ufunc
 turns: np.ufunc
+# Addresses of functions, for JAX.
+xla_advance: object
+xla_motion: object
+xla_period: object
+xla_sensitivities: object
 
 @final
 class AngleFormula:
