@@ -1,42 +1,57 @@
 // Accessibility and layout: axe on every view, language and theme; the tree a screen reader has; sizes from phone to projector.
 
-import AxeBuilder from '@axe-core/playwright'
-import type { Page } from '@playwright/test'
 import { LANGUAGES, VIEWS } from '../../src/state'
+import { violations } from './axe'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
 import { layoutFaults, lengthen, SCREENS } from './layout'
 
 /** As the link says them: a view, and which part of it. */
 const PLACES = [...VIEWS, 'handouts&handout=code', 'handouts&handout=embed'] as const
-const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
 const LINK = 'th0=150deg&L=1m&g=9.81&t=1.3s'
 
-async function violations(page: Page): Promise<string[]> {
-  const { violations: found } = await new AxeBuilder({ page }).withTags(TAGS).analyze()
-  return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)
-}
+/** Parts of a page of others. */
+const PARTS = [
+  'show=phase&lock=th0,L,g',
+  'show=lab&lock=th0,w0,L,g,curves',
+  'show=pendulum,motion,play',
+  'hide=g',
+  'hide=g&show=portrait,values',
+] as const
 
-for (const theme of ['light', 'dark'] as const) {
+// Of a page in the dark only the colours are others.
+for (const [theme, what] of [
+  ['light', 'all'],
+  ['dark', 'colours'],
+] as const) {
   test(`axe finds nothing in any view and language, ${theme}`, async ({ lab }) => {
     for (const view of PLACES) {
       for (const language of LANGUAGES) {
         await show(lab, `view=${view}&${LINK}&lang=${language}&theme=${theme}`)
         await expect(lab.locator('html')).toHaveAttribute('lang', language)
-        expect(await violations(lab), `${view} ${language} ${theme}`).toEqual([])
+        expect(await violations(lab, what), `${view} ${language} ${theme}`).toEqual([])
       }
     }
-    for (const part of [
-      'show=phase&lock=th0,L,g',
-      'show=lab&lock=th0,w0,L,g,curves',
-      'show=pendulum,motion,play',
-      'hide=g',
-    ]) {
+    for (const part of PARTS) {
       await show(lab, `embed=1&${part}&${LINK}&theme=${theme}`)
-      expect(await violations(lab), `${part} ${theme}`).toEqual([])
+      expect(await violations(lab, what), `${part} ${theme}`).toEqual([])
     }
     await show(lab, LINK)
   })
 }
+
+test('axe sees what is wrong, with all rules and with that of the colours', async ({ lab }) => {
+  await show(lab, LINK)
+  await lab.evaluate(() => {
+    const spoiled = document.createElement('p')
+    spoiled.id = 'spoiled'
+    spoiled.innerHTML = '<span style="color:#ddd;background:#fff">pale</span><button></button>'
+    document.querySelector('main')?.append(spoiled)
+  })
+  const colours = ['color-contrast: #spoiled > span']
+  expect((await violations(lab)).sort()).toEqual(['button-name: #spoiled > button', ...colours])
+  expect(await violations(lab, 'colours')).toEqual(colours)
+  await lab.evaluate(() => document.getElementById('spoiled')?.remove())
+})
 
 test('axe finds nothing with tables, messages, menus and dialogs open', async ({ lab }) => {
   await show(lab, `${LINK}&shape=round`)

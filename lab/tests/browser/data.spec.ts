@@ -1,15 +1,13 @@
 // Stories 16 and 17: files of several tools are read without a question, and g comes out with its uncertainty; nothing leaves.
 
 import { readFile } from 'node:fs/promises'
-import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
 import { load, Pendulum } from 'libration'
+import { violations } from './axe'
 import { angle, GATE, give, LENGTHS, numbers, opening, place, RECORD, rows, state, time, WANTED } from './data'
 import { column, csvOf, drawn, expect, largest, show, test } from './lab'
 import { layoutFaults, SCREENS } from './layout'
 import { DIST } from './server'
-
-const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']
 
 test.beforeAll(() => load())
 
@@ -311,11 +309,13 @@ test('a fit can be cancelled and begun again', async ({ browser }) => {
 async function faultsOf(page: Page, link: string): Promise<string[]> {
   const faults: string[] = []
   for (const language of ['en', 'pt-BR', 'es'] as const) {
-    for (const theme of ['light', 'dark'] as const) {
+    for (const [theme, what] of [
+      ['dark', 'colours'],
+      ['light', 'all'],
+    ] as const) {
       await show(page, `${link}&lang=${language}&theme=${theme}`)
       await expect(page.locator('html')).toHaveAttribute('lang', language)
-      const { violations } = await new AxeBuilder({ page }).withTags(TAGS).analyze()
-      faults.push(...violations.map(({ id, nodes }) => `${language} ${theme} ${id}: ${nodes[0]?.html}`))
+      faults.push(...(await violations(page, what)).map((each) => `${language} ${theme} ${each}`))
     }
     for (const [width, height] of SCREENS) {
       await page.setViewportSize({ width, height })
