@@ -31,6 +31,8 @@ async function completed(app: App, views: Promise<void>): Promise<void> {
     const parts = loadParts(asked, state.view, () => app.schedule())
     const model = needsSecond(asked) && retried(() => completedModel(SECOND)).then((whole) => app.begin(whole))
     await Promise.all([parts, model])
+    // Says that nothing more will be asked for, but what a view asks for itself.
+    document.documentElement.dataset.whole = ''
     // What stands in a page of others has not all that a visit is kept with.
     if (viewsLoaded() && !state.embed) await keepForLater()
   } catch {

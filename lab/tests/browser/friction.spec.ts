@@ -90,6 +90,34 @@ test('friction: the next change ends a section that is being computed', async ({
   await expect(lab.locator('#page .sentence')).not.toContainText('Driven')
 })
 
+test('friction: while a fast motion is computed the page answers, says how far it is, and lets it be ended', async ({
+  lab,
+}) => {
+  const fast = 'view=friction&th0=150deg&L=0.001m&g=1000&linear=0.001&until=600s&t=0s&lang=en'
+  await show(lab, fast)
+  const progress = lab.locator('.section-progress progress')
+  const part = () => progress.evaluate((element: HTMLProgressElement) => element.position)
+  await expect(lab.locator('#page .sentence')).toContainText('being computed')
+  await expect.poll(part).toBeGreaterThan(0)
+  expect(await part()).toBeLessThan(1)
+  // What is there is shown, and how far it goes.
+  await lab.locator('#friction-end').click()
+  await expect(lab.locator('[data-chart=friction-angle] .plot-drawing')).toBeVisible()
+  await expect(lab.locator('[data-chart=friction-angle] .plot-note')).toContainText('Computed up to')
+  // A change of a value ends it too.
+  await show(lab, fast.replace('0.001&until', '0.002&until'))
+  await expect(progress).toBeVisible()
+  await lab.locator('#field-length').fill('1000')
+  await expect(progress).toHaveCount(0)
+  await expect(lab.locator('#page .sentence')).toContainText('energy')
+  // A drive that makes it ever faster.
+  await show(lab, 'view=friction&th0=0deg&L=1m&g=9.81&linear=0&drive=1000&omega=0.01&until=600s&t=0s&lang=en')
+  await expect.poll(part).toBeGreaterThan(0)
+  await lab.locator('#friction-end').click()
+  await expect(lab.locator('[data-chart=friction-section] .section-progress')).toContainText('of 2000 points')
+  await show(lab, 'view=lab&t=0s')
+})
+
 test('friction stands in the link, and bad values are named', async ({ lab }) => {
   await show(lab, 'view=friction&linear=0.125&quadratic=0.25&dry=0.5&torque=-0.75&drive=1.5&omega=3&until=45s&t=0s')
   const link = await linkOf(lab)

@@ -94,9 +94,19 @@ export function lengthen(page: Page): Promise<void> {
     const walker = document.createTreeWalker(document.querySelector('#page') as Element, NodeFilter.SHOW_TEXT)
     const nodes: Text[] = []
     while (walker.nextNode()) nodes.push(walker.currentNode as Text)
+    const before = new Map(nodes.map((node) => [node, node.data]))
+    Object.assign(window, { before })
     for (const node of nodes) {
       if (node.parentElement?.closest('.tick, .symbol, i, var, kbd, math, .stepper, .letter-mark')) continue
       node.data = node.data.replace(/\p{L}{3,}/gu, (word) => word + 'ë'.repeat(Math.ceil(0.4 * word.length)))
     }
+  })
+}
+
+/** Gives the words of a page that were made longer their own length again. */
+export function shorten(page: Page): Promise<void> {
+  return page.evaluate(() => {
+    const { before } = window as unknown as { before: Map<Text, string> }
+    for (const [node, text] of before) node.data = text
   })
 }

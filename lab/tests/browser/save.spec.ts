@@ -3,7 +3,7 @@
 import { readFile } from 'node:fs/promises'
 import { load } from 'libration'
 import { decodedGif, expectBobs, place } from './decoded'
-import { column, csvOf, expect, linkOf, opened, radians, ready, sheet, show, test } from './lab'
+import { column, csvOf, expect, linkOf, opened, radians, ready, sheet, show, test, whole } from './lab'
 import { film, LINK, SWING, saved } from './saved'
 import { DIST } from './server'
 
@@ -161,7 +161,7 @@ test('story 15: a PNG has 300 dots per inch at its width, and the font of the pa
 
 test('story 15: by keys alone, in three languages, and nothing is asked for', async ({ browser }) => {
   const page = await opened(browser, LINK)
-  await page.waitForLoadState('networkidle')
+  await whole(page)
   const asked: string[] = []
   page.context().on('request', (request) => asked.push(request.url()))
   for (const [language, name, first, decimal] of [
