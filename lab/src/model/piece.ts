@@ -3,13 +3,16 @@
 // The steps of the integration are counted by the radians that its fastest term goes through. How fast the pendulum will be is bounded by
 // its energy: gravity gives it 2ω₀ at most, a torque F the velocity F t, or that at which friction takes as much as the torque gives.
 
-import type { FrictionSetup } from './friction'
+import type { FrictionAndTorque } from '../state'
+import type { Setup } from './motion'
+
+type Acting = Pick<Setup, 'length' | 'gravity'> & FrictionAndTorque
 
 /** Most radians of a piece by this bound; a piece has a third of it or less. */
 const RADIANS = 6000
 
 /** What it goes through at most in a time. */
-function radiansIn(setup: FrictionSetup, velocity0: number, time: number): number {
+function radiansIn(setup: Acting, velocity0: number, time: number): number {
   const { length, gravity, linear, quadratic, torque, drive, driveFrequency } = setup
   const omega0 = Math.sqrt(gravity / length)
   const pull = Math.abs(torque) + drive
@@ -21,7 +24,7 @@ function radiansIn(setup: FrictionSetup, velocity0: number, time: number): numbe
 }
 
 /** As much of a time as is a piece, from a velocity on: all of it, or its half, quarter, eighth … */
-export function pieceOf(setup: FrictionSetup, velocity0: number, time: number): number {
+export function pieceOf(setup: Acting, velocity0: number, time: number): number {
   const { linear, quadratic, dry, torque, drive } = setup
   // The exact motion is computed at any time at once.
   if (linear === 0 && quadratic === 0 && dry === 0 && torque === 0 && drive === 0) return time

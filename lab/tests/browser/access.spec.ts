@@ -1,5 +1,6 @@
 // Accessibility and layout: axe on every view, language and theme; the tree a screen reader has; sizes from phone to projector.
 
+import type { Page } from '@playwright/test'
 import { LANGUAGES, VIEWS } from '../../src/state'
 import { violations } from './axe'
 import { csvOf, drawn, expect, opened, show, test } from './lab'
@@ -100,6 +101,17 @@ test('what a screen reader has of every view', async ({ lab }) => {
   await expect(lab.locator('#page')).toMatchAriaSnapshot({ name: 'data-period.aria.yml' })
 })
 
+/** Marks of the catalogues that a page shows as they are: _T_{0}, *bold*, {name}. */
+const marksSeen = (page: Page): Promise<string[]> =>
+  page.evaluate(() => {
+    const walker = document.createTreeWalker(document.querySelector('#page') as Element, NodeFilter.SHOW_TEXT)
+    const texts: string[] = []
+    while (walker.nextNode())
+      if (!walker.currentNode.parentElement?.closest('.code, textarea, input'))
+        texts.push((walker.currentNode as Text).data)
+    return texts.filter((text) => /_[^_\s]+_|\*[^*\s][^*]*\*|\{\w+\}/.test(text))
+  })
+
 for (const [width, height] of SCREENS) {
   test(`at ${width} × ${height} no text is on text or off the screen, and targets are large enough`, async ({
     lab,
@@ -108,8 +120,9 @@ for (const [width, height] of SCREENS) {
     const faults: string[] = []
     for (const view of PLACES) {
       for (const language of LANGUAGES) {
-        await show(lab, `view=${view}&${LINK}&lang=${language}`)
+        await show(lab, `view=${view}&${LINK}&key=1&lang=${language}`)
         await drawn(lab)
+        faults.push(...(await marksSeen(lab)).map((each) => `${view} ${language}: ${each}`))
         // A text to read is as long as it is.
         const oneScreen = width >= 1280 && view !== 'derivation'
         faults.push(...(await layoutFaults(lab, oneScreen)).map((each) => `${view} ${language}: ${each}`))
