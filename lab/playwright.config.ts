@@ -18,7 +18,8 @@ export default defineConfig({
   snapshotPathTemplate: '{testDir}/{testFileDir}/snapshots/{arg}{ext}',
   timeout: 900_000,
   expect: { timeout: 120_000 },
-  fullyParallel: false,
+  // Each story sets what it needs, so that they go to the workers one by one, in any order.
+  fullyParallel: true,
   workers: Number(process.env.LAB_WORKERS ?? 2),
   retries: 0,
   forbidOnly: true,

@@ -164,7 +164,9 @@ export async function csvOf(page: Page, chart: string): Promise<Sheet> {
       const frame = () => new Promise((done) => requestAnimationFrame(done))
       const tool = element.querySelector<HTMLElement>('[data-tool=table]')
       const button = () =>
-        [...element.querySelectorAll<HTMLElement>('caption button')].find(({ textContent }) => textContent?.trim() === 'CSV')
+        [...element.querySelectorAll<HTMLElement>('caption button')].find(
+          ({ textContent }) => textContent?.trim() === 'CSV',
+        )
       // A table that was just closed stands until its frame.
       await frame()
       await frame()
