@@ -67,7 +67,10 @@ def reference_rings():
     for row in rows:
         numbers = {name: float.fromhex(value) for name, value in row.items()}
         given = {name: numbers[name] for name in LHC} | {"harmonic": int(numbers["harmonic"])}
-        yield given, {name[:-3]: (numbers[name], numbers[f"{name[:-3]}_lo"]) for name in numbers if name.endswith("_hi")}
+        yield (
+            given,
+            {name[:-3]: (numbers[name], numbers[f"{name[:-3]}_lo"]) for name in numbers if name.endswith("_hi")},
+        )
 
 
 def test_truth():

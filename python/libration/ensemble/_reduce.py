@@ -111,7 +111,7 @@ def reduce(
 
     Notes
     -----
-    Memory: some 100 bytes a particle of the chunks at work, and 64 results of chunks. Source: Chan, Golub & LeVeque, Am. Stat. 37
+    Memory: some 40 bytes a particle of the chunks at work, and 64 results of chunks. Source: Chan, Golub & LeVeque, Am. Stat. 37
     (1983), 242.
 
     Examples
