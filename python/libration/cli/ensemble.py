@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from libration.cli.files import Json, strict
 from libration.cli.help import Topic
-from libration.cli.memory import available_bytes, bytes_text
+from libration.cli.memory import available_bytes, bytes_text, duration
 from libration.cli.offers import files, folders
 from libration.cli.parser import Flag, Options, Refusal, Value, Word, command, refusal, shown
 from libration.cli.streams import Ended, note
@@ -281,7 +281,6 @@ def done(path: str, spec: "Specification", numbers: list[int], hands: Hands, cli
             raise
         far = f"{reason}; {of_chunks(path, spec)} are done, and --resume goes on"
         if isinstance(error, KeyboardInterrupt | Ended):
-            # The exit code says which signal it was.
             note(far, "libration ensemble")
             raise
         raise Refusal(far) from error
@@ -376,14 +375,6 @@ def foreseen(spec: "Specification", hands: Hands, options: EnsembleOptions) -> N
         for each in table
     ]
     print_table(["samples", "workers", "time", "store"], rows)
-
-
-def duration(seconds: float) -> str:
-    """`3.2 s`, `5.1 min`, `2.4 h` or `13 days`."""
-    for unit, size, most in (("s", 1, 120), ("min", 60, 120), ("h", 3600, 48)):
-        if seconds < most * size:
-            return f"{seconds / size:.2g} {unit}" if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
-    return f"{seconds / 86400:.3g} days"
 
 
 WORK, RESULTS = "the work", "the results"
