@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples wheel format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -133,10 +133,16 @@ bench-elliptic: $(VENV)/.built $(VENV)/.rivals ## elliptic functions beside SciP
 bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)
 	@$(PY) bench/run_damped.py
 
+bench-ensemble: $(VENV)/.built $(VENV)/.rivals ## ensembles beside NumPy and heyoka: docs/benchmarks-ensembles.md (5 minutes)
+	@$(PY) bench/run_ensemble.py
+
 labdata: $(VENV)/.packages $(VENV)/.built ## fit the measured pendulums of folder=../shared/labdata: asked, came out, holds (2 minutes)
 	@$(PY) bench/labdata.py '$(or $(folder),../shared/labdata)'
 
-docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and picture (a minute)
+examples: $(VENV)/.packages $(VENV)/.built ## draw the pictures of docs/ensembles-examples.md by the scripts of examples/ (a minute)
+	@$(PY) docs/ensemble_pictures.py
+
+docs: examples ## write every generated page, table and picture (2 minutes)
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot docs/motion.png
 	@$(PY) docs/pictures.py
@@ -270,7 +276,7 @@ test/site: $(TOOLS) $(VENV)/.built
 	  $(PY) docs/languages.py target/messages)
 
 test/bench: $(TOOLS) $(VENV)/.built
-	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check)
+	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check && $(PY) bench/run_ensemble.py --check)
 
 # The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
 FRESH := target/fresh

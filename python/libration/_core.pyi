@@ -164,6 +164,8 @@ __all__ = [
     "duffing_rows",
     "duffing_u",
     "duffing_velocity",
+    "energy_ratio",
+    "energy_ratio_c",
     "equivalent_length",
     "factors",
     "factors_length",
@@ -488,6 +490,8 @@ duffing_motion: np.ufunc
 duffing_rows: np.ufunc
 duffing_u: np.ufunc
 duffing_velocity: np.ufunc
+energy_ratio: np.ufunc
+energy_ratio_c: np.ufunc
 factors: np.ufunc
 factors_length: np.ufunc
 factors_omega2: np.ufunc

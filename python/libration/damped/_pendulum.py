@@ -186,7 +186,7 @@ class DampedPendulum(Plots):
     def turns(self, t: Any) -> Any:
         """Whole turns and the rest of the angle at the times `t`: ``(n, angle)``.
 
-        theta = 2 pi n + angle with -pi <= angle < pi and the true pi.
+        theta = 2 pi n + angle with -pi <= angle < pi and the true pi. An angle that rounds to pi is -pi of the next turn.
 
         Parameters
         ----------

@@ -235,7 +235,7 @@ class Pendulum(Plots):
         """Whole turns and the rest of the angle at the times `t`: ``(n, angle)``.
 
         theta = 2 pi n + angle with -pi <= angle < pi and the true pi: after many turns the angle keeps the digits
-        that theta itself has no room for.
+        that theta itself has no room for. An angle that rounds to pi is -pi of the next turn.
 
         Parameters
         ----------
