@@ -5,8 +5,8 @@ Everything that can be refused is refused before the motion is evaluated; files 
 
 from typing import TYPE_CHECKING
 
-from libration.cli.animation import AnimationOptions, animate, animation_options, film
-from libration.cli.damped import solve_damped
+from libration.cli.animation import animate, animation_options, film
+from libration.cli.damped import DampedOptions, solve_damped
 from libration.cli.files import STANDARD_OUTPUT, Column, strict, write_table
 from libration.cli.friction import FORCES, ForceOptions, damped, force_options, forces
 from libration.cli.help import Topic
@@ -16,7 +16,6 @@ from libration.cli.picture import check_plot, draw, picture_look
 from libration.cli.results import written
 from libration.cli.sampling import (
     FILES,
-    InstantOptions,
     check_instants,
     check_targets,
     instant_options,
@@ -65,7 +64,7 @@ EXAMPLES = (
 )
 
 
-class SolveOptions(StateOptions, ForceOptions, InstantOptions, AnimationOptions):
+class SolveOptions(StateOptions, ForceOptions, DampedOptions):
     """The options of `libration solve`."""
 
 

@@ -7,6 +7,7 @@ it begins at the ninety-thousandth of a second next to it.
 
 from __future__ import annotations
 
+import importlib
 import math
 from base64 import b64encode
 from collections.abc import Iterator
@@ -275,7 +276,6 @@ def film_form(path: Any, form: str | None) -> str:
 def video() -> Any:
     """PyAV, or an error that says how to install it."""
     try:
-        import av
+        return importlib.import_module("av")
     except ModuleNotFoundError as error:
         raise ImportError(NO_VIDEO) from error
-    return av
