@@ -14,7 +14,8 @@ assert.equal(pendulum.regime, "libration");
 assert.equal(pendulum.period.toFixed(12), "5.160697749978");
 assert.equal(pendulum.theta(1e9).toFixed(12), "1.992957289696");
 assert.equal(elliptic.sn(1, { m: 0 }).toFixed(15), Math.sin(1).toFixed(15));
-assert.ok(approx.angle("fourier:4").of(pendulum).error().relative < 0.01);
+const { relative } = approx.angle("fourier:4").of(new Pendulum({ theta0: 2 })).error();
+assert.ok(relative > 0 && relative < 1e-4, `${relative}`);
 assert.equal(new Duffing({ u0: 1, p: 1, q: 1 }).period.toFixed(6), "4.768022");
 assert.throws(() => new Pendulum({ theta0: Number.NaN }), { name: "DomainError" });
 

