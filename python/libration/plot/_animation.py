@@ -194,11 +194,10 @@ class Animation:
         from PIL import Image
 
         count = len(self.times)
-        palette = Image.new("P", (1, 1))
-        palette.putpalette(_colours(np.stack([*self._drawn(self.times[:: max(1, count // SEEN)])])))
+        colours = _colours(np.stack([*self._drawn(self.times[:: max(1, count // SEEN)])]))
         until = [round(100 * self.seconds * i / count) for i in range(count + 1)]
         waits = [10 * (after - before) for before, after in pairwise(until)]
-        pictures = (Image.fromarray(each).quantize(palette=palette, dither=Image.Dither.NONE) for each in self.frames())
+        pictures = (_indexed(Image, each, colours) for each in self.frames())
         first = next(pictures)
         more: Any = {"append_images": pictures, "duration": waits, "loop": 0, "optimize": False, "disposal": 1}
         first.save(path, format="GIF", save_all=True, **more)
@@ -239,10 +238,28 @@ def _span(pendulum: Any, t: Any) -> tuple[float, float]:
     return 0.0, period
 
 
-def _colours(pictures: Frame) -> bytes:
-    """The most frequent colours, one after the other; those of soft edges that are not among them have one next to them."""
-    kinds, counts = np.unique(pictures.reshape(-1, 3), axis=0, return_counts=True)
-    return kinds[np.argsort(-counts, kind="stable")[:COLOURS]].tobytes()
+# A colour as a number.
+CODE = np.array([1 << 16, 1 << 8, 1], dtype=np.int64)
+
+
+def _colours(pictures: Frame) -> NDArray[np.int64]:
+    """The most frequent colours, a row each."""
+    codes, counts = np.unique(pictures.reshape(-1, 3) @ CODE, return_counts=True)
+    return _parts(codes[np.argsort(-counts, kind="stable")[:COLOURS]])
+
+
+def _parts(codes: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Red, green and blue of colours as numbers."""
+    return codes[:, None] // CODE % 256
+
+
+def _indexed(image: Any, picture: Frame, colours: NDArray[np.int64]) -> Any:
+    """A picture of these colours: those that are among them exactly, those of soft edges that are not by the nearest."""
+    codes, place = np.unique(picture.reshape(-1, 3) @ CODE, return_inverse=True)
+    far = ((_parts(codes)[:, None] - colours[None]) ** 2).sum(axis=2)
+    made = image.frombytes("P", picture.shape[1::-1], far.argmin(axis=1).astype(np.uint8)[place].tobytes())
+    made.putpalette(colours.astype(np.uint8).tobytes())
+    return made
 
 
 def _pendulum(axes: Any) -> tuple[Any, Any]:
