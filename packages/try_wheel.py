@@ -1,7 +1,8 @@
 """Installs a wheel where nothing else is, with no Rust, no Node and no compiler on the path, and tries it; says how long that took.
 
     python packages/try_wheel.py WHEEL PYTHON...                         an environment of each interpreter's own
-    python packages/try_wheel.py WHEEL --for PLATFORM VERSION -- RUN...   a folder for an interpreter of another system, which RUN starts
+    python packages/try_wheel.py WHEEL --for PLATFORM VERSION [REQUIREMENT...] -- RUN...
+        a folder for an interpreter of another system, which RUN starts; a requirement is a version that runs there
 
 The seconds are those of a person: from `pip install` to the prompt, and from the first word to the first answer.
 """
@@ -55,7 +56,7 @@ def own_environment(wheel: Path, python: str) -> str:
     return f"{told}\n  pip install {install}, then the first answer {first} in Python, {second} in the shell"
 
 
-def foreign(wheel: Path, platform: str, version: str, runner: list[str]) -> str:
+def foreign(wheel: Path, platform: str, version: str, more: list[str], runner: list[str]) -> str:
     """The wheel and what it asks for in a folder, for an interpreter that is started by `runner`."""
     home = PLACE / f"for-{platform}-{version}"
     shutil.rmtree(home, ignore_errors=True)
@@ -64,7 +65,7 @@ def foreign(wheel: Path, platform: str, version: str, runner: list[str]) -> str:
     wanted = [word for name in names for word in ("--platform", name)]
     # pip asks of its own interpreter what is asked of the other one.
     wanted += ["--python-version", version, "--only-binary", ":all:", "--ignore-requires-python", "--target", home]
-    run([sys.executable, "-m", "pip", "install", "--quiet", *wanted, wheel])
+    run([sys.executable, "-m", "pip", "install", "--quiet", *wanted, wheel, *more])
     # What starts the interpreter starts it for the command too; a system of its own starts it by itself.
     again = "" if platform.startswith("win") else " ".join(runner[:-1])
     told, seconds = run([*runner, EXERCISE], cwd=PLACE, env=os.environ | {"PYTHONPATH": str(home), "RUNNER": again})
@@ -76,7 +77,8 @@ def main(words: list[str]) -> int:
     PLACE.mkdir(parents=True, exist_ok=True)
     print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB")
     if words[1] == "--for":
-        print(foreign(wheel, words[2], words[3], words[words.index("--") + 1 :]))
+        end = words.index("--")
+        print(foreign(wheel, words[2], words[3], words[4:end], words[end + 1 :]))
         return 0
     for python in words[1:]:
         print(own_environment(wheel, python))
