@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -57,6 +57,7 @@ kernels:
 
 $(VENV)/.built: $(SOURCES) $(VENV)/.needed | kernels
 	@echo "release build of the extension"
+	@rm -f python/libration/_core.*.so
 	@maturin develop --release --locked >$(LOGS)/build.log 2>&1 || { tail -n 60 $(LOGS)/build.log; exit 1; }
 	@touch $@
 
@@ -110,7 +111,7 @@ quick: ## build for one instruction set and run the Rust tests named: make quick
 	@$(if $(test),grep -qE '[1-9][0-9]* passed' $(LOGS)/quick.log || { echo "no test has $(test) in its name"; exit 1; })
 
 quick-python: $(VENV)/.packages ## the same for Python: make quick-python test=python/tests/FILE.py::NAME (60 s, then 10 s)
-	@rm -f $(VENV)/.built
+	@rm -f $(VENV)/.built python/libration/_core.*.so
 	@$(QUICK) maturin develop --quiet --locked
 	@$(if $(test),pytest $(QUIET) '$(test)')
 
@@ -187,9 +188,6 @@ page: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/di
 lab: page ## build the page and serve it at 127.0.0.1
 	@cd lab && npm run --silent serve
 
-wheel: page $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
-	@maturin build --release --locked --out dist
-
 format: $(VENV)/.packages $(VENV)/.components ## write every file the way the formatters do (2 s)
 	@cargo fmt --all
 	@ruff check --quiet --fix-only --select I .
@@ -235,7 +233,7 @@ test/types: $(TOOLS)
 
 test/laws: $(TOOLS) $(VENV)/.built
 	$(call step,for law in $(LAWS); do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed")
-LAWS := rooms circles names typescript_names type_names functions pages links
+LAWS := rooms circles names typescript_names type_names functions pages links versions
 
 test/checks-tested: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) checks)
@@ -278,14 +276,13 @@ test/site: $(TOOLS) $(VENV)/.built
 test/bench: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check && $(PY) bench/run_ensemble.py --check)
 
-# The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
+# The wheel as `pip install .` makes it, in an environment that holds nothing else: every door, and the truth.
 FRESH := target/fresh
 test/clean-install: $(TOOLS) $(VENV)/.built page
 	$(call step,$(CLEAN_INSTALL))
 CLEAN_INSTALL = rm -rf $(FRESH) && $(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(FRESH)/wheel . \
   && $(PYTHON) -m venv $(FRESH) && $(FRESH)/bin/python -m pip install --quiet $(FRESH)/wheel/*.whl && cd target \
-  && fresh/bin/python -c 'import libration; print(libration.Pendulum(3.0).period)' \
-  && fresh/bin/libration period --theta0 150deg
+  && fresh/bin/python ../packages/exercise.py
 
 # aarch64 by qemu: Debian's qemu-user and gcc-aarch64-linux-gnu.
 ARM := aarch64-unknown-linux-gnu
@@ -322,3 +319,5 @@ test-arm: $(VENV)/.components ## the Rust tests through NEON, by Debian's qemu-u
 	  echo "installing Debian's qemu-user and gcc-aarch64-linux-gnu"; sudo=; test $$(id -u) = 0 || sudo=sudo; \
 	  $$sudo apt-get -qq update && $$sudo apt-get -qq -y install qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross >/dev/null; }
 	CARGO_TARGET_DIR=target/arm cargo test --release --locked --target $(ARM) --test suite -- --nocapture
+
+include packages/targets.mk

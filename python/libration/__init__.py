@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from . import pendulum as pendulum
     from . import plot as plot
     from . import torch as torch
+    from ._cite import cite
     from ._core import __version__
     from .damped import DampedPendulum, Friction, Torque
     from .elliptic import (
@@ -89,6 +90,8 @@ if TYPE_CHECKING:
         theta,
         theta_max,
         turns,
+        uncertain_motion,
+        uncertain_period,
         velocity,
     )
 
@@ -115,6 +118,7 @@ __all__ = [
     "carlson_rd",
     "carlson_rf",
     "carlson_rj",
+    "cite",
     "complete_e",
     "complete_k",
     "complete_pi",
@@ -153,12 +157,14 @@ __all__ = [
     "theta4",
     "theta_max",
     "turns",
+    "uncertain_motion",
+    "uncertain_period",
     "velocity",
 ]
 
 
 # The packages whose names are those of this one, the lightest first.
-_ROOMS = ("pendulum", "damped", "oscillator", "elliptic", "measurement")
+_ROOMS = ("_cite", "pendulum", "damped", "oscillator", "elliptic", "measurement")
 
 
 def __dir__() -> list[str]:

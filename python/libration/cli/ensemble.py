@@ -193,7 +193,7 @@ def needed(spec: "Specification", hands: Hands) -> None:
 
 def target(out: str) -> str:
     """The path of the store."""
-    if not out.rstrip("/").lower().endswith(SUFFIX) or "\0" in out:
+    if not out.rstrip(os.sep + (os.altsep or "")).lower().endswith(SUFFIX) or "\0" in out:
         raise refusal("--out", out, f"must end in {SUFFIX}")
     path = os.path.realpath(out)
     if not os.path.isdir(os.path.dirname(path)):

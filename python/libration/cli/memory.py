@@ -55,7 +55,7 @@ def windows() -> float:
 def lines(path: str) -> list[str]:
     """The lines of a small system file; none if it does not exist."""
     try:
-        with open(path) as file:
+        with open(path, encoding="utf-8") as file:
             return file.readlines()
     except OSError:
         return []
