@@ -66,8 +66,8 @@ def cosine_of_half(angle: Any) -> Three:
     y = square[0]
     orders = range(CAREFUL, TERMS)
     even, odd = (sum(y ** (k - CAREFUL) * (1 / factorial(2 * k + one)) for k in orders) for one in (0, 1))
-    orders = reversed(range(CAREFUL))
-    table = [[parts(Fraction(1, factorial(2 * k + one)), y.dtype, 3) for one in (0, 1)] for k in orders]
+    downwards = reversed(range(CAREFUL))
+    table = [[parts(Fraction(1, factorial(2 * k + one)), y.dtype, 3) for one in (0, 1)] for k in downwards]
     terms = jnp.asarray(np.array(table, y.dtype))
 
     def step(index: Any, series: Three) -> Three:
