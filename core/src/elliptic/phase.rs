@@ -33,8 +33,8 @@ pub struct ReducedPhase<L: Lane> {
 /// 2^53 half periods: beyond, doubles are further apart than a motion repeats.
 pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
-/// Up to this count the sum with the start has 26 digits after the point.
-pub(crate) const NEAR: f64 = 67_108_864.0;
+/// 2^32: up to this count the sum with the start has 20 digits after the point.
+pub(crate) const NEAR: f64 = 4_294_967_296.0;
 
 /// Beyond this argument every hyperbolic function has its limit.
 const FAR: f64 = 1e6;
@@ -116,7 +116,7 @@ impl<L: Lane> Phase<L> {
         (turned, [whole, carry], Dd::ordered_sum(part - carry, rest + (part_error + self.start.lo)))
     }
 
-    /// The nearest whole number and the signed rest, in [-1/2, 1/2] but for 2^-27, while the whole number is below `end` (at most
+    /// The nearest whole number and the signed rest, in [-1/2, 1/2] but for 2^-20, while the whole number is below `end` (at most
     /// 2^53); a NaN for the rest from there.
     #[inline(always)]
     pub fn count(&self, t: L, end: f64) -> (L, Dd<L>) {
