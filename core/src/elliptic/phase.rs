@@ -185,3 +185,34 @@ fn counted_far<L: Lane>(n: L, sum: L, rest: L, end: f64) -> (L, Dd<L>) {
 fn within<L: Lane>(count: L, end: f64, f: Dd<L>) -> Dd<L> {
     Dd::new(L::select(count.abs().less(L::splat(end)), f.hi, L::splat(f64::NAN)), f.lo)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::float::exponent::exp2;
+    use crate::lanes::ROUNDER;
+
+    /// The count is that of the careful reduction, on both sides of [`NEAR`]; also where a half is left, and the low words go on.
+    #[test]
+    fn few_and_many_half_periods_are_counted_alike() {
+        let mut beyond_half = 0;
+        for power in [3, 20, 26, 27, 31, 32, 33, 40, 50] {
+            for i in 0..400 {
+                let whole = (exp2(power) * (1.0 + f64::from(i) / 401.0)).floor();
+                for (rest, low) in [(0.25, 1e-17), (0.5, exp2(-54)), (0.5, -exp2(-54))] {
+                    let (t, phase) = (whole + rest, Phase { rate: Dd::new(1.0, low), start: Dd::ZERO });
+                    let (n, f) = phase.count(t, LAST_HALF_PERIOD);
+                    let at = phase.reduce(t);
+                    let error = (Dd::from(n) + f) - (at.n + at.f.scale(at.sign));
+                    assert!(error.hi.abs() <= t * exp2(-103), "{t} {low:e} {error:?}");
+                    let most = if n <= NEAR { 0.5 + exp2(-20) } else { 0.5 };
+                    assert!(f.hi.abs() <= most, "{t} {low:e} {f:?}");
+                    beyond_half += u32::from(f.hi.abs() > 0.5);
+                    let (shifted, same) = phase.parity(t, ROUNDER, LAST_HALF_PERIOD);
+                    assert!(same == f && 1f64.alternated(shifted) == alternating(n), "{t} {low:e}");
+                }
+            }
+        }
+        assert!(beyond_half > 100, "{beyond_half}");
+    }
+}
