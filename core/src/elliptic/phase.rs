@@ -78,10 +78,11 @@ impl Phase {
 
 /// t rate in half periods, as the nearest whole number and the signed rest, in [-1/2, 1/2] up to a rounding error.
 #[inline(always)]
-pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
+pub(crate) fn turned<L: Lane>(t: L, rate: Unnormalised<L>) -> (L, Dd<L>) {
     let (turned, error) = t.two_product(rate.hi);
     let whole = turned.round();
-    (whole, Dd::sum(turned - whole, t.mul_add(rate.lo, error)))
+    // Exact: the difference is a multiple of the last place of the product, and the rest a few of those.
+    (whole, Dd::ordered_sum(turned - whole, t.mul_add(rate.lo, error)))
 }
 
 /// t rate modulo a period of its own in every lane: the nearest whole number of periods and the signed rest, good to 2^-103
