@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm test-jax test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -142,6 +142,16 @@ docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and 
 	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
 
+# The pages, the lab, and what cargo and typedoc say of Rust and TypeScript; each language has a folder.
+site: $(VENV)/.packages $(VENV)/.built page ## the documentation as a site, with the lab, in three languages: out/site (3 minutes)
+	@rm -rf out/site out/site-parts && mkdir -p out/site-parts
+	@cp -r lab/dist out/site-parts/lab
+	@cargo doc --quiet --locked --no-deps --lib -p libration -p libration-fit && cp -r target/doc out/site-parts/rust
+	@cd docs/typescript && npm ci --silent --no-audit --no-fund && npm run --silent pages
+	@$(SITE) docs out/site && for language in pt_BR es; do $(SITE) -D language=$$language docs out/site/$$language || exit 1; done
+# What is wrong in a page or leads nowhere is an error.
+SITE := sphinx-build --quiet --fail-on-warning --nitpicky --builder html
+
 wasm: $(MODULES:%=module-%) $(NPM)/node_modules/.package-lock.json ## the npm package, for browsers and Node: wasm/npm/dist (a minute)
 	@cd $(NPM) && npx tsc -p tsconfig.json
 
@@ -188,7 +198,7 @@ clean: ## remove what the targets above have made
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab snippets clean-install
+STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages site bench lab snippets clean-install
 
 test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
 	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
@@ -253,6 +263,11 @@ test/wasm: wasm
 
 test/pages: $(TOOLS) $(VENV)/.built
 	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)
+
+# Every link and anchor of the site, every name that its reference shows, and every message of the pages that are translated.
+test/site: $(TOOLS) $(VENV)/.built
+	$(call step,$(SITE) -d target/pages docs target/site && sphinx-build --quiet -b gettext -d target/pages docs target/messages && \
+	  $(PY) docs/languages.py target/messages)
 
 test/bench: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check)

@@ -284,7 +284,7 @@ the output moves when each input moves by its own size. The period has no floor,
 Attributes are measured with neither. Arrays of orbits go through `theta`, `velocity`, `motion` and `advance`. They are
 measured with the floor at scale, on the rows whose omega0 is a double. The reference values
 ([reference/](../reference/README.md)) are exact for the doubles passed in and stored as hi + lo; differences are taken in
-fractions. The promises are listed in [functions.md](functions.md).
+fractions. The promises are listed in [the reference](reference/index.md).
 
 The SciPy recipe is m = sin²(θ₀/2) + (θ̇₀/2ω₀)², `ellipkinc` for the starting phase, `ellipj` for the motion, and the angle
 from 2·atan2(k·sn, dn) or 2·am. The period is from `ellipk` (`ellipkm1` when released from rest). All of it is in double

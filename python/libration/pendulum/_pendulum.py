@@ -30,6 +30,9 @@ class Pendulum(Plots):
     because ``math.pi`` is less than pi. For omega2 < 0 the bottom is the stable equilibrium theta = pi: energy,
     energy ratio and theta_max are those of theta0 - pi with abs(omega2).
 
+    At most one of `omega0`, `omega2` and `length` is given; none of them means ``omega0=1``. By what is known instead of the
+    velocity: `Pendulum.from_energy`, `Pendulum.from_turning_angle`, `Pendulum.from_period`, `Pendulum.from_action_phase`.
+
     Parameters
     ----------
     theta0 : scalar
@@ -48,9 +51,6 @@ class Pendulum(Plots):
     gravity : scalar, optional
         Acceleration of gravity in m/s**2, finite and of any sign; only with `length`, where it means 9.80665 if not
         given.
-
-    At most one of `omega0`, `omega2` and `length` is given; none of them means ``omega0=1``. By what is known instead of the
-    velocity: `Pendulum.from_energy`, `Pendulum.from_turning_angle`, `Pendulum.from_period`, `Pendulum.from_action_phase`.
 
     Raises
     ------
