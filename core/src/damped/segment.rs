@@ -145,7 +145,8 @@ pub enum Tolerance {
     /// 2^-70: values as [`DampedPendulum::trajectory`](super::DampedPendulum::trajectory) promises them.
     #[default]
     Tight,
-    /// 2^-44, with steps 1.8 times as long: for searches, which a motion that is right to some 1e-10 leads as well.
+    /// 2^-44, with steps 1.8 times as long: for searches, which a motion that is right to 1e-8 after a hundred swings
+    /// leads as well.
     Loose,
 }
 
