@@ -11,30 +11,23 @@ use crate::pendulum::{Orbit, Turns};
 use crate::sorting::{sort, sort_numbers};
 use std::sync::Arc;
 
-/// What a trajectory asks an exact motion. Behind a trait, so that a program that integrates every motion holds none of its code.
+/// What a trajectory asks an exact motion for its values. Behind a trait, so that a program that integrates every motion holds none of
+/// its code.
 trait Exact: core::fmt::Debug + Send + Sync {
+    fn orbit(&self) -> &Orbit;
     fn at(&self, t: f64) -> (f64, f64);
     fn at_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]);
-    fn turns(&self, t: f64) -> Turns;
-    fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain>;
-    fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain>;
 }
 
 impl Exact for Orbit {
+    fn orbit(&self) -> &Orbit {
+        self
+    }
     fn at(&self, t: f64) -> (f64, f64) {
         self.motion(t)
     }
     fn at_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
         self.motion_into(t, theta, velocity);
-    }
-    fn turns(&self, t: f64) -> Turns {
-        Orbit::turns(self, t)
-    }
-    fn times(&self, theta: f64, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
-        Orbit::times(self, theta, start, stop)
-    }
-    fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
-        Orbit::turning_times(self, start, stop)
     }
 }
 
@@ -265,7 +258,7 @@ impl Trajectory {
     pub fn turns(&self, t: f64) -> Turns {
         let branches = match &self.motion {
             _ if !self.holds(t) => return Turns { count: 0, angle: f64::NAN },
-            Motion::Exact(exact) => return exact.turns(t),
+            Motion::Exact(exact) => return exact.orbit().turns(t),
             Motion::Integrated(branches) => branches,
         };
         let branch = &branches[usize::from(t >= 0.0)];
@@ -307,7 +300,7 @@ impl Trajectory {
         Domain::check("theta", theta, theta.is_finite(), "finite")?;
         self.check_interval(start, stop)?;
         match &self.motion {
-            Motion::Exact(exact) => exact.times(theta, start, stop),
+            Motion::Exact(exact) => exact.orbit().times(theta, start, stop),
             Motion::Integrated(branches) => {
                 Ok(collected(branches, start, stop, |_, segment, next| segment.passage(next, theta)))
             }
@@ -322,7 +315,7 @@ impl Trajectory {
     pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         self.check_interval(start, stop)?;
         match &self.motion {
-            Motion::Exact(exact) => exact.turning_times(start, stop),
+            Motion::Exact(exact) => exact.orbit().turning_times(start, stop),
             Motion::Integrated(branches) => Ok(collected(branches, start, stop, |first, segment, _| {
                 let turns = match segment.event {
                     Event::Turn => true,
