@@ -14,8 +14,8 @@ const FIRST_LOAD = 150_000
 const OFFLINE = 600_000
 /** Modules that are asked for when they are needed, gzipped, and when that is. */
 const LATER = {
-  reader: { most: 147_000, when: 'when Data from a file opens' },
-  fit: { most: 158_000, when: 'with the first file' },
+  reader: { most: 150_000, when: 'when Data from a file opens' },
+  fit: { most: 151_000, when: 'with the first file' },
   period: { most: 36_000, when: 'when Data from a period opens' },
   motions: { most: 90_000, when: 'when springs or friction open' },
 }

@@ -194,7 +194,7 @@ fn solved(design: &DMatrix<f64>, values: &[(f64, f64)]) -> Result<Solution, FitR
         DMatrix::from_fn(design.nrows(), design.ncols(), |row, column| design[(row, column)] * weight(row));
     let right = DVector::from_fn(values.len(), |row, _| values[row].0 * weight(row));
     let failed = || FitRefusal::new("the records do not determine what they share: are all lengths equal?");
-    let inverse = matrix.tr_mul(&matrix).cholesky().ok_or_else(failed)?.inverse();
+    let inverse = matrix.tr_mul(&matrix).try_inverse().ok_or_else(failed)?;
     let found = &inverse * matrix.tr_mul(&right);
     let chi = (&matrix * &found - right).norm_squared();
     let weights = DVector::from_fn(values.len(), |row, _| weight(row));
