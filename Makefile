@@ -24,7 +24,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy test test-arm test-jax test-rows fuzz bench bench-full bench-elliptic bench-damped docs wheel format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -57,6 +57,7 @@ kernels:
 
 $(VENV)/.built: $(SOURCES) $(VENV)/.needed | kernels
 	@echo "release build of the extension"
+	@rm -f python/libration/_core.*.so
 	@maturin develop --release --locked >$(LOGS)/build.log 2>&1 || { tail -n 60 $(LOGS)/build.log; exit 1; }
 	@touch $@
 
@@ -79,9 +80,11 @@ module-fit: PROFILE := wasm-fit
 # Springs and friction: a package of its own.
 module-motions: WASM_FLAGS += $(SHORT)
 module-motions: CRATE := libration-wasm-motions
-$(MODULES:%=module-%): module-%:
-	@mkdir -p $(LOGS) $(DIST)
+.PHONY: wasm-target
+wasm-target:
 	@rustup target list --installed | grep -q wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
+$(MODULES:%=module-%): module-%: | wasm-target
+	@mkdir -p $(LOGS) $(DIST)
 	@RUSTFLAGS='$(WASM_FLAGS)' CARGO_TARGET_DIR=target/wasm-$* cargo build --locked --package $(CRATE) $(BESIDE:%=--package libration-wasm-%) --profile $(PROFILE) \
 	  --target wasm32-unknown-unknown $(WHOLE) >$(LOGS)/$@.log 2>&1 || { tail -n 60 $(LOGS)/$@.log; exit 1; }
 	@cd target/wasm-$*/wasm32-unknown-unknown/$(PROFILE) && cp $(subst -,_,$(CRATE)).wasm $(abspath $(DIST))/libration-$*.wasm && \
@@ -114,7 +117,7 @@ quick: ## build for one instruction set and run the Rust tests named: make quick
 	@$(if $(test),grep -qE '[1-9][0-9]* passed' $(LOGS)/quick.log || { echo "no test has $(test) in its name"; exit 1; })
 
 quick-python: $(VENV)/.packages ## the same for Python: make quick-python test=python/tests/FILE.py::NAME (60 s, then 10 s)
-	@rm -f $(VENV)/.built
+	@rm -f $(VENV)/.built python/libration/_core.*.so
 	@$(QUICK) maturin develop --quiet --locked
 	@$(if $(test),pytest $(QUIET) '$(test)')
 
@@ -137,14 +140,30 @@ bench-elliptic: $(VENV)/.built $(VENV)/.rivals ## elliptic functions beside SciP
 bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)
 	@$(PY) bench/run_damped.py
 
+bench-ensemble: $(VENV)/.built $(VENV)/.rivals ## ensembles beside NumPy and heyoka: docs/benchmarks-ensembles.md (5 minutes)
+	@$(PY) bench/run_ensemble.py
+
 labdata: $(VENV)/.packages $(VENV)/.built ## fit the measured pendulums of folder=../shared/labdata: asked, came out, holds (2 minutes)
 	@$(PY) bench/labdata.py '$(or $(folder),../shared/labdata)'
 
-docs: $(VENV)/.packages $(VENV)/.built ## write every generated page, table and picture (a minute)
+examples: $(VENV)/.packages $(VENV)/.built ## draw the pictures of docs/ensembles-examples.md by the scripts of examples/ (a minute)
+	@$(PY) docs/ensemble_pictures.py
+
+docs: examples ## write every generated page, table and picture (2 minutes)
 	@mkdir -p out
 	@libration solve $(HORSLEY) --out out/motion.csv --plot docs/motion.png
 	@$(PY) docs/pictures.py
 	@$(PY) bench/accuracy.py; kept=$$?; $(PY) docs/generate.py && exit $$kept
+
+# The pages, the lab, and what cargo and typedoc say of Rust and TypeScript; each language has a folder.
+site: $(VENV)/.packages $(VENV)/.built page ## the documentation as a site, with the lab, in three languages: out/site (3 minutes)
+	@rm -rf out/site out/site-parts && mkdir -p out/site-parts
+	@cp -r lab/dist out/site-parts/lab
+	@cargo doc --quiet --locked --no-deps --lib -p libration -p libration-fit && cp -r target/doc out/site-parts/rust
+	@cd docs/typescript && npm ci --silent --no-audit --no-fund && npm run --silent pages
+	@$(SITE) docs out/site && for language in pt_BR es; do $(SITE) -D language=$$language docs out/site/$$language || exit 1; done
+# What is wrong in a page or leads nowhere is an error.
+SITE := sphinx-build --quiet --fail-on-warning --nitpicky --builder html
 
 wasm: $(MODULES:%=module-%) $(NPM)/node_modules/.package-lock.json ## the npm package, for browsers and Node: wasm/npm/dist (a minute)
 	@cd $(NPM) && npx tsc -p tsconfig.json
@@ -175,9 +194,6 @@ page: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/di
 lab: page ## build the page and serve it at 127.0.0.1
 	@cd lab && npm run --silent serve
 
-wheel: page $(VENV)/.built ## a wheel for this machine in dist/ (100 s)
-	@maturin build --release --locked --out dist
-
 format: $(VENV)/.packages $(VENV)/.components ## write every file the way the formatters do (2 s)
 	@cargo fmt --all
 	@ruff check --quiet --fix-only --select I .
@@ -192,7 +208,7 @@ clean: ## remove what the targets above have made
 
 # ---------------------------------------------------------------------------------------------- steps of test
 
-STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages bench lab snippets clean-install
+STEPS := python rust wasm truth rust-checked lint-rust format lint-python types laws checks-tested pages site bench lab snippets clean-install
 
 test: $(STEPS:%=test/%) ## everything a reviewer would run; what CI runs (7 minutes)
 	@cat $(STEPS:%=$(LOGS)/%.log) | grep -oE '[0-9]+ passed' | awk '{ n += $$1 } END { print n " passed, 0 failed" }'
@@ -223,7 +239,7 @@ test/types: $(TOOLS)
 
 test/laws: $(TOOLS) $(VENV)/.built
 	$(call step,for law in $(LAWS); do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed")
-LAWS := rooms circles names typescript_names type_names functions pages links
+LAWS := rooms circles names typescript_names type_names functions pages links versions
 
 test/checks-tested: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) checks)
@@ -248,7 +264,7 @@ test/rust-checked:
 	$(call step,$(QUICK) cargo test --locked --lib --test suite -p libration -p libration-fit)
 
 test/python: $(TOOLS) $(VENV)/.built
-	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules python/tests python/libration)
+	$(call step,pytest $(QUIET) -n 2 --dist worksteal --doctest-modules --ignore=python/libration/torch python/tests python/libration)
 
 # The package as it is published, against the truth that the native core is held to: with vectors and without.
 test/wasm: wasm
@@ -258,17 +274,21 @@ test/wasm: wasm
 test/pages: $(TOOLS) $(VENV)/.built
 	$(call step,$(PY) bench/accuracy.py --check && pytest $(QUIET) --doctest-glob='*.md' README.md docs && $(PY) checks/examples.py)
 
-test/bench: $(TOOLS) $(VENV)/.built
-	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check)
+# Every link and anchor of the site, every name that its reference shows, and every message of the pages that are translated.
+test/site: $(TOOLS) $(VENV)/.built
+	$(call step,$(SITE) -d target/pages docs target/site && sphinx-build --quiet -b gettext -d target/pages docs target/messages && \
+	  $(PY) docs/languages.py target/messages)
 
-# The wheel as `pip install .` makes it, in an environment that holds nothing else, and one call from each door.
+test/bench: $(TOOLS) $(VENV)/.built
+	$(call step,pytest $(QUIET) bench && $(PY) bench/run.py --check && $(PY) bench/run_elliptic.py --check && $(PY) bench/run_damped.py --check && $(PY) bench/run_ensemble.py --check)
+
+# The wheel as `pip install .` makes it, in an environment that holds nothing else: every door, and the truth.
 FRESH := target/fresh
 test/clean-install: $(TOOLS) $(VENV)/.built page
 	$(call step,$(CLEAN_INSTALL))
 CLEAN_INSTALL = rm -rf $(FRESH) && $(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(FRESH)/wheel . \
   && $(PYTHON) -m venv $(FRESH) && $(FRESH)/bin/python -m pip install --quiet $(FRESH)/wheel/*.whl && cd target \
-  && fresh/bin/python -c 'import libration; print(libration.Pendulum(3.0).period)' \
-  && fresh/bin/libration period --theta0 150deg
+  && fresh/bin/python ../packages/exercise.py
 
 # aarch64 by qemu: Debian's qemu-user and gcc-aarch64-linux-gnu.
 ARM := aarch64-unknown-linux-gnu
@@ -287,11 +307,23 @@ fuzz: ## ten minutes of random bytes for the reader of files; seconds=N for less
 test-rows: ## the tests of columns against the careful code with times=N (30) as many random rows, a million and more (minutes)
 	ROWS_TIMES=$(or $(times),30) cargo test --release --locked -p libration --lib --test suite -- own_ row_tests --nocapture
 
-test-jax: $(VENV)/.built ## gradients by JAX in every stratum, second derivatives too: its compiler takes most of the time (3 minutes)
+test-jax: $(VENV)/.packages $(VENV)/.built ## gradients by JAX in every stratum, second derivatives too: its compiler takes most of the time (3 minutes)
 	@$(PY) -m pytest -q python/tests_jax
+
+# In an environment of its own: on Linux its wheels are those for GPUs, 5 GB.
+TORCH := target/torch
+$(TORCH)/.packages: requirements-torch.txt
+	@$(PYTHON) -m venv $(TORCH)
+	@$(TORCH)/bin/python -m pip install --quiet -r requirements-torch.txt
+	@touch $@
+
+test-torch: $(TORCH)/.packages $(VENV)/.built ## gradients by PyTorch; installs it, 5 GB, the first time (10 minutes, then 1)
+	@PYTHONPATH=python $(TORCH)/bin/python -m pytest -q -o pythonpath=python/tests_jax --doctest-modules python/tests_torch python/libration/torch
 
 test-arm: $(VENV)/.components ## the Rust tests through NEON, by Debian's qemu-user and gcc-aarch64-linux-gnu (20 minutes)
 	@command -v qemu-aarch64 >/dev/null && command -v $(CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER) >/dev/null || { \
 	  echo "installing Debian's qemu-user and gcc-aarch64-linux-gnu"; sudo=; test $$(id -u) = 0 || sudo=sudo; \
 	  $$sudo apt-get -qq update && $$sudo apt-get -qq -y install qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross >/dev/null; }
 	CARGO_TARGET_DIR=target/arm cargo test --release --locked --target $(ARM) --test suite -- --nocapture
+
+include packages/targets.mk

@@ -1,11 +1,13 @@
-"""Every relative link of every page leads to a file, and every anchor to a heading."""
+"""Every link of every page into the repository, relative or by its address, leads to a file, and every anchor to a heading."""
 
 import re
+import tomllib
 from pathlib import Path
 
 from tree import files, finish
 
-LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
+INLINE = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
+DEFINED = re.compile(r"^\[[^\]]+\]: (\S+)$", re.MULTILINE)
 
 
 def anchors(page: Path) -> set[str]:
@@ -16,13 +18,18 @@ def anchors(page: Path) -> set[str]:
 
 def findings(root: Path) -> list[str]:
     found = []
+    cargo = root / "Cargo.toml"
+    package = tomllib.loads(cargo.read_text(encoding="utf-8"))["workspace"]["package"] if cargo.is_file() else {}
+    hosted = re.compile(re.escape(package.get("repository", "://")) + r"/(?:blob|tree|raw)/main/")
     for page in files(root, ".", ".md"):
         text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-        for link in LINK.findall(re.sub(r"`[^`]*`", "", text)):
-            if re.match(r"[a-z]+:", link):
+        text = re.sub(r"`[^`]*`", "", text)
+        for link in INLINE.findall(text) + DEFINED.findall(text):
+            here = hosted.match(link) is not None
+            if re.match(r"[a-z]+:", link) and not here:
                 continue
-            file, _, anchor = link.partition("#")
-            target = page.parent / file if file else page
+            file, _, anchor = hosted.sub("", link).partition("#")
+            target = (root if here else page.parent) / file if file else page
             if not target.exists():
                 found.append(f"{page.relative_to(root)}: {link} leads nowhere")
             elif anchor and target.suffix == ".md" and anchor not in anchors(target):

@@ -14,6 +14,7 @@ import pages
 import rooms
 import type_names
 import typescript_names
+import versions
 
 HERE = Path(__file__).parent
 ROW = """[theta]
@@ -30,7 +31,10 @@ def root(tmp_path):
     for name, text in {
         "functions.toml": ROW,
         "NOTATION.md": "| angle | `theta` |\n",
-        "README.md": "<!-- generated: accuracy -->\n0.5\n<!-- end generated -->\n[notation](NOTATION.md)\n",
+        "README.md": "<!-- generated: accuracy -->\n0.5\n<!-- end generated -->\n[notation]\n\n[notation]: https://a.b/c/blob/main/NOTATION.md\n",
+        "Cargo.toml": '[workspace.package]\nversion = "1.2.3"\nrepository = "https://a.b/c"\n',
+        "CITATION.cff": "version: 1.2.3\nrepository-code: https://a.b/c\n",
+        "wasm/npm/package.json": '{"version": "1.2.3", "repository": {"url": "git+https://a.b/c.git"}}\n',
         # The real one measures for seconds.
         "docs/approximations.py": "def sources():\n    return 'a'\n\n\nangles = periods = sines = sources\n",
         "docs/accuracy.md": "<!-- summary -->\n0.5\n<!-- end summary -->\n",
@@ -59,7 +63,9 @@ def root(tmp_path):
     return tmp_path
 
 
-@pytest.mark.parametrize("check", [rooms, names, functions, pages, links, circles, type_names, typescript_names])
+@pytest.mark.parametrize(
+    "check", [rooms, names, functions, pages, links, circles, type_names, typescript_names, versions]
+)
 def test_good_tree_passes(check, root):
     assert check.findings(root) == []
 
@@ -131,6 +137,22 @@ def test_good_tree_passes(check, root):
         (type_names, "bench/orbit.py", "Flow: TypeAlias = float\n", "bench: Flow"),
         (links, "README.md", "[a](missing.md)\n", "leads nowhere"),
         (links, "README.md", "[a](NOTATION.md#none)\n", "no such heading"),
+        (links, "README.md", "[a]\n\n[a]: https://a.b/c/blob/main/missing.md\n", "leads nowhere"),
+        (versions, "CITATION.cff", "version: 1.2.2\nrepository-code: https://a.b/c\n", "version 1.2.2, and"),
+        (versions, "CITATION.cff", "version: 1.2.3\n", "address missing"),
+        (
+            versions,
+            "wasm/npm/package.json",
+            '{"version": "1.2.3", "repository": {"url": "https://a.b/d"}}',
+            "address https://a.b/d",
+        ),
+        (
+            versions,
+            "Cargo.toml",
+            '[workspace.package]\nversion = "1.2.4"\nrepository = "https://a.b/c"\n',
+            "Cargo.toml says 1.2.4",
+        ),
+        (versions, "README.md", "[a](NOTATION.md)\n", "leads nowhere from the page of a package"),
         (examples, "README.md", "```console\n$ rm theta\n```\n", "does not run libration"),
         (examples, "README.md", "```console\n$ libration theta\nphi\n```\n", "prints 'theta\\n'"),
     ],

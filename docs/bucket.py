@@ -75,7 +75,7 @@ def draw_bucket(figure, quiet, colors, count=1_000_000):
     phases.set(xlim=(-180, 180), ylim=(0, 1), xticks=range(-180, 181, 90))
     phases.set_xlabel("phase of the motion in degrees")
     phases.set_ylabel("action over that of the separatrix")
-    phases.set_title("Phases, over the actions", loc="left", fontsize=11)
+    phases.set_title("Phases, over the actions: dark where many", loc="left", fontsize=11)
     for axes in (space, actions, phases):
         quiet(axes)
     tunes.spines["top"].set_visible(False)

@@ -1,7 +1,7 @@
 """Writes the generated blocks of the pages: nothing between two markers is typed by hand.
 
-A block is between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from the docstrings and
-functions.toml, from docs/corners.toml, from a page that a run has written, or from a run of libration now.
+A block is between `<!-- generated: NAME -->` and `<!-- end generated -->` on any page. Its text comes from
+docs/corners.toml, from a page that a run has written, or from a run of libration now.
 """
 
 import math
@@ -13,81 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [
     "README.md",
-    *(f"docs/{name}.md" for name in ("functions", "corners", "duffing", "approximations", "errata")),
+    *(f"docs/{name}.md" for name in ("corners", "duffing", "approximations", "errata")),
 ]
-
-
-def functions(root: Path) -> str:
-    """The reference of the public functions, one section a member: its docstring, and its row of functions.toml."""
-    read = runpy.run_path(str(root / "docs/surface.py"))
-    surface, parts = read["surface"](root), read["sections"]
-    rows = tomllib.loads((root / "functions.toml").read_text(encoding="utf-8"))
-    homes = {member: name for name, row in rows.items() for member in [name, *row.get("members", [])]}
-    written = [
-        section(name, member, parts(member["doc"]), rows[homes[name]])
-        for name, member in surface.items()
-        if name in homes
-    ]
-    for name, row in rows.items():
-        if name.startswith("libration "):
-            run = f"python/libration/cli/{name.partition(' ')[2].replace('-', '_')}.py::run"
-            written.append(f"## {name}\n\n`{name} --help` lists its options.\n\n- {places({'Python': run}, row)}\n")
-    return "\n" + "\n".join(written) + "\n"
-
-
-def section(name: str, member: dict, doc: dict[str, str], row: dict) -> str:
-    """One member: call, summary, arguments, results and errors, the notes, and the places in the code."""
-    lines = [f"## {name}", ""]
-    if member["kind"] == "function":
-        lines += [f"`{member['signature']}`", ""]
-    lines += [marked(doc["Summary"]), ""]
-    for title in ("Parameters", "Returns", "Raises"):
-        entries = items(doc.get(title, ""))
-        if entries:
-            lines += [f"{title}:", "", *entries, ""]
-    lines += [marked(doc["Notes"]), ""] if "Notes" in doc else []
-    lines += [f"- {places({'Python': member['place']}, row)}", ""]
-    return "\n".join(lines)
-
-
-def items(text: str) -> list[str]:
-    """The entries of a section of a docstring as a list; the lines below an entry follow it."""
-    entries: list[str] = []
-    for line in text.splitlines():
-        if line.strip() and not line.startswith(" "):
-            what, colon, kind = line.partition(" : ")
-            entries.append(f"- `{what}` ({marked(kind)})" if colon else f"- {marked(what)}")
-        elif line.strip():
-            entries[-1] += (
-                f"{' ' if entries[-1].endswith(('.', ',', ';')) or ': ' in entries[-1] else ': '}{marked(line.strip())}"
-            )
-    return entries
-
-
-def marked(text: str) -> str:
-    """Plain text of a docstring as Markdown: code in single backticks, no star or bar with another meaning."""
-    pieces = re.split(r"(``.+?``|`[^`\n]+`)", text)
-    return "".join(
-        f"`{piece.strip('`')}`" if number % 2 else piece.replace("*", r"\*").replace("|", r"\|").replace("<", r"\<")
-        for number, piece in enumerate(pieces)
-    )
-
-
-def places(python: dict[str, str], row: dict) -> str:
-    """Links to a member, its reference values and its tests."""
-    given = [
-        *python.items(),
-        ("Rust", row.get("rust")),
-        ("reference values", row.get("vectors")),
-        ("test", row["test"]),
-    ]
-    links = [
-        f"{where} [{place.partition('::')[2] or place}](../{place.partition('::')[0]})"
-        for where, found in given
-        for place in ([found] if isinstance(found, str) else found or [])
-    ]
-    promised = [f"{name} {row[name]}" for name in row if name.startswith("error_")]
-    return "; ".join([*links, *promised])
 
 
 def accuracy(root: Path) -> str:
@@ -163,7 +90,6 @@ def blocks(root: Path) -> dict[str, str]:
         "angle-errors": measured["angles"](),
         "period-errors": measured["periods"](),
         "sine-errors": measured["sines"](),
-        "functions": functions(root),
         "accuracy": accuracy(root),
         "corners": corners(root),
         "forms": forms(root),

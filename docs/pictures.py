@@ -1,5 +1,5 @@
 """Draws docs/duffing.png, the phase portraits of the springs with orbits of every regime, and docs/periods.png; docs/damped.png, a
-motion with friction; docs/junction.png, Shapiro's steps; docs/bucket.png, a million particles.
+motion with friction; docs/junction.png, Shapiro's steps; docs/bucket.png, a million particles; docs/why/integrators.png and orders.png.
 
 Run: python docs/pictures.py
 """
@@ -10,6 +10,7 @@ import bucket
 import junction
 import numpy as np
 from scipy.special import jv
+from why import integrators
 
 from libration import DampedPendulum, Duffing, Friction
 from libration.plot import plot_periods
@@ -139,6 +140,8 @@ def main():
     save_figure({"png": Path(__file__).with_name("damped.png")}, (12, 6.4), draw_damped)
     save_figure({"png": Path(__file__).with_name("junction.png")}, (12, 5), draw_junction)
     save_figure({"png": Path(__file__).with_name("bucket.png")}, (13, 5), draw_bucket)
+    save_figure({"png": Path(__file__).parent / "why/integrators.png"}, (12, 5), integrators.draw_over_time)
+    save_figure({"png": Path(__file__).parent / "why/orders.png"}, (8, 5), integrators.draw_orders)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """The public surface of the package, read from the package itself: names, signatures, docstrings, places.
 
-    PYTHONPATH=python python docs/surface.py     prints it as JSON, in the order of docs/functions.md
+    PYTHONPATH=python python docs/surface.py     prints it as JSON, in the order of the reference
 
 A member is a function, a class, or a method or property of a class. Fields of named tuples and values of enums are told
 of with their class.
@@ -68,14 +68,17 @@ def members() -> dict[str, dict]:
                 continue
             shown.add(id(value))
             # `approx.period` is another one than `period`.
-            prefix = "" if name in top.__all__ and inspect.unwrap(getattr(top, name)) is value else f"{room}."
+            short = name in top.__all__ and inspect.unwrap(getattr(top, name)) is value
+            prefix, place = ("", "libration") if short else (f"{room}.", f"libration.{room}")
             if inspect.isclass(value):
-                found[name] = member(value, name)
-                found |= {f"{name}.{own}": member(what, own, value) for own, what in attributes(value)}
+                told = {name: member(value, name)}
+                told |= {f"{name}.{own}": member(what, own, value) for own, what in attributes(value)}
             elif inspect.isfunction(value):
-                found[prefix + name] = member(value, name)
+                told = {prefix + name: member(value, name)}
             else:
-                found[prefix + name] = registry(value, name)
+                told = {prefix + name: registry(value, name)}
+            home = {"room": room or "top", "path": f"{place}.{name}"}
+            found |= {each: home | what for each, what in told.items()}
     return found
 
 

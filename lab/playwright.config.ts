@@ -16,9 +16,10 @@ export default defineConfig({
   globalSetup: './tests/browser/server.ts',
   outputDir: 'dist-tests',
   snapshotPathTemplate: '{testDir}/{testFileDir}/snapshots/{arg}{ext}',
-  timeout: 240_000,
-  expect: { timeout: 30_000 },
-  fullyParallel: false,
+  timeout: 900_000,
+  expect: { timeout: 120_000 },
+  // Each story sets what it needs, so that they go to the workers one by one, in any order.
+  fullyParallel: true,
   workers: Number(process.env.LAB_WORKERS ?? 2),
   retries: 0,
   forbidOnly: true,
@@ -29,7 +30,7 @@ export default defineConfig({
     launchOptions: { executablePath: chromium, args: ['--no-sandbox', '--font-render-hinting=none'] },
     viewport: { width: 1280, height: 720 },
     locale: 'en-GB',
-    actionTimeout: 60_000,
+    actionTimeout: 120_000,
   },
   projects: [
     { name: 'stories', testIgnore: ['pictures.spec.ts', 'measure.spec.ts'] },

@@ -2,7 +2,7 @@
 
 Run: python check.py [FILE ...] [--all] [--seed N]. Row counts must be those of README.md, a seeded sample of every
 file is derived again, every row must agree with another method, and mutated rows must fail: see rows_check.py,
-oscillator_check.py, approx_check.py, bunches_check.py. --all takes every row as the sample and draws all inputs again.
+oscillator_check.py, approx_check.py, bunches_check.py, rings_check.py. --all takes every row as the sample and draws all inputs again.
 """
 
 import argparse
@@ -15,6 +15,7 @@ import bunches_check
 import damped_check
 import exact
 import oscillator_check
+import rings_check
 import rows_check
 
 CHECKS = {
@@ -24,6 +25,7 @@ CHECKS = {
     **dict.fromkeys(approx_check.FILES, approx_check.check),
     **dict.fromkeys(damped_check.FILES, damped_check.check),
     **dict.fromkeys(bunches_check.FILES, bunches_check.check),
+    **dict.fromkeys(rings_check.FILES, rings_check.check),
 }
 
 

@@ -11,7 +11,7 @@ from rivals.compiled import version
 
 import libration
 
-PACKAGES = ["numpy", "scipy", "heyoka", "elliptic-functions", "ellippy", "mpmath", "python-flint"]
+PACKAGES = ["numpy", "scipy", "zarr", "heyoka", "elliptic-functions", "ellippy", "mpmath", "python-flint"]
 
 
 def installed(package: str) -> str:

@@ -72,7 +72,7 @@ def target_table(held: dict[str, dict]) -> str:
 def by_orbit(records: list[dict], names: tuple[str, ...]) -> str:
     """A table for each of the orbits."""
     tables = [(name, against([record for record in records if record["case"] == name])) for name in names]
-    return "\n\n".join(f"### {name}\n\n{text}" for name, text in tables)
+    return "\n\n".join(f"## {name}\n\n{text}" for name, text in tables)
 
 
 def matrix(records: list[dict], column: str, name) -> str:

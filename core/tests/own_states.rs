@@ -3,7 +3,10 @@
 use crate::on_every_set;
 use crate::ruler::{Row, distance, row_count, rows, same, ulp};
 use libration::pendulum::action::state_of;
-use libration::pendulum::{action_into, frequency_into, period_into, phase_into, state_of_into};
+use libration::pendulum::{
+    action_into, energy_ratio_c_into, energy_ratio_into, frequency_into, period_into, phase_into,
+    state_of_into,
+};
 use libration::{Frequency, Orbit, Regime};
 use std::f64::consts::PI;
 
@@ -23,10 +26,17 @@ struct Function {
     floor: f64,
 }
 
-const FUNCTIONS: [Function; 4] = [
+const FUNCTIONS: [Function; 6] = [
     Function { name: "frequency", column: frequency_into, of_orbit: Orbit::frequency, floor: 0.0 },
     Function { name: "period", column: period_into, of_orbit: Orbit::period, floor: 0.0 },
     Function { name: "action", column: action_into, of_orbit: Orbit::action, floor: 0.0 },
+    Function { name: "energy_ratio", column: energy_ratio_into, of_orbit: Orbit::energy_ratio, floor: 0.0 },
+    Function {
+        name: "energy_ratio_c",
+        column: energy_ratio_c_into,
+        of_orbit: Orbit::energy_ratio_c,
+        floor: 0.0,
+    },
     Function { name: "phase", column: phase_into, of_orbit: |orbit| orbit.phase(0.0), floor: PI },
 ];
 
@@ -303,12 +313,18 @@ fn columns_against_the_truth_on_every_instruction_set() {
                 ("frequency", frequency_into as Column, &action),
                 ("action", action_into, &action),
                 ("period", period_into, &pendulum),
+                ("energy_ratio", energy_ratio_into, &pendulum),
+                ("energy_ratio_c", energy_ratio_c_into, &pendulum),
                 ("phase", phase_into, &action),
             ] {
-                let worst = if name == "phase" {
-                    worst_of_vectors(column, stated, phase_unit, phase_at_start, spoiled)
-                } else {
-                    worst_of_vectors(column, stated, |row| eased(row, name), |row| row.truth(name), spoiled)
+                let truth = |row: &Row| row.truth(name);
+                let worst = match name {
+                    "phase" => worst_of_vectors(column, stated, phase_unit, phase_at_start, spoiled),
+                    // What is left of the energy has its digits whatever the condition.
+                    "energy_ratio" | "energy_ratio_c" => {
+                        worst_of_vectors(column, stated, |row| ulp(truth(row)[0]), truth, spoiled)
+                    }
+                    _ => worst_of_vectors(column, stated, |row| eased(row, name), truth, spoiled),
                 };
                 println!("{set:?} {name} {worst:.2}");
                 assert_eq!(worst <= BOUND, spoiled == 1.0, "{set:?} {name} {worst}");

@@ -88,6 +88,23 @@ fn turns_are_counted_exactly_or_not_at_all() {
     assert!(count == 0 && angle.is_nan());
 }
 
+/// A double below -pi, which one turn on rounds to pi: that is minus itself another turn on, in every regime.
+#[test]
+fn the_rest_is_never_pi_itself() {
+    let below = (-PI).next_down();
+    for orbit in [orbit(below, 0.0, 1.0), force_free(below, 0.0)] {
+        let Turns { count, angle } = orbit.turns(0.0);
+        assert_eq!((count, angle), (0, -PI));
+    }
+    for theta0 in [below, -PI, PI, PI.next_up(), 3.0 * PI, -3.0 * PI, (-3.0 * PI).next_down()] {
+        for orbit in [orbit(theta0, 0.0, 1.0), orbit(theta0, 3.0, 1.0), force_free(theta0, 0.0)] {
+            let Turns { count, angle } = orbit.turns(0.0);
+            assert!((-PI..PI).contains(&angle), "{theta0:e} {angle:e}");
+            assert!((count as f64 * 2.0 * PI + angle - theta0).abs() < 4e-15, "{theta0:e} {count} {angle:e}");
+        }
+    }
+}
+
 /// Far out the angle and the phase of a rotation are the start and a few turns: theta0 + nothing, in doubles.
 #[test]
 fn rotations_far_out_keep_their_start() {

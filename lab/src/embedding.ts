@@ -2,19 +2,25 @@
 //
 // A hidden g is written as its bits in another order of signs. That keeps it from the eye and from nobody who wants to know it.
 
-import { LOCKED, SECTIONS, type State, VIEWS, type ViewName } from './state'
+import { LOCKED, SECTIONS, type Shown, type State, VIEWS, type ViewName } from './state'
 
-/** Views in which nothing says g, nor a time or a velocity that is as good as it. */
-const WITHOUT_GRAVITY: readonly ViewName[] = ['lab', 'data']
+/** Views in which nothing says g, nor a time or a velocity that is as good as it; and the parts of the Lab that do. */
+const WITHOUT_GRAVITY: readonly Shown[] = ['lab', 'data']
+const WITH_GRAVITY: readonly Shown[] = ['facts', 'energy']
 
 type Embedding = Pick<State, 'show' | 'hide' | 'lock'>
+
+/** Whether a view or a part may be shown where gravity is hidden. */
+export function saysNothing(name: Shown): boolean {
+  return WITHOUT_GRAVITY.includes(name) || (SECTIONS.includes(name as never) && !WITH_GRAVITY.includes(name))
+}
 
 /** The views that have a tab; where only parts are named it is the Lab they are of. */
 export function shownViews({ show, hide }: Pick<State, 'show' | 'hide'>): readonly ViewName[] {
   const named = VIEWS.filter((name) => show.includes(name))
   const views =
     show.length === 0 ? VIEWS : named.length === 0 || shownSections({ show }) ? ['lab' as const, ...named] : named
-  return VIEWS.filter((name) => views.includes(name) && (!hide || WITHOUT_GRAVITY.includes(name)))
+  return VIEWS.filter((name) => views.includes(name) && (!hide || saysNothing(name)))
 }
 
 /** The parts of the Lab that are shown, for its style; null for all. */

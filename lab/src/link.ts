@@ -4,7 +4,7 @@
 // what makes the picture. Keys that are not known are reported, and kept in the link that is written next.
 
 import { type Curve, curveKey, isCurveName, kindOf, usualCurve } from './curves'
-import { coded, fromCode, shownViews } from './embedding'
+import { coded, fromCode, saysNothing, shownViews } from './embedding'
 import { angleText, parseNumber, parseQuantity, type Unit } from './number'
 import { baseOf, readPeriod } from './periods'
 import {
@@ -293,18 +293,13 @@ export function readLink(hash: string): Opened {
 
 /** The state with what its view and span may be where parts are shown or g is hidden. */
 function agreed(state: State, faults: Fault[], given: ReadonlySet<string>): State {
-  const views = shownViews(state)
-  const [first] = views
-  if (!first) {
-    faults.push({
-      kind: 'not-one-of',
-      name: 'show',
-      value: String(state.show),
-      allowed: shownViews({ ...state, show: [] }),
-    })
+  if (state.hide && state.show.length > 0 && !state.show.some(saysNothing)) {
+    const allowed = SHOWN.filter(saysNothing)
+    faults.push({ kind: 'not-one-of', name: 'show', value: String(state.show), allowed })
     return agreed({ ...state, show: [] }, faults, given)
   }
-  const view = views.includes(state.view) ? state.view : first
+  const views = shownViews(state)
+  const view = views.includes(state.view) ? state.view : (views[0] ?? 'lab')
   if (view !== state.view && given.has('view'))
     faults.push({ kind: 'not-one-of', name: 'view', value: state.view, allowed: views })
   // The plot of one period would be as good as its number.

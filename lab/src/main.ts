@@ -10,22 +10,31 @@ import './style/functions.css'
 import './style/period.css'
 import './style/phase.css'
 import { App } from './app'
+import { shownViews } from './embedding'
 import { readLink } from './link'
 import { completedModel, openModel } from './model'
 import { retried } from './retry'
 import { keepForLater } from './second-visit'
 import { SECOND, SOURCES } from './sources'
-import { dialogs, loadParts, loadViews, secondFailed, VIEWS, viewsLoaded } from './views'
+import type { ViewName } from './state'
+import { dialogs, loadParts, loadViews, needsSecond, secondFailed, VIEWS, viewsLoaded } from './views'
+
+/** The views whose parts were asked for. */
+let asked: readonly ViewName[] = []
 
 /** The views and formulas that the page can begin without; if they do not come, the page says so in their place. */
 async function completed(app: App, views: Promise<void>): Promise<void> {
+  const { state } = app.store
   try {
     await views
     app.schedule()
-    const parts = loadParts(app.store.state.view, () => app.schedule())
-    const [model] = await Promise.all([retried(() => completedModel(SECOND)), parts])
-    app.begin(model)
-    if (viewsLoaded()) await keepForLater()
+    const parts = loadParts(asked, state.view, () => app.schedule())
+    const model = needsSecond(asked) && retried(() => completedModel(SECOND)).then((whole) => app.begin(whole))
+    await Promise.all([parts, model])
+    // Says that nothing more will be asked for, but what a view asks for itself.
+    document.documentElement.dataset.whole = ''
+    // What stands in a page of others has not all that a visit is kept with.
+    if (viewsLoaded() && !state.embed) await keepForLater()
   } catch {
     secondFailed()
     app.schedule()
@@ -38,10 +47,15 @@ async function begin(): Promise<void> {
   document.getElementById('still')?.setAttribute('hidden', '')
   const opened = readLink(location.hash)
   const app = new App(root, VIEWS, dialogs, opened)
-  const views = loadViews()
+  asked = shownViews(opened.state)
+  const views = loadViews(asked)
   window.addEventListener('hashchange', ({ newURL }) => {
     // The address itself may have been written again in the meantime.
     app.store.openLink(readLink(new URL(newURL).hash))
+    const shown = shownViews(app.store.state)
+    if (shown.every((each) => asked.includes(each))) return
+    asked = shown
+    void completed(app, loadViews(shown))
   })
   const slow = setTimeout(() => app.wait({ slow: true, failed: null }), 300)
   try {

@@ -11,6 +11,7 @@ import {
   type Compared,
   type Energy,
   KeptArrays,
+  MOST_STEPS,
   type Motion,
   newArrays,
   type Refusal,
@@ -174,10 +175,11 @@ export function study(motion: Motion, curves: readonly Curve[], from: number, to
   const exact = motion.sample(times, arrays)
   const frame = { motion, window, times, exact, quick, arrays }
   const clothes = clothesOf(curves)
+  const most = MOST_STEPS / Math.max(1, curves.filter(({ name }) => kindOf(name).numerical).length)
   const rows = curves.map((curve, i): Row => {
     const row = { key: curveKey(curve), curve, clothes: clothes[i] as string }
     if (quick && !curve.on) return { ...row, drawn: null, refused: null }
-    const solution = motion.solution(curve, window.to)
+    const solution = motion.solution(curve, window.to, most)
     if ('refused' in solution) return { ...row, drawn: null, refused: solution.refused }
     return { ...row, drawn: drawn(frame, curve, row.clothes, solution), refused: null }
   })

@@ -102,6 +102,14 @@ describe('refusals are the lines of the command', () => {
     }
   })
 
+  it('not periods alone: each begins where the one above ends', async () => {
+    const fits = await FitModule.start(module)
+    const read = fits.read(bytes('period (s)\n1.80\n1.81\n1.79\n1.80\n'), [['file', 'periods.csv']])
+    expect([read.kind, read.y]).toEqual(['gate', [1.8, 1.81, 1.79, 1.8]])
+    expect(read.x.map((t) => t.toFixed(2))).toEqual(['0.00', '1.80', '3.61', '5.40'])
+    expect(read.understood).toContain('No column of times: each period begins where the one above ends.')
+  })
+
   it('an old workbook, which the command reads', async () => {
     const old = new Uint8Array([0xd0, 0xcf, 0x11, 0xe0, 0xa1, 0xb1, 0x1a, 0xe1, 0, 0])
     const line = 'a.xls: an old workbook (XLS); save it as XLSX or CSV and give that'

@@ -47,9 +47,9 @@ describe('friction', () => {
     // sin² of half the release angle.
     expect(Math.abs(motion.energyAt(0) - 0.25)).toBeLessThan(1e-15)
     // The page takes those of a curve from the states, by the pendulum without friction.
-    const damped = of({ quadratic: 0.1 })
     const times = Float64Array.of(0, 1, 2.5, 17)
-    const { total } = new Motion({ ...damped.setup, theta0: 0 }).energy(damped.sample(times))
+    const damped = new DampedMotion({ ...SETUP, quadratic: 0.1 }, 60, times)
+    const { total } = new Motion({ ...damped.setup, theta0: 0 }).energy(damped.track)
     for (const [i, t] of times.entries())
       expect(Math.abs((total[i] as number) - damped.energyAt(t))).toBeLessThan(1e-15)
   })
@@ -133,6 +133,97 @@ describe('friction', () => {
   })
 })
 
+describe('friction: a motion that takes long', () => {
+  /** ω₀ = 1000/s. */
+  const FAST = { ...SETUP, length: 0.001, gravity: 1000 }
+  const finished = (motion: DampedMotion): DampedMotion => {
+    while (!motion.done) motion.advance()
+    return motion
+  }
+
+  it('is computed piece by piece, and is that of the core in one', () => {
+    for (const [patch, until, pieces] of [
+      [{ theta0: 3, linear: 0.05 }, 9, 8],
+      // Held by dry friction in the second piece, and until the end.
+      [{ theta0: 1, linear: 0.01, dry: 800 }, 9, 4],
+      [{ theta0: 0.5, quadratic: 0.02, torque: 300 }, 9, 4],
+      // Turned round and round, ever faster.
+      [{ theta0: 0, length: 9.81, gravity: 9.81, linear: 0.01, torque: 100 }, 40, 8],
+      [{ theta0: 0, linear: 0.2, drive: 900, driveFrequency: 300 }, 5, 2],
+    ] as const) {
+      const setup = { ...FAST, ...patch }
+      const times = Float64Array.from({ length: 101 }, (_, i) => (until * i) / 100)
+      const motion = new DampedMotion(setup, until, times)
+      let count = 0
+      for (; !motion.done; count++) motion.advance()
+      expect(count, JSON.stringify(patch)).toBeGreaterThanOrEqual(pieces)
+      const whole = dampedOf(setup)
+      const near = (one: number, other: number) => Math.abs(one - other) < 1e-9 * (1 + Math.abs(other))
+      const { theta, velocity } = whole.motion(times)
+      expect(motion.track.theta.every((each, i) => near(each, theta[i] as number))).toBe(true)
+      expect(motion.track.velocity.every((each, i) => near(each, velocity[i] as number))).toBe(true)
+      // In any order, so that pieces are computed again.
+      for (const i of [77, 3, 100, 50, 51, 0, 99]) {
+        const at = motion.at(times[i] as number)
+        expect([near(at.theta, theta[i] as number), near(at.velocity, velocity[i] as number)]).toEqual([true, true])
+        expect(near(at.energy * 2 * (setup.gravity / setup.length), whole.energy(times[i] as number))).toBe(true)
+      }
+      const turning = whole.turningTimes(0, until)
+      expect(motion.turning.t.length).toBe(turning.length)
+      expect(motion.turning.t.every((t, i) => near(t, turning[i] as number))).toBe(true)
+      expect(motion.turnsOver).toBe(whole.turns(until).n)
+      const rests = whole.rests(0, until)
+      expect(motion.rests.length).toBe(rests.length)
+      expect(motion.rests.flat().every((t, i) => near(t, rests.flat()[i] as number))).toBe(true)
+      whole.free()
+      motion.free()
+    }
+  })
+
+  it('loses half of its energy where the core says so', () => {
+    const motion = finished(new DampedMotion({ ...FAST, theta0: 2, linear: 0.2 }, 12))
+    const outcome = motion.outcome()
+    if (outcome.kind !== 'halves') throw new Error(outcome.kind)
+    const whole = dampedOf(motion.setup)
+    expect(Math.abs(whole.energy(outcome.t) / whole.energy(0) - 0.5)).toBeLessThan(1e-9)
+    whole.free()
+  })
+
+  it('asks the core for no more than a piece at once, whatever the rates are', () => {
+    const reach = vi.spyOn(DampedPendulum.prototype, 'reach')
+    for (const patch of [
+      { ...FAST, theta0: 3 },
+      { ...SETUP, linear: 0, drive: 1000, driveFrequency: 0.01 },
+      { ...SETUP, linear: 0.01, torque: 1000, drive: 1000, driveFrequency: 1000 },
+      { ...SETUP, linear: 100, quadratic: 100, dry: 1000, torque: -1000 },
+    ]) {
+      reach.mockClear()
+      const motion = new DampedMotion(patch, 600)
+      for (let i = 0; i < 4 && !motion.done; i++) motion.advance()
+      const omega0 = Math.sqrt(patch.gravity / patch.length)
+      // What a motion at its fastest goes through in the time asked for.
+      for (const [time] of reach.mock.calls) {
+        expect(time * omega0).toBeLessThan(6000)
+        expect(time * time * (Math.abs(patch.torque) + patch.drive) * (patch.linear === 0 ? 1 : 0)).toBeLessThan(12_000)
+      }
+      expect(reach.mock.calls.length).toBeGreaterThan(0)
+      motion.free()
+    }
+    reach.mockRestore()
+  })
+
+  it('is content with what it has when it is ended', () => {
+    const times = Float64Array.of(0, 1, 599)
+    const motion = new DampedMotion({ ...FAST, theta0: 3 }, 600, times)
+    motion.advance()
+    motion.end()
+    expect([motion.done, motion.reach > 1, motion.reach < 10]).toEqual([true, true, true])
+    expect(Array.from(motion.track.theta, Number.isNaN)).toEqual([false, false, true])
+    expect(motion.at(599).theta).toBeNaN()
+    expect(motion.outcome().kind).toBe('keeps')
+  })
+})
+
 describe('friction: the section of a driven pendulum', () => {
   const section = (drive: number, most = 400, skip = 100): Section => {
     const { until: _, ...setup } = FRICTION_PRESETS.one
@@ -183,6 +274,22 @@ describe('friction: the section of a driven pendulum', () => {
       Array.from(chaos.angles, (angle, i) => `${angle.toFixed(2)} ${(chaos.velocities[i] as number).toFixed(2)}`),
     )
     expect(cells.size).toBeGreaterThan(150)
+  })
+
+  it('cuts a period in which the pendulum is too fast for a piece, and has the same points', () => {
+    const setup = { ...SETUP, linear: 0.4, drive: 40, driveFrequency: 0.05 }
+    const reach = vi.spyOn(DampedPendulum.prototype, 'reach')
+    const made = new Section(setup, 3, 0)
+    while (!made.done) made.advance()
+    // More than a piece in each of three periods.
+    expect(reach.mock.calls.length).toBeGreaterThanOrEqual(6)
+    reach.mockRestore()
+    const whole = dampedOf(setup)
+    for (const n of [1, 2, 3]) {
+      const [turns, motion] = [whole.turns((n * 2 * Math.PI) / 0.05), whole.motion((n * 2 * Math.PI) / 0.05)]
+      expect(Math.abs((made.angles[n - 1] as number) - turns.angle)).toBeLessThan(1e-6)
+      expect(Math.abs((made.velocities[n - 1] as number) - motion.velocity)).toBeLessThan(1e-6)
+    }
   })
 
   it('is filled piece by piece, with what was asked for', () => {

@@ -235,6 +235,13 @@ describe('what is shown, locked and hidden', () => {
     const closed = readLink('#hide=g&g=3.71&show=functions')
     expect(closed.faults.map(({ kind }) => kind)).toEqual(['not-one-of'])
     expect(closed.state).toMatchObject({ view: 'lab', show: [], hide: true })
+    // A part that says g alone would be an empty page.
+    for (const part of ['energy', 'facts', 'facts,energy']) {
+      const { faults, state } = readLink(`#embed=1&hide=g&g=3.71&show=${part}`)
+      expect(faults).toMatchObject([{ kind: 'not-one-of', name: 'show', value: part }])
+      expect(state).toMatchObject({ view: 'lab', show: [], hide: true })
+    }
+    expect(readLink('#embed=1&hide=g&g=3.71&show=energy,motion')).toMatchObject({ faults: [], state: { view: 'lab' } })
   })
 })
 

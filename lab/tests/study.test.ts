@@ -1,6 +1,7 @@
 // The study on the core: the numbers of the papers, as the page shows them. Expected values are those printed in Lima 2019,
 // Horsley 2025 and Salas 2019 or found by 30-digit integration (mpmath), never our own output.
 
+import { approx, Pendulum } from 'libration'
 import { beforeAll, describe, expect, it } from 'vitest'
 import type { Curve } from '../src/curves'
 import { readLink } from '../src/link'
@@ -140,8 +141,32 @@ describe('a curve that is not for a motion', () => {
     expect(shown.map(({ key }) => key)).toEqual(['rk45'])
   })
 
-  it('is refused where it would take more than a million steps', () => {
-    expect(over(swing(20), [named('euler', 0.0001)], 8, 200).rows[0]?.refused).toBe('steps')
+  it('is refused where all would take more steps than a frame has time for', () => {
+    const refused = (curves: readonly Curve[], to: number, motion = swing(20)) =>
+      over(motion, curves, 8, to).rows.map((row) => row.refused)
+    expect(refused([named('euler', 0.0001)], 51)).toEqual(['steps'])
+    expect(refused([named('euler', 0.0001)], 47)).toEqual([null])
+    // They share them.
+    expect(refused([named('euler', 0.0001), named('verlet', 0.0001)], 26)).toEqual(['steps', 'steps'])
+    expect(refused([named('euler', 0.0001), named('harmonic'), named('rk4', 0.001)], 20)).toEqual([null, null, null])
+    // RK45 chooses its own, more of them the faster it swings.
+    expect(refused([named('rk45')], 600)).toEqual([null])
+    const fast = motionOf({ ...DEFAULTS, length: 0.001, gravity: 1000 })
+    expect(refused([named('rk45')], 600, fast)).toEqual(['steps'])
+    expect(refused([named('rk45')], 60, fast)).toEqual([null])
+    for (const [theta0, velocity0] of [
+      [0.1, 0],
+      [2.6, 3],
+      [0, 30],
+    ] as const) {
+      const until = 100
+      const steps = approx
+        .numerical('rk45')
+        .of(new Pendulum({ theta0, velocity0, omega0: 1 }), until)
+        .steps().t.length
+      // As much work as four of the others each.
+      expect(4 * steps).toBeLessThan(6 * until * (1 + velocity0))
+    }
   })
 })
 
@@ -192,7 +217,6 @@ it.each(Object.keys(EXAMPLES) as ExampleName[])('the example %s is a link withou
 })
 
 it('the curves are those of the core', async () => {
-  const { approx } = await import('libration')
   const { CURVE_NAMES } = await import('../src/curves')
   const known = [...approx.angle.entries, ...approx.numerical.entries].map(({ name }) => name)
   expect([...CURVE_NAMES].sort()).toEqual([...known].sort())

@@ -4,7 +4,8 @@
 both and g in measurements; ``theta``, ``velocity``, ``motion`` and ``advance`` work on arrays of
 states; ``jacobi``, ``complete_k`` and the rest are the elliptic functions behind them, all of which are in
 ``libration.elliptic``; ``approx`` holds the approximations by name, ``libration.ensemble`` bunches of many
-pendulums, ``libration.jax`` motions with derivatives for JAX, and ``libration.papers`` three papers worked through.
+pendulums, ``libration.jax`` and ``libration.torch`` motions with derivatives for JAX and PyTorch, and
+``libration.papers`` three papers worked through.
 Angles are in radians, everything else in SI units.
 
 Examples
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
     from . import papers as papers
     from . import pendulum as pendulum
     from . import plot as plot
+    from . import torch as torch
+    from ._cite import cite
     from ._core import __version__
     from .damped import DampedPendulum, Friction, Torque
     from .elliptic import (
@@ -87,6 +90,8 @@ if TYPE_CHECKING:
         theta,
         theta_max,
         turns,
+        uncertain_motion,
+        uncertain_period,
         velocity,
     )
 
@@ -113,6 +118,7 @@ __all__ = [
     "carlson_rd",
     "carlson_rf",
     "carlson_rj",
+    "cite",
     "complete_e",
     "complete_k",
     "complete_pi",
@@ -151,12 +157,14 @@ __all__ = [
     "theta4",
     "theta_max",
     "turns",
+    "uncertain_motion",
+    "uncertain_period",
     "velocity",
 ]
 
 
 # The packages whose names are those of this one, the lightest first.
-_ROOMS = ("pendulum", "damped", "oscillator", "elliptic", "measurement")
+_ROOMS = ("_cite", "pendulum", "damped", "oscillator", "elliptic", "measurement")
 
 
 def __dir__() -> list[str]:
@@ -177,7 +185,7 @@ if not TYPE_CHECKING:
         elif name in __all__:
             rooms = (import_module(f".{room}", __name__) for room in _ROOMS)
             found = getattr(next(room for room in rooms if name in room.__all__), name)
-        elif name in (*_ROOMS, "approx", "ensemble", "jax", "papers", "plot"):
+        elif name in (*_ROOMS, "approx", "ensemble", "jax", "papers", "plot", "torch"):
             found = import_module(f".{name}", __name__)
         else:
             elliptic = import_module(".elliptic", __name__)

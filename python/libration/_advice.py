@@ -13,6 +13,13 @@ UNITS = {
     "stop": "s",
     "theta": "rad",
     "theta0": "rad",
+    "theta0_from_top": "rad",
+    "theta_from_top": "rad",
+    "theta_max_from_top": "rad",
+    "phase": "rad",
+    "period": "s",
+    "energy": "rad**2/s**2",
+    "action": "rad**2/s",
     "theta_max": "rad",
     "phi": "rad",
     "velocity": "rad/s",
@@ -42,7 +49,7 @@ def _quantity(name: str, value: Any) -> str:
     unit = UNITS.get(name, "")
     if hasattr(value, "unit") and hasattr(value, "to_value"):
         return f"{name}.to_value({unit!r})"
-    if hasattr(value, "units") and hasattr(value, "magnitude"):
+    if hasattr(value, "units") and (hasattr(value, "magnitude") or hasattr(value, "to_value")):
         return f"{name}.to({unit!r}).magnitude"
     return ""
 

@@ -164,6 +164,8 @@ __all__ = [
     "duffing_rows",
     "duffing_u",
     "duffing_velocity",
+    "energy_ratio",
+    "energy_ratio_c",
     "equivalent_length",
     "factors",
     "factors_length",
@@ -335,6 +337,10 @@ __all__ = [
     "theta4_q",
     "torque_at",
     "turns",
+    "xla_advance",
+    "xla_motion",
+    "xla_period",
+    "xla_sensitivities",
 ]
 
 __version__: str
@@ -484,6 +490,8 @@ duffing_motion: np.ufunc
 duffing_rows: np.ufunc
 duffing_u: np.ufunc
 duffing_velocity: np.ufunc
+energy_ratio: np.ufunc
+energy_ratio_c: np.ufunc
 factors: np.ufunc
 factors_length: np.ufunc
 factors_omega2: np.ufunc
@@ -643,6 +651,11 @@ theta4_m: np.ufunc
 theta4_mc: np.ufunc
 theta4_q: np.ufunc
 turns: np.ufunc
+# Addresses of functions, for JAX.
+xla_advance: object
+xla_motion: object
+xla_period: object
+xla_sensitivities: object
 
 @final
 class AngleFormula:

@@ -11,7 +11,9 @@ from typing import Any
 
 import numpy as np
 
+from ._advice import has_units
 from ._labels import Result, like, named
+from ._units import plain
 
 PLAIN = {float, int, bool, np.float64, np.ndarray, type(None)}
 LIBRARIES = ("xarray", "dask.array", "pandas")
@@ -20,15 +22,22 @@ LIBRARIES = ("xarray", "dask.array", "pandas")
 class Elementwise:
     """A function of arrays of doubles, of any one shape, with what `apply` asks of a ufunc.
 
-    It answers one array of as many doubles, or a tuple of ``nout``; what is masked stays masked.
+    It answers one array of as many doubles, or a tuple of ``nout``; what is masked stays masked. `argument` is the name of what it takes.
     """
 
-    def __init__(self, function: Callable[[np.ndarray], Any], nout: int = 1) -> None:
+    def __init__(self, function: Callable[[np.ndarray], Any], nout: int = 1, argument: str = "t") -> None:
         self.function = function
+        self.argument = argument
         self.nout = nout
         self.types = ("d->" + nout * "d",)
 
     def __call__(self, argument: Any) -> Any:
+        if has_units(argument):
+            # What NumPy would make of it are the numbers in whatever unit it has.
+            try:
+                argument = plain(self.argument, argument)
+            except ValueError as error:
+                raise TypeError(str(error)) from None
         values = numbers(argument)
         answers = self.function(np.ascontiguousarray(np.ma.filled(values, np.nan)).ravel())
         shaped = tuple(
@@ -45,7 +54,9 @@ class Elementwise:
 
 
 def numbers(argument: Any) -> Any:
-    """An argument as an array of doubles; text, None and complex numbers are refused, not converted."""
+    """An argument as an array of doubles; text, None, complex numbers and quantities with units are refused, not converted."""
+    if has_units(argument):
+        raise TypeError(f"{argument!r}: must be real numbers without units")
     if hasattr(argument, "iloc"):
         # The missing values of pandas.
         argument = argument.to_numpy(dtype=float, na_value=np.nan)

@@ -8,12 +8,13 @@ import inspect
 from collections.abc import Callable, Iterator
 from difflib import get_close_matches
 from functools import wraps
-from typing import Any, NoReturn, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from ._advice import advice, element_kind, has_units
 from ._scalars import shown
+from ._units import plain_call
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -99,15 +100,21 @@ def explained(function: Function) -> Function:
         try:
             return function(*arguments, **keywords)
         except REFUSALS as error:
-            refuse(error, function, arguments, keywords)
+            return refuse(error, function, arguments, keywords)
 
     return cast(Function, call)
 
 
 def refuse(
     error: Exception, function: Callable[..., Any], arguments: tuple[Any, ...], keywords: dict[str, Any] | None = None
-) -> NoReturn:
-    """Raise what explains the error of a call, or the error itself."""
+) -> Any:
+    """Raise what explains the error of a call, or the error itself; quantities with units are taken as numbers first."""
+    try:
+        call = plain_call(function, arguments, keywords or {})
+    except ValueError as wrong:
+        raise type(error)(str(wrong)) from None
+    if call is not None:
+        return function(*call[0], **call[1])
     found = _explanation(error, inspect.unwrap(function), arguments, keywords or {})
     if found is None:
         raise error

@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from ._advice import advice
+from . import _units as units
+from ._advice import advice, has_units
 
 # The functions that take arrays of what a constructor takes one of.
 OF_ARRAYS = {"theta0": "libration.motion", "velocity0": "libration.motion", "u0": "libration.duffing_motion"}
@@ -25,6 +26,8 @@ def real(name: str, value: Any) -> float:
         except TypeError:
             # A number with a unit of astropy.
             pass
+    if has_units(value):
+        return real(name, units.plain(name, value))
     several = OF_ARRAYS.get(name) if getattr(value, "ndim", 0) or isinstance(value, list | tuple) else None
     hint = f"; {several} takes arrays" if several else advice(name, value)
     raise ValueError(f"{name} = {shown(value)}: must be one real number, a Python or NumPy scalar{hint}")

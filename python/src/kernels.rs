@@ -46,6 +46,8 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "frequency", nothing, whole::<[f64; 1], _>(mean_frequency))?;
     add(module, "period", nothing, whole::<[f64; 1], _>(period))?;
     add(module, "phase", nothing, whole::<[f64; 1], _>(phase))?;
+    add(module, "energy_ratio", nothing, whole::<[f64; 1], _>(energy_ratio))?;
+    add(module, "energy_ratio_c", nothing, whole::<[f64; 1], _>(energy_ratio_c))?;
     add(module, "from_action_phase", nothing, whole::<[f64; 2], _>(from_action_phase))?;
     add(module, "harmonic_distortion", nothing, whole::<[f64; 1], _>(harmonic_distortion))
 }
@@ -92,6 +94,14 @@ fn period((): &(), states: [&[f64]; 3], _: usize, [period]: [&mut [f64]; 1]) {
 
 fn phase((): &(), states: [&[f64]; 3], _: usize, [phase]: [&mut [f64]; 1]) {
     pendulum::phase_into(states, phase);
+}
+
+fn energy_ratio((): &(), states: [&[f64]; 3], _: usize, [ratio]: [&mut [f64]; 1]) {
+    pendulum::energy_ratio_into(states, ratio);
+}
+
+fn energy_ratio_c((): &(), states: [&[f64]; 3], _: usize, [rest]: [&mut [f64]; 1]) {
+    pendulum::energy_ratio_c_into(states, rest);
 }
 
 fn from_action_phase((): &(), rows: [&[f64]; 4], _: usize, columns: [&mut [f64]; 2]) {

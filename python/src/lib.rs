@@ -7,6 +7,7 @@ mod approx_period;
 mod damped;
 mod elliptic;
 mod fit;
+mod gradients;
 mod kernels;
 mod least_squares;
 mod numerical;
@@ -33,5 +34,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     elliptic::add_all(module)?;
     fit::add_all(module)?;
     least_squares::add_all(module)?;
+    gradients::add_all(module)?;
     kernels::add_all(module)
 }

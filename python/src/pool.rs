@@ -47,15 +47,14 @@ pub fn share<T: Send>(
     let Some(pool) = pool else {
         return signals::watched(|stop| section(0, rows, stop));
     };
-    let pieces = (rows / WORTHWHILE).min(4 * pool.current_num_threads());
-    let edge = |piece: usize| (rows as u128 * piece as u128 / pieces as u128) as usize;
+    let (pieces, edge) = shares(rows, pool);
     let last = Mutex::new(None);
     let stopped = AtomicBool::new(false);
     let left = Left::new(pieces);
     let mut raised = None;
     pool.in_place_scope(|scope| {
         for piece in 0..pieces {
-            let (section, last, stopped, left) = (&section, &last, &stopped, &left);
+            let (section, edge, last, stopped, left) = (&section, &edge, &last, &stopped, &left);
             scope.spawn(move |_| {
                 let _one = One(left);
                 let stop = |_| stopped.load(Ordering::Relaxed);
@@ -74,6 +73,25 @@ pub fn share<T: Send>(
         stopped.store(raised.is_some(), Ordering::Relaxed);
     });
     raised.map_or_else(|| Ok(last.into_inner().unwrap_or(None)), Err)
+}
+
+/// Runs `section(from, rows)` over all rows without a question to the interpreter, for threads that must not wait for it.
+pub fn share_alone(rows: usize, section: impl Fn(usize, usize) + Sync) {
+    let pool = if rows < 2 * WORTHWHILE { None } else { pool() };
+    let Some(pool) = pool else { return section(0, rows) };
+    let (pieces, edge) = shares(rows, pool);
+    pool.in_place_scope(|scope| {
+        for (from, to) in (0..pieces).map(|piece| (edge(piece), edge(piece + 1))) {
+            let section = &section;
+            scope.spawn(move |_| section(from, to - from));
+        }
+    });
+}
+
+/// How many pieces the threads share, and the first row of each.
+fn shares(rows: usize, pool: &ThreadPool) -> (usize, impl Fn(usize) -> usize) {
+    let pieces = (rows / WORTHWHILE).min(4 * pool.current_num_threads());
+    (pieces, move |piece| (rows as u128 * piece as u128 / pieces as u128) as usize)
 }
 
 /// How many pieces are not done.

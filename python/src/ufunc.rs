@@ -9,6 +9,7 @@
 
 pub mod interpreter;
 mod operands;
+pub mod xla;
 
 use std::array;
 use std::cell::Cell;

@@ -151,7 +151,7 @@ def test_every_example_of_the_help_runs(capsys, tmp_path, monkeypatch, columns):
         main(words)
         text = capsys.readouterr().out.partition("examples:\n")[2].replace("\\\n", "")
         examples += [line.split()[1:] for line in text.splitlines() if line.startswith("  libration ")]
-    assert len(examples) == 23
+    assert len(examples) == 24
     for words in examples:
         assert main(words) == 0, words
 

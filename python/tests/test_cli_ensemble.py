@@ -43,6 +43,7 @@ def everything(folder):
     ("spec", "line"),
     [
         ("a b", "is no TOML: Expected '=' after a key in a key/value pair (at line 1, column 3)"),
+        (f"t = {'[' * 3000}{']' * 3000}", "is no SPEC: its lists are nested too deeply"),
         ("", "[states] is missing: must be there; see docs/ensembles.md"),
         (STATES, "[time] is missing: must be there; see docs/ensembles.md"),
         ("title = 3\n" + SPEC, "title = 3: must be a text"),
@@ -78,6 +79,7 @@ def everything(folder):
         ),
         (GRID + "omega0 = [1, 2]\n" + TIME + "[reduce]\n", "[states] omega0: must be one number beside [reduce]"),
         (STATES + "[time]\nt = nan\n", "[time] t = nan: must be finite"),
+        (STATES + "[time]\nt = 2026-01-01\n", "[time] t = datetime.date(2026, 1, 1): must be one real number"),
         (STATES + "[time]\nt = 1\ncount = 2\n", "[time] t = 1: must be alone, or be left out beside from, to and"),
         (STATES + "[time]\nt = {from = 0}\n", "[time] t = {'from': 0}: must be numbers"),
         (STATES + "[time]\nfrom = 0\nto = 1\n", "[time] count is missing: must have from, to and count"),

@@ -126,6 +126,7 @@ def test_a_file_that_exists_is_replaced_and_a_directory_made(capsys):
     assert capsys.readouterr().out.splitlines()[-1].split() == ["written", "out/motion.csv"]
 
 
+@pytest.mark.posix
 def test_a_link_stays_a_link():
     os.symlink("real.csv", "link.csv")
     assert main([*HORSLEY, "--out", "link.csv"]) == 0
@@ -167,6 +168,7 @@ def test_a_failed_plot_takes_the_table_with_it(monkeypatch):
     assert names() == []
 
 
+@pytest.mark.posix
 @pytest.mark.parametrize("name", ["a.csv", "a.npz", "a.json", "deep/a.csv"])
 def test_full_disk(name):
     code = """if True:

@@ -87,6 +87,7 @@ def test_a_port_in_use_is_refused(
     assert "leave it out for a free one" in capsys.readouterr().err
 
 
+@pytest.mark.posix
 def test_ctrl_c_ends_it(folder: Path) -> None:
     program = f"""
 import sys

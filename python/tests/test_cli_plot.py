@@ -14,8 +14,7 @@ from matplotlib.figure import Figure
 from libration import Pendulum
 from libration.cli import main
 from libration.plot import linear_theta, plot_motion
-from libration.plot._angle import draw_angle
-from libration.plot._motion import headline
+from libration.plot._angle import draw_angle, headline
 from libration.plot._portrait import covered, draw_portrait
 from libration.plot._style import angle_ticks, pi_text
 

@@ -184,6 +184,7 @@ def test_unknown_column_lists_what_there_is(said):
     assert line == "libration solve: --column = time: is no column of t.csv; it has 't [s]', 'theta'"
 
 
+@pytest.mark.posix
 def test_targets_that_are_not_files(said, monkeypatch):
     os.mkdir("d.csv")
     os.mkfifo("f.csv")
@@ -196,6 +197,7 @@ def test_targets_that_are_not_files(said, monkeypatch):
     assert "cannot be written: it is read-only" in said(*SOLVE, "--out", "old.csv")
 
 
+@pytest.mark.posix
 def test_one_file_under_two_names(said):
     for name in ("s1.csv", "s2.png"):
         os.symlink("picture", name)
@@ -206,6 +208,7 @@ def test_one_file_under_two_names(said):
     assert "are one file" in said(*SOLVE, "--out", "./s1.csv", "--plot", "s2.png")
 
 
+@pytest.mark.posix
 @pytest.mark.parametrize("loop", [("a.csv", "a.csv"), ("a.csv", "b.csv")])
 def test_links_in_a_circle(said, loop):
     first, second = loop

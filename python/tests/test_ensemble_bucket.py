@@ -1,10 +1,12 @@
-"""Buckets: the numbers of a machine's design report, tunes against tracking, ways to the pendulum and back, refusals."""
+"""Buckets: rings of the reference, tunes against tracking, ways to the pendulum and back, refusals."""
 
+import csv
 import math
 import pickle
 
 import numpy as np
 import pytest
+from test_accuracy_elliptic import ROOT
 
 from libration.ensemble import Bucket, track
 
@@ -57,15 +59,31 @@ def crossings(values):
     return (exact[-1] - exact[0]) / (len(exact) - 1)
 
 
-def test_the_lhc_at_injection_and_at_the_top():
-    """LHC Design Report, CERN-2004-003, main parameters: 63.7 and 23.0 Hz, 1.43 and 7.91 eV s, 1.0 and 0.36 parts in 1000."""
-    injection, top = Bucket(**LHC), Bucket(**LHC | {"voltage": 16e6, "energy": 7e12})
-    for bucket, hertz, area, height in ((injection, 63.7, 1.43, 1.0e-3), (top, 23.0, 7.91, 0.36e-3)):
-        assert round(bucket.omega0 / math.tau, 1) == hertz
-        assert abs(bucket.area / area - 1) < 4e-3
-        assert abs(bucket.height / height - 1) < 2e-2
-    assert round(injection.revolution_frequency) == 11245
-    assert abs(injection.slip_factor / 3.182e-4 - 1) < 2e-4
+def reference_rings():
+    """The rings of reference/vectors/rings.csv: the arguments, and what is known of each as pairs of doubles."""
+    with (ROOT / "reference/vectors/rings.csv").open(newline="") as file:
+        rows = [{name: row[name] for name in row if name != "stratum"} for row in csv.DictReader(file)]
+    assert len(rows) == 9
+    for row in rows:
+        numbers = {name: float.fromhex(value) for name, value in row.items()}
+        given = {name: numbers[name] for name in LHC} | {"harmonic": int(numbers["harmonic"])}
+        yield (
+            given,
+            {name[:-3]: (numbers[name], numbers[f"{name[:-3]}_lo"]) for name in numbers if name.endswith("_hi")},
+        )
+
+
+def test_truth():
+    for given, truth in reference_rings():
+        bucket = Bucket(**given)
+        # A difference of two numbers that are nearly alike next to transition: what an ulp of them is of it.
+        lost = (abs(given["momentum_compaction"]) + (given["mass"] / given["energy"]) ** 2) / abs(bucket.slip_factor)
+        for name, (hi, lo) in truth.items():
+            found = bucket.tune(2.0) if name == "tune" else getattr(bucket, name)
+            ulps = abs((found - hi) - lo) / math.ulp(hi) / (1 if name == "revolution_frequency" else lost)
+            assert ulps <= 4, (given, name, ulps)
+            spoiled = found * (1 + 1e-14 * lost)
+            assert abs((spoiled - hi) - lo) / math.ulp(hi) / lost > 4, "a spoiled value must show"
 
 
 @rings

@@ -7,6 +7,7 @@ import contextlib
 import json
 import math
 import os
+import re
 import signal
 import sys
 import time
@@ -187,8 +188,17 @@ def test_a_signal_ends_it_and_resume_goes_on(asked, straight, tmp_path, hands, n
     wait_for(out, 1, run)
     # To all processes, as a terminal does.
     os.killpg(run.pid, signal.SIGINT) if number == signal.SIGINT else run.send_signal(number)
+    said = run.communicate(timeout=PATIENCE)[1].decode()
     # 0 if it was over.
-    assert run.communicate(timeout=PATIENCE)[1] == b"" and run.returncode in (128 + number, 0)
+    assert run.returncode in (128 + number, 0)
+    if run.returncode:
+        why = "interrupted" if number == signal.SIGINT else "asked to end"
+        assert re.fullmatch(
+            rf"libration ensemble: {why}; \d+ of {CHUNKS} chunks are done, and --resume goes on\n", said
+        )
+    else:
+        assert said == ""
+    assert not list(out.rglob("*.partial"))
     assert resumed(asked, out) == content(straight)
 
 
@@ -208,6 +218,26 @@ def test_no_space_left_is_one_line_and_resumes(asked, straight, tmp_path, monkey
     # A long path is shown in part.
     assert shown.endswith(said.partition(": ")[2] + "\n") and shown.count("\n") == 1
     assert not list(out.rglob("*.partial"))
+    monkeypatch.undo()
+    assert resumed(asked, out) == content(straight)
+
+
+def test_two_runs_of_one_part_do_not_take_each_others_files_away(asked, straight, tmp_path, monkeypatch, capsys):
+    """The second to begin removes what it takes for a leftover; the first ends, and leaves the second at work."""
+    out = tmp_path / "run.zarr"
+    others = out / "theta" / "c" / "9.0123.partial"
+
+    def taken_away(path, spec, number):
+        if number == 7:
+            others.write_bytes(b"the other run's")
+            raise FileNotFoundError(2, "No such file or directory")
+        return _store.written(path, spec, number)
+
+    monkeypatch.setattr(_workers, "written", taken_away)
+    assert main(["ensemble", asked, "--out", str(out), "--part", "1/1"]) == 2
+    shown = capsys.readouterr().err
+    assert "was taken away; is another run at work on the same chunks?; 7 of 60 chunks are done" in shown
+    assert shown.count("\n") == 1 and others.exists()
     monkeypatch.undo()
     assert resumed(asked, out) == content(straight)
 

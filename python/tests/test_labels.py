@@ -108,10 +108,15 @@ NO_ARRAYS = {
     "gravity_of_period",
     "gravity_of_pivots",
     "normal_gravity",
+    "cite",
+    "uncertain_motion",
+    "uncertain_period",
 }
 OTHERS = {
     "Pendulum": {
         "degrees",
+        "animate",
+        "to_dataframe",
         "plot",
         "plot_phase",
         "times",
@@ -124,8 +129,8 @@ OTHERS = {
         "sensitivities",
         "second_sensitivities",
     },
-    "Duffing": {"times", "of_pendulum"},
-    "CubicQuintic": {"times"},
+    "Duffing": {"times", "of_pendulum", "to_dataframe"},
+    "CubicQuintic": {"times", "to_dataframe"},
     "DuffingForm": {"table"},
     "AngleFormula": {"of", "ranges"},
     "AngleApproximation": {"error"},

@@ -41,11 +41,11 @@ def test_every_public_name_is_there_and_documented():
     names = [
         "CubicQuintic DampedPendulum Duffing DuffingForm Estimate Fit Fourier Friction JacobiComplexValues",
         "JacobiValues OscillatorRegime Pendulum Regime Together Torque __version__ action advance carlson_rc",
-        "carlson_rd carlson_rf carlson_rj complete_e complete_k complete_pi duffing_motion energy energy_ratio",
+        "carlson_rd carlson_rf carlson_rj cite complete_e complete_k complete_pi duffing_motion energy energy_ratio",
         "energy_ratio_c fit fit_together frequency from_action_phase from_nome gravity_of_period gravity_of_pivots",
         "harmonic_distortion heuman_lambda incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex",
         "jacobi_epsilon jacobi_zeta motion next_crossing nome normal_gravity period phase regime sensitivities",
-        "theta theta1 theta2 theta3 theta4 theta_max turns velocity",
+        "theta theta1 theta2 theta3 theta4 theta_max turns uncertain_motion uncertain_period velocity",
     ]
     assert libration.__all__ == " ".join(names).split()
     for name in libration.__all__:

@@ -83,6 +83,7 @@ def test_a_bad_number_of_threads_is_refused_by_the_import(threads):
     assert done.stderr.count("Error") == 1
 
 
+@pytest.mark.posix
 def test_a_number_of_threads_that_is_no_text_is_refused_by_the_import():
     run, environment = [sys.executable, "-c", "import libration"], dict(os.environb)
     environment[b"LIBRATION_NUM_THREADS"] = b"2\xff"
@@ -97,6 +98,7 @@ def test_a_good_number_of_threads_is_taken(threads):
     assert python("import libration", threads=threads).returncode == 0
 
 
+@pytest.mark.posix
 def test_a_forked_child_answers():
     """The threads of the parent are not there in the child, which must not wait for them."""
     code = f"""if True:

@@ -6,7 +6,8 @@
 //! Comp. 46 (1986) 135 (interpolant); Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.4.
 
 use super::steps::State;
-use crate::float::Td;
+use crate::float::Dd;
+use crate::float::exponent::ldexp;
 
 /// SciPy's defaults.
 const RELATIVE: f64 = 1e-3;
@@ -189,10 +190,67 @@ fn first_step(state: State, slope: State, omega2: f64, until: f64) -> f64 {
     (100.0 * h).min(longer).min(until)
 }
 
-/// The fifth root of a number >= 0; what is NaN gives none, so that a step shrinks most.
+/// The fifth root of a number >= 0, rounded to the nearest double but where that is nearly a tie; what is NaN gives none, so that a
+/// step shrinks most.
 fn fifth_root(value: f64) -> f64 {
     if value.is_nan() || value < f64::MIN_POSITIVE {
         return 0.0;
     }
-    if value == f64::INFINITY { value } else { (Td::from(value).ln() * 0.2).exp().hi }
+    if value == f64::INFINITY {
+        return value;
+    }
+    // The squares and their rests stay doubles; powers of 2 change no digit.
+    if !(1e-200..1e200).contains(&value) {
+        let power = if value < 1.0 { 500 } else { -500 };
+        return ldexp(fifth_root(ldexp(value, power)), -power / 5);
+    }
+    // A fifth of the exponent: within 5 % of the root. Newton's steps square the error: 5e-3, 5e-5, 5e-9, rounding.
+    let mut root = f64::from_bits(value.to_bits() / 5 + 4 * 1023 * (1 << 52) / 5);
+    for _ in 0..4 {
+        let square = root * root;
+        root -= (root - value / (square * square)) / 5.0;
+    }
+    // One more in double-double, of which the correction alone is taken.
+    let fourth = Dd::product(root, root).square();
+    let left = Dd::from(value) - fourth * root;
+    root + left.value() / (5.0 * fourth.hi)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fifth_root;
+    use crate::float::Dd;
+    use crate::float::exponent::ldexp;
+
+    /// Whether the fifth power of a root and a part of its last place is above a number.
+    fn is_above(value: f64, root: f64, places: f64) -> bool {
+        let near = Dd::from(root) + Dd::from(places * (root.next_up() - root));
+        (near.square().square() * near - Dd::from(value)).value() > 0.0
+    }
+
+    #[test]
+    fn fifth_roots_are_the_nearest_doubles() {
+        let mut value = 1e-190;
+        while value < 1e190 {
+            let root = fifth_root(value);
+            assert!(is_above(value, root, 0.501) && !is_above(value, root, -0.501), "{value}: {root}");
+            // Beyond, by powers of 2.
+            let power = if value < 1.0 { -300 } else { 300 };
+            assert_eq!(fifth_root(ldexp(value, power)), ldexp(root, power / 5), "{value}");
+            value *= 1.37;
+        }
+        for (value, root) in
+            [(32.0, 2.0), (1.0, 1.0), (243.0, 3.0), (0.0, 0.0), (f64::INFINITY, f64::INFINITY)]
+        {
+            assert_eq!(fifth_root(value), root);
+        }
+        assert_eq!(fifth_root(f64::NAN), 0.0);
+    }
+
+    #[test]
+    fn the_check_of_roots_sees_the_next_double() {
+        let root = fifth_root(7.0);
+        assert!(!is_above(7.0, root.next_down(), 0.501));
+        assert!(is_above(7.0, root.next_up(), -0.501));
+    }
 }

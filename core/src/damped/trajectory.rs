@@ -6,8 +6,8 @@ use super::damped_pendulum::DampedPendulum;
 use super::segment::{Event, Segment, Tolerance};
 use super::torque::TORQUES;
 use crate::domain::{Domain, shown};
-use crate::float::{Dd, PI, TWO_PI};
-use crate::pendulum::{Orbit, Turns};
+use crate::float::{Dd, TWO_PI};
+use crate::pendulum::{Orbit, Turns, half_open};
 use crate::sorting::{sort, sort_numbers};
 use std::sync::Arc;
 
@@ -273,11 +273,7 @@ impl Trajectory {
         let theta = segment.theta + Dd::from(segment.change(since(segment, time)).0);
         let count = (theta.hi / TWO_PI.hi).round();
         let rest = theta - TWO_PI * count;
-        let (shift, angle) = match rest.value() {
-            value if value >= PI.hi => (1, (rest - TWO_PI).value().max(-PI.hi)),
-            value if value < -PI.hi => (-1, (rest + TWO_PI).value()),
-            value => (0, value),
-        };
+        let (shift, angle) = half_open(rest);
         if count.abs() < 9e18 {
             Turns { count: count as i64 + shift, angle }
         } else {

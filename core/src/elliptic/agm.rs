@@ -30,19 +30,42 @@ pub fn agm(b: Dd) -> Dd {
     (a + b).scale(0.5)
 }
 
-/// agm(1, b) over lanes, of b in [0.7, 1], sqrt b and 1 - b^2; and lambda, from which the nome of 1 - b^2 follows.
-///
-/// With t = (1 - sqrt b)/(1 + sqrt b) = 2 lambda, the means after two steps are (1 + sqrt b)^2/4 times 1 +- t^2.
-#[inline(always)]
-pub(crate) fn agm_near<L: Lane>(
-    [b, root]: [Unnormalised<L>; 2],
-    one_minus_square: Unnormalised<L>,
-) -> [Unnormalised<L>; 2] {
-    let one = Unnormalised::from_double(L::splat(1.0));
-    let sum = one.plus_smaller(root);
-    let mean = sum.square().scale(L::splat(0.25));
-    let t = one_minus_square.over(one.plus_smaller(b) * mean).scale(L::splat(0.25));
-    [mean * agm_of_pair(t.square()), t.scale(L::splat(0.5))]
+/// The arithmetic-geometric mean of 1 and b over lanes, for b^2 in [1/2, 1], and what else its first steps give.
+pub(crate) struct NearMean<L: Lane> {
+    pub b: Unnormalised<L>,
+    /// sqrt b.
+    pub root: Unnormalised<L>,
+    pub mean: Unnormalised<L>,
+    /// From which the nome of 1 - b^2 follows.
+    pub lambda: Unnormalised<L>,
+    /// The inverse of another number to a few roundings.
+    pub inverse: L,
+}
+
+impl<L: Lane> NearMean<L> {
+    /// From b^2 and 1 - b^2; and the inverse of another number, by the same division.
+    ///
+    /// With t = (1 - sqrt b)/(1 + sqrt b) = 2 lambda, the means after two steps are (1 + sqrt b)^2/4 times 1 +- t^2.
+    #[inline(always)]
+    pub fn new(square: Unnormalised<L>, one_minus_square: Unnormalised<L>, other: L) -> Self {
+        let (one, half, quarter) = (L::splat(1.0), L::splat(0.5), L::splat(0.25));
+        let b = square.hi.sqrt();
+        let root = b.sqrt();
+        let sum = one + root;
+        let divisor = (one + b) * (sum * sum);
+        let product = root * divisor;
+        let all = one / (product * other);
+        let (inverse, both) = (all * product, all * other);
+        let (of_root, of_divisor) = (both * divisor, both * root);
+        let half_of_root = half * of_root;
+        let b = square.near_root(b, half_of_root * of_root);
+        let root = b.near_root(root, half_of_root);
+        let one = Unnormalised::from_double(one);
+        let square = one.plus_smaller(root).square();
+        let t = one_minus_square.over_by(one.plus_smaller(b) * square, of_divisor);
+        let mean = square.scale(quarter) * agm_of_pair(t.square());
+        NearMean { b, root, mean, lambda: t.scale(half), inverse }
+    }
 }
 
 /// agm(1 + x, 1 - x) for |x| <= 0.02, to 2^-100.

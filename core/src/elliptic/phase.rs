@@ -33,8 +33,8 @@ pub struct ReducedPhase<L: Lane> {
 /// 2^53 half periods: beyond, doubles are further apart than a motion repeats.
 pub(crate) const LAST_HALF_PERIOD: f64 = 9_007_199_254_740_992.0;
 
-/// Up to this count the sum with the start has 26 digits after the point.
-pub(crate) const NEAR: f64 = 67_108_864.0;
+/// 2^32: up to this count the sum with the start has 20 digits after the point.
+pub(crate) const NEAR: f64 = 4_294_967_296.0;
 
 /// Beyond this argument every hyperbolic function has its limit.
 const FAR: f64 = 1e6;
@@ -78,10 +78,11 @@ impl Phase {
 
 /// t rate in half periods, as the nearest whole number and the signed rest, in [-1/2, 1/2] up to a rounding error.
 #[inline(always)]
-pub(crate) fn turned<L: Lane>(t: L, rate: Dd<L>) -> (L, Dd<L>) {
+pub(crate) fn turned<L: Lane>(t: L, rate: Unnormalised<L>) -> (L, Dd<L>) {
     let (turned, error) = t.two_product(rate.hi);
     let whole = turned.round();
-    (whole, Dd::sum(turned - whole, t.mul_add(rate.lo, error)))
+    // Exact: the difference is a multiple of the last place of the product, and the rest a few of those.
+    (whole, Dd::ordered_sum(turned - whole, t.mul_add(rate.lo, error)))
 }
 
 /// t rate modulo a period of its own in every lane: the nearest whole number of periods and the signed rest, good to 2^-103
@@ -116,7 +117,7 @@ impl<L: Lane> Phase<L> {
         (turned, [whole, carry], Dd::ordered_sum(part - carry, rest + (part_error + self.start.lo)))
     }
 
-    /// The nearest whole number and the signed rest, in [-1/2, 1/2] but for 2^-27, while the whole number is below `end` (at most
+    /// The nearest whole number and the signed rest, in [-1/2, 1/2] but for 2^-20, while the whole number is below `end` (at most
     /// 2^53); a NaN for the rest from there.
     #[inline(always)]
     pub fn count(&self, t: L, end: f64) -> (L, Dd<L>) {
@@ -184,4 +185,35 @@ fn counted_far<L: Lane>(n: L, sum: L, rest: L, end: f64) -> (L, Dd<L>) {
 #[inline(always)]
 fn within<L: Lane>(count: L, end: f64, f: Dd<L>) -> Dd<L> {
     Dd::new(L::select(count.abs().less(L::splat(end)), f.hi, L::splat(f64::NAN)), f.lo)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::float::exponent::exp2;
+    use crate::lanes::ROUNDER;
+
+    /// The count is that of the careful reduction, on both sides of [`NEAR`]; also where a half is left, and the low words go on.
+    #[test]
+    fn few_and_many_half_periods_are_counted_alike() {
+        let mut beyond_half = 0;
+        for power in [3, 20, 26, 27, 31, 32, 33, 40, 50] {
+            for i in 0..400 {
+                let whole = (exp2(power) * (1.0 + f64::from(i) / 401.0)).floor();
+                for (rest, low) in [(0.25, 1e-17), (0.5, exp2(-54)), (0.5, -exp2(-54))] {
+                    let (t, phase) = (whole + rest, Phase { rate: Dd::new(1.0, low), start: Dd::ZERO });
+                    let (n, f) = phase.count(t, LAST_HALF_PERIOD);
+                    let at = phase.reduce(t);
+                    let error = (Dd::from(n) + f) - (at.n + at.f.scale(at.sign));
+                    assert!(error.hi.abs() <= t * exp2(-103), "{t} {low:e} {error:?}");
+                    let most = if n <= NEAR { 0.5 + exp2(-20) } else { 0.5 };
+                    assert!(f.hi.abs() <= most, "{t} {low:e} {f:?}");
+                    beyond_half += u32::from(f.hi.abs() > 0.5);
+                    let (shifted, same) = phase.parity(t, ROUNDER, LAST_HALF_PERIOD);
+                    assert!(same == f && 1f64.alternated(shifted) == alternating(n), "{t} {low:e}");
+                }
+            }
+        }
+        assert!(beyond_half > 100, "{beyond_half}");
+    }
 }

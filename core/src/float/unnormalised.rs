@@ -42,6 +42,11 @@ impl<L: Lane> Unnormalised<L> {
     pub fn tight(self) -> Dd<L> {
         Dd::sum(self.hi, self.lo)
     }
+    /// Normalised, of words that are in order.
+    #[inline(always)]
+    pub fn ordered(self) -> Dd<L> {
+        Dd::ordered_sum(self.hi, self.lo)
+    }
     /// Times a power of two.
     #[inline(always)]
     pub fn scale(self, power: L) -> Self {
@@ -70,26 +75,15 @@ impl<L: Lane> Unnormalised<L> {
         let root = self.hi.sqrt();
         self.near_root(root, L::splat(0.5) / root)
     }
-    /// Square roots of two numbers likewise, by one division.
+    /// Square roots of two numbers likewise, from doubles that are they but for a few roundings, by one division.
     #[inline(always)]
-    pub fn two_roots(self, other: Self) -> [Self; 2] {
-        let (first, second) = (self.hi.sqrt(), other.hi.sqrt());
+    pub fn two_near_roots(self, other: Self, [first, second]: [L; 2]) -> [Self; 2] {
         let inverse = L::splat(0.5) / (first * second);
         [self.near_root(first, inverse * second), other.near_root(second, inverse * first)]
     }
-    /// Square root, and the root of that, by one division.
+    /// Square root from a double that is it but for a few roundings, and half the inverse of that.
     #[inline(always)]
-    pub fn root_and_fourth(self) -> [Self; 2] {
-        let first = self.hi.sqrt();
-        let second = first.sqrt();
-        let inverse = L::splat(1.0) / second;
-        let half = L::splat(0.5) * inverse;
-        let root = self.near_root(first, half * inverse);
-        [root, root.near_root(second, half)]
-    }
-    /// Square root from its high word and half the inverse of that.
-    #[inline(always)]
-    fn near_root(self, root: L, half_inverse: L) -> Self {
+    pub fn near_root(self, root: L, half_inverse: L) -> Self {
         let rest = self.hi.remainder(root, root) + self.lo;
         Unnormalised::new(root, rest * half_inverse)
     }
@@ -103,7 +97,11 @@ impl<L: Lane> Unnormalised<L> {
     /// Quotient.
     #[inline(always)]
     pub fn over(self, divisor: Self) -> Self {
-        let inverse = L::splat(1.0) / divisor.hi;
+        self.over_by(divisor, L::splat(1.0) / divisor.hi)
+    }
+    /// Quotient from the inverse of the divisor but for a few roundings.
+    #[inline(always)]
+    pub fn over_by(self, divisor: Self, inverse: L) -> Self {
         let first = self.hi * inverse;
         let rest = self.hi.remainder(first, divisor.hi) + (self.lo - first * divisor.lo);
         Unnormalised::new(first, rest * inverse)

@@ -14,10 +14,10 @@ use crate::float::exponent::exp2;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Columns, Evaluation, Formula, Lane, PIECES};
 
-/// w is 1 + `SCALE` f, but for the choice of the piece, where 4 must not be reached, also where f is 2^-27 beyond its end. So a
-/// polynomial is asked for values 2^-21 beyond its own, which is as good as within.
+/// w is 1 + `SCALE` f, but for the choice of the piece, where 4 must not be reached, also where f is 2^-20 beyond its end. So a
+/// polynomial is asked for values up to 2^-12 of its half width beyond its own: its last terms are a twentieth larger there.
 const SCALE: f64 = 6.0;
-const NOT_QUITE: f64 = SCALE * (1.0 - 1.0 / 8_388_608.0);
+const NOT_QUITE: f64 = SCALE * (1.0 - 1.0 / 131_072.0);
 
 /// Terms of a polynomial.
 const TERMS: usize = PIECE;
@@ -193,7 +193,7 @@ mod tests {
         for seam in 0..=8 {
             for w in [1.0 + f64::from(seam) / 8.0, 2.0 + f64::from(seam) / 4.0] {
                 let seam: f64 = (w - 1.0) / SCALE;
-                places.extend([seam.next_down(), seam, seam.next_up(), seam * (1.0 + 1e-8)]);
+                places.extend([seam.next_down(), seam, seam.next_up(), seam * (1.0 + 1.9e-6)]);
             }
         }
         for hi in places {

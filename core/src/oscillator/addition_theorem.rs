@@ -46,7 +46,7 @@ pub(super) struct StartOnLanes<L: Lane, const PAIR: bool, const HYPERBOLIC: bool
     by_c: L::Mask,
     neville: NevilleThetaLanes<L>,
     /// Half periods per time.
-    rate: Dd<L>,
+    rate: Unnormalised<L>,
     /// What S takes.
     scale: Unnormalised<L>,
     /// So many half periods keep their digits; 0 where none do.
@@ -150,7 +150,7 @@ impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> StartOnLanes<L, PAIR, HY
         let neville = NevilleThetaLanes::new::<HYPERBOLIC>(m, mc);
         let scale = square.inverse_root();
         let speed = square * scale;
-        let rate = (if PAIR { twice(speed) } else { speed } * neville.frequency).tight();
+        let rate = if PAIR { twice(speed) } else { speed } * neville.frequency;
         let within = L::select(L::splat(LEAST_COMPLEMENT).less(mc.hi), known * mc.hi, zero);
         let escaping = L::select(softening, L::select(inside, zero, one), zero);
         StartOnLanes {

@@ -2,7 +2,7 @@
 //! state of its own.
 //!
 //! With s, c = sine and cosine of theta/2, x = velocity/2 omega0 and S, C, D = sn, cn, dn(omega0 dt | m),
-//!   g = c^2 + s^2 C,  h = s c (1 - C),  d = g^2 + h^2 = D^2 + x^2 S^2 = c^2 + s^2 C^2,
+//!   g = c^2 + s^2 C = C + c^2 (1 - C),  h = s c (1 - C),  d = g^2 + h^2 = D^2 + x^2 S^2 = C^2 + c^2 S^2,
 //!   theta' = theta + 2 atan2(x S g - D h, D g + x S h),  x' = (x C - s c S D)/d
 //! in every regime: the half angle turns by atan2(x S, D) - atan2(h, g), which is continuous in dt. In rotation
 //! S, C, D are sn/k, dn, cn(k omega0 dt | 1/m), and whole turns are counted separately. S, C, D may share a factor.
@@ -14,7 +14,7 @@ use crate::elliptic::theta::neville_lanes::{NevilleThetaLanes, Point};
 use crate::float::double_double::two_sum;
 use crate::float::elementary::arctangent;
 use crate::float::unnormalised::Unnormalised;
-use crate::float::{Dd, PI, TWO_PI};
+use crate::float::{PI, TWO_PI};
 use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 
 /// Beyond so many half periods times 1 - m a row is left to the fallback: what double-doubles lose of the period next to the
@@ -37,7 +37,7 @@ pub(super) struct StateOnLanes<L: Lane, const ROTATION: bool, const HYPERBOLIC: 
     pub mc: Unnormalised<L>,
     pub lattices: NevilleThetaLanes<L>,
     /// Half periods per second.
-    rate: Dd<L>,
+    rate: Unnormalised<L>,
     /// 1/k in rotation.
     k_inverse: Unnormalised<L>,
     /// omega0, in rotation kappa omega0.
@@ -75,7 +75,7 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
         } else {
             (NevilleThetaLanes::new::<HYPERBOLIC>(m, mc), omega, one, one)
         };
-        let rate = (stretch * lattices.frequency).tight();
+        let rate = stretch * lattices.frequency;
         StateOnLanes {
             theta,
             velocity,
@@ -97,22 +97,23 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
     /// The state a time dt later, in terms of the turn of half the angle.
     #[inline(always)]
     pub fn later(&self, dt: L) -> LaterState<L> {
-        let StateOnLanes { s_square, c_square, across, x, .. } = *self;
+        let StateOnLanes { c_square, across, x, .. } = *self;
         let one = L::splat(1.0);
         let (n, f) = turned(dt, self.rate);
         let sign = one.copysign(f.hi);
         let point = self.lattices.at::<HYPERBOLIC>(f.scale(sign));
-        let (unit, unit_square) = (point.unit, point.unit_square);
-        let (sn, cn, dn, cn_square) = if ROTATION {
-            (point.sn.scale(sign) * self.k_inverse, point.dn, point.cn, point.dn_square)
+        let unit = point.unit;
+        let (sn, sn_square, cn, dn, cn_square) = if ROTATION {
+            let sn = point.sn.scale(sign) * self.k_inverse;
+            (sn, sn.square(), point.dn, point.cn, point.dn_square)
         } else {
-            let parity = alternating(n);
-            (point.sn.scale(sign * parity), point.cn.scale(parity), point.dn, point.cn_square)
+            let (parity, sn) = (alternating(n), point.sn.scale(sign));
+            (sn.scale(parity), point.sn_square, point.cn.scale(parity), point.dn, point.cn_square)
         };
         let within = n.abs().less(self.lattices.mc.hi * L::splat(MANY));
         let x_sn = x * sn;
-        let g = c_square * unit + s_square * cn;
-        let h = across * (unit - cn);
+        let lacking = unit - cn;
+        let (g, h) = (cn + c_square * lacking, across * lacking);
         LaterState {
             n,
             f: f.hi,
@@ -120,7 +121,7 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
             opposite: x_sn * g - dn * h,
             adjacent: dn * g + x_sn * h,
             x: x * cn * unit - across * sn * dn,
-            divisor: c_square * unit_square + s_square * cn_square,
+            divisor: cn_square + c_square * sn_square,
             sn,
             point,
         }
@@ -134,11 +135,12 @@ impl<L: Lane, const ROTATION: bool, const HYPERBOLIC: bool> StateOnLanes<L, ROTA
         let start = dt.equal(zero);
         let finished =
             |given: L, next: L| L::select(start, given, L::select(within, next, L::splat(f64::NAN)));
-        let (opposite, adjacent) = (opposite.tight(), adjacent.tight());
+        let (opposite, adjacent) = (opposite.ordered(), adjacent.ordered());
         let side = one.copysign(opposite.hi);
         let acute = arctangent(opposite.scale(side), adjacent.scale(one.copysign(adjacent.hi)));
         let acute = Unnormalised::from(acute);
-        let angle = Unnormalised::select(adjacent.hi.less(zero), Unnormalised::splat(PI) - acute, acute);
+        let angle =
+            Unnormalised::select(adjacent.hi.less(zero), Unnormalised::splat(PI).minus_smaller(acute), acute);
         let increment = angle.scale(L::splat(2.0) * side);
         let increment = if ROTATION {
             let turns = Unnormalised::from_double(n * one.copysign(self.x.hi));

@@ -46,7 +46,7 @@ impl<L: Lane> StateLanes<L> {
         let speed = omega.scale(L::splat(2.0));
         let x = Unnormalised::from_double(velocity).over(speed);
         let x_square = x.square();
-        let (m, mc) = (s_square + x_square, Unnormalised::from((c_square - x_square).tight()));
+        let (m, mc) = (s_square + x_square, Unnormalised::from((c_square - x_square).ordered()));
         StateLanes { half_turns, parity, sine, high, s_square, c_square, x, x_square, speed, m, mc }
     }
 }

@@ -50,16 +50,24 @@ impl Orbit {
             _ if self.frame.turns.lo == 0.0 => (Dd::sum(self.frame.turns.hi, turns), local),
             _ => (self.frame.turns + Dd::from(turns), local),
         };
-        // The half-open interval in doubles: its upper end is the lower end one turn on.
-        let (shift, angle) = match rest.value() {
-            value if value >= PI.hi => (1, (rest - TWO_PI).value().max(-PI.hi)),
-            value if value < -PI.hi => (-1, (rest + TWO_PI).value()),
-            value => (0, value),
-        };
+        let (shift, angle) = half_open(rest);
         match whole(count).and_then(|count| count.checked_add(shift)) {
             Some(count) => Turns { count, angle },
             None => Turns::NONE,
         }
+    }
+}
+
+/// A rest within three half turns as -1, 0 or 1 turns and an angle in the half-open interval of doubles: its upper end is the lower
+/// end one turn on, also where the angle only rounds to it.
+pub(crate) fn half_open(rest: Dd) -> (i64, f64) {
+    match rest.value() {
+        value if value >= PI.hi => (1, (rest - TWO_PI).value().max(-PI.hi)),
+        value if value < -PI.hi => match (rest + TWO_PI).value() {
+            angle if angle < PI.hi => (-1, angle),
+            _ => (0, -PI.hi),
+        },
+        value => (0, value),
     }
 }
 

@@ -29,6 +29,9 @@ export const enFriction = {
     josephson: 'Steady rotation, as a Josephson junction',
   },
 
+  computing: 'The motion is *being computed*: it is a fast one.',
+  endHere: 'End here',
+  reached: 'Computed up to {time}.',
   exact: 'Without friction and torque this is the *exact pendulum* of the Lab.',
   still: 'It *stays* where it is.',
   stops: 'It *comes to rest at {angle}* after *{time}*: dry friction holds it.',

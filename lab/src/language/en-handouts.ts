@@ -105,7 +105,7 @@ export const enHandouts = {
   takeK: 'Take _k_: C++17, Boost, GSL, Maple.',
 
   shownHelp: 'Tick nothing to show everything.',
-  hiddenHelp: 'With _g_ hidden only Lab and Data can be shown.',
+  hiddenHelp: 'With _g_ hidden only Lab and Data can be shown, and of the Lab neither period nor energy.',
   parts: {
     pendulum: 'pendulum',
     values: 'values',

@@ -236,7 +236,7 @@ export const en = {
     start: 'It is not written for this start.',
     loading: 'The module of this formula is not loaded.',
     none: '{name}: no value here.',
-    steps: '{name}: more than {most} steps, not computed.',
+    steps: 'Too many steps: show less time, or take longer steps.',
   },
 
   play: {

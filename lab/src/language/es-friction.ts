@@ -29,6 +29,9 @@ export const esFriction: FrictionCatalogue = {
     josephson: 'Rotación constante, como una unión Josephson',
   },
 
+  computing: 'El movimiento *se está calculando*: es un movimiento rápido.',
+  endHere: 'Terminar aquí',
+  reached: 'Calculado hasta {time}.',
   exact: 'Sin fricción ni par este es el *péndulo exacto* del laboratorio.',
   still: '*Se queda* donde está.',
   stops: '*Se detiene en {angle}* después de *{time}*: la fricción seca lo retiene.',

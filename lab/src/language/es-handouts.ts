@@ -105,7 +105,7 @@ export const esHandouts: HandoutsCatalogue = {
   takeK: 'Reciben _k_: C++17, Boost, GSL, Maple.',
 
   shownHelp: 'Si no marca nada, se muestra todo.',
-  hiddenHelp: 'Con _g_ oculto solo se muestran Laboratorio y Datos.',
+  hiddenHelp: 'Con _g_ oculto solo se muestran Laboratorio y Datos, y del laboratorio ni el periodo ni la energía.',
   parts: {
     pendulum: 'péndulo',
     values: 'valores',

@@ -227,7 +227,7 @@ export const es: FirstCatalogue = {
     start: 'No está escrita para este inicio.',
     loading: 'El módulo de esta fórmula no está cargado.',
     none: '{name}: sin valor aquí.',
-    steps: '{name}: más de {most} pasos, no calculado.',
+    steps: 'Demasiados pasos: muestre menos tiempo o tome pasos más largos.',
   },
 
   play: {

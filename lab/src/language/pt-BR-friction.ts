@@ -29,6 +29,9 @@ export const ptBRFriction: FrictionCatalogue = {
     josephson: 'Rotação constante, como uma junção Josephson',
   },
 
+  computing: 'O movimento *está sendo calculado*: é um movimento rápido.',
+  endHere: 'Parar aqui',
+  reached: 'Calculado até {time}.',
   exact: 'Sem atrito nem torque este é o *pêndulo exato* do laboratório.',
   still: 'Ele *fica* onde está.',
   stops: 'Ele *para em {angle}* depois de *{time}*: o atrito seco o segura.',

@@ -104,7 +104,7 @@ export const ptBRHandouts: HandoutsCatalogue = {
   takeK: 'Recebem _k_: C++17, Boost, GSL, Maple.',
 
   shownHelp: 'Sem nada marcado, mostra-se tudo.',
-  hiddenHelp: 'Com _g_ oculto só se mostram Laboratório e Dados.',
+  hiddenHelp: 'Com _g_ oculto só se mostram Laboratório e Dados, e do laboratório nem o período nem a energia.',
   parts: {
     pendulum: 'pêndulo',
     values: 'valores',

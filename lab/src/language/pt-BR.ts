@@ -227,7 +227,7 @@ export const ptBR: FirstCatalogue = {
     start: 'Não é escrita para este início.',
     loading: 'O módulo desta fórmula não está carregado.',
     none: '{name}: sem valor aqui.',
-    steps: '{name}: mais de {most} passos, não calculado.',
+    steps: 'Passos demais: mostre menos tempo ou tome passos maiores.',
   },
 
   play: {

@@ -24,8 +24,8 @@ export interface Energy {
   readonly total: Float64Array
 }
 
-/** Most steps of a numerical solution: a tenth of a second of work. */
-export const MOST_STEPS = 1_000_000
+/** Most steps of all numerical solutions that are computed for a frame: less than a tenth of a second of work. */
+export const MOST_STEPS = 500_000
 
 /** Angle and velocity of an exact motion. */
 interface Exact {
@@ -170,10 +170,15 @@ export class Motion {
     return this.#pendulum.turns(t)
   }
 
-  solution(curve: Curve, until: number): Solution | { readonly refused: Refusal } {
-    const step = curve.argument ?? 0
+  /** How many steps a numerical solution takes: RK45 one or two in the time of a radian, each as much work as four of the others. */
+  #steps({ argument }: Curve, until: number): number {
+    return argument === undefined ? 6 * until * (this.omega0 + Math.abs(this.setup.velocity0)) : until / argument
+  }
+
+  /** Until a time; where it is numerical, in no more than so many steps. */
+  solution(curve: Curve, until: number, most = MOST_STEPS): Solution | { readonly refused: Refusal } {
     if (kindOf(curve.name).numerical) {
-      if (step > 0 && until / step > MOST_STEPS) return { refused: 'steps' }
+      if (this.#steps(curve, until) > most) return { refused: 'steps' }
       return new Stepped(this, this.#pendulum, curve, until)
     }
     if (needsSecond(curve.name) && !secondLoaded()) return { refused: 'loading' }

@@ -1,13 +1,15 @@
 // The Poincaré section of a driven pendulum: angle and velocity once in every period of the drive.
 //
 // After a whole number of periods the drive is as at the start, so the motion is cut there: each piece begins where the one before ended,
-// with the angle within one turn. That rounds the state to doubles once in a piece, as a start is, and keeps memory and angles small.
+// with the angle within one turn. That rounds the state to doubles once in a piece, as a start is, and keeps memory and angles small. A
+// period in which the pendulum is too fast for one piece (piece.ts) is cut as well.
 
+import type { DampedPendulum } from 'libration'
 import { dampedOf, type FrictionSetup } from './friction'
+import { pieceOf } from './piece'
 
-/** Periods of a piece at most, and seconds of more than one: a few milliseconds of work. */
-const PIECE = 16
-const LONG = 160
+/** Periods of a piece at most. */
+const PERIODS = 16
 /** Longest period after which a motion is found to repeat, in periods of the drive, and how near it has to come back. */
 export const LONGEST = 16
 const NEAR = 1e-6
@@ -23,6 +25,8 @@ export class Section {
   stopped = false
   #skipped = 0
   #state: readonly [number, number]
+  /** Time since a period began, where one takes several pieces. */
+  #within = 0
 
   /** The first `skip` periods are left out: what the start makes of it dies away. */
   constructor(
@@ -42,16 +46,34 @@ export class Section {
   /** One piece more. */
   advance(): void {
     const [theta0, velocity0] = this.#state
-    const damped = dampedOf({ ...this.setup, theta0, velocity0 })
-    const period = (2 * Math.PI) / this.setup.driveFrequency
-    const piece = Math.max(1, Math.min(PIECE, Math.floor(LONG / period)))
-    const reach = damped.reach(period * piece)
-    const reached = reach < period * piece ? Math.floor(reach / period) : piece
-    this.stopped = reached < piece
-    const times = Float64Array.from({ length: reached }, (_, i) => period * (i + 1))
+    const frequency = this.setup.driveFrequency
+    const period = (2 * Math.PI) / frequency
+    const damped = dampedOf({ ...this.setup, theta0, velocity0 }, frequency * this.#within)
+    const left = period - this.#within
+    const whole = (time: number) => pieceOf(this.setup, velocity0, time) === time
+    if (whole(left)) {
+      let periods = this.#within === 0 ? PERIODS : 1
+      while (periods > 1 && !whole(periods * period)) periods /= 2
+      this.#state = this.#points(damped, left, period, periods)
+      this.#within = 0
+    } else {
+      const time = pieceOf(this.setup, velocity0, left)
+      this.stopped = damped.reach(time) < time
+      this.#state = this.stopped ? this.#state : [damped.turns(time).angle, damped.motion(time).velocity]
+      this.#within += time
+    }
+    damped.free()
+  }
+
+  /** The points at the ends of some periods, the first after a time; the state at the last. */
+  #points(damped: DampedPendulum, first: number, period: number, periods: number): readonly [number, number] {
+    const end = first + period * (periods - 1)
+    const reach = damped.reach(end)
+    const reached = reach < end ? Math.max(0, Math.floor((reach - first) / period + 1)) : periods
+    this.stopped = reached < periods
+    const times = Float64Array.from({ length: reached }, (_, i) => first + period * i)
     const { velocity } = damped.motion(times)
     const { angle } = damped.turns(times)
-    damped.free()
     for (let i = 0; i < reached && this.count < this.most; i++) {
       if (this.#skipped < this.skip) this.#skipped++
       else {
@@ -60,7 +82,7 @@ export class Section {
         this.count++
       }
     }
-    if (!this.stopped) this.#state = [angle[piece - 1] as number, velocity[piece - 1] as number]
+    return this.stopped ? this.#state : [angle[periods - 1] as number, velocity[periods - 1] as number]
   }
 
   /** Periods of the drive after which the motion repeats at its end; null where it does not, or too few are known. */

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
-import { embedCode, shownViews } from '../embedding'
+import { embedCode, saysNothing, shownViews } from '../embedding'
 import { plain, rich } from '../language/rich'
 import { writeLink } from '../link'
 import { LOCKS, type Lock, SECTIONS, type Shown, type State, VIEWS, type ViewName } from '../state'
@@ -26,9 +26,7 @@ const OFFERED: readonly ViewName[] = VIEWS.filter((name) => name !== 'handouts')
 /** The link of the embedded page: this motion, with what is chosen. */
 function embeddedLink({ store, words }: Live, { show, lock, hide }: EmbedChoices): string {
   const { moment } = store
-  const allowed = show.filter(
-    (each) => !OFFERED.includes(each as ViewName) || shownViews({ show: [], hide }).includes(each as ViewName),
-  )
+  const allowed = show.filter((each) => !hide || saysNothing(each))
   const state: State = {
     ...moment,
     // It begins at the start, not where this page happens to be.
@@ -79,14 +77,14 @@ export function embedForm(page: Live): TemplateResult {
     g: `${values.gravity.label} ${values.gravity.symbol}`,
     curves: handouts.curves,
   }
-  const possible = shownViews({ show: [], hide: chosen.hide })
+  const closed = (each: Shown) => chosen.hide && !saysNothing(each)
   const link = embeddedLink(page, chosen)
   const [width, height] = SIZES[chosen.size]
   const code = embedCode(link, width, height)
   const order = <T>(all: readonly T[], some: readonly T[]) => all.filter((each) => some.includes(each))
   return html`<div class="handout-columns embed-columns"><div class="column handout-choices">
-      <fieldset class="group"><legend>${handouts.views}</legend>${OFFERED.map((name) => show(name, views[name], !possible.includes(name)))}</fieldset>
-      <fieldset class="group"><legend>${handouts.partsOf}</legend>${SECTIONS.map((name) => show(name, handouts.parts[name]))}</fieldset>
+      <fieldset class="group"><legend>${handouts.views}</legend>${OFFERED.map((name) => show(name, views[name], closed(name)))}</fieldset>
+      <fieldset class="group"><legend>${handouts.partsOf}</legend>${SECTIONS.map((name) => show(name, handouts.parts[name], closed(name)))}</fieldset>
       <p class="soft small">${handouts.shownHelp}</p></div>
     <div class="column handout-choices">
       <fieldset class="group"><legend>${handouts.locked}</legend>${LOCKS.map((name) =>

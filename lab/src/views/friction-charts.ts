@@ -164,7 +164,8 @@ export function dampedAngle(view: FrictionView): TemplateResult {
     spoken: `${words.fixed(page.t, 2)} s: ${degrees(damped.at(page.t).theta)}`,
     table: () => tableOf(view),
     sound: () => ({ values: tracks.theta, low: least, high: most }),
-    note: damped.rests.length > 0 ? html`<p class="plot-note">${say.held}</p>` : nothing,
+    note: html`${damped.reach < state.until ? html`<p class="plot-note">${words.fill(say.reached, { time: words.with(words.fixed(damped.reach, 1), words.say.units.s) })}</p>` : nothing}
+      ${damped.rests.length > 0 ? html`<p class="plot-note">${say.held}</p>` : nothing}`,
   })
 }
 

@@ -1,5 +1,5 @@
-// What the charts of Friction are drawn from: the damped motion, the one without friction, and the section, which is computed in slices
-// so that the page never waits for it.
+// What the charts of Friction are drawn from: the damped motion, the one without friction, and the section. What takes long is computed in
+// slices, so that the page never waits for it.
 
 import { remember } from '../memory'
 import type { Motion } from '../model'
@@ -42,25 +42,28 @@ const setupBy = remember((text: string): FrictionSetup => JSON.parse(text))
 /** The same object while the numbers are the same. */
 const setupNow = (state: State): FrictionSetup => setupBy(JSON.stringify(setupOf(state)))
 
-let last: DampedMotion | null = null
-const motionBy = remember((setup: FrictionSetup, until: number) => {
-  // A long motion is megabytes: the one before is not left to the collector.
-  last?.free()
-  last = new DampedMotion(setup, until)
-  return last
-})
-
-export const dampedOf = (state: State): DampedMotion => motionBy(setupNow(state), state.until)
-
 /** Points of a curve: some for every swing. */
 function pointsOf(until: number, motion: Motion): number {
   const rate = Math.max(motion.omega0, Math.abs(motion.setup.velocity0))
   return Math.min(12_000, Math.max(1200, Math.ceil(5 * rate * until)))
 }
 
-const tracksOf = remember((damped: DampedMotion, motion: Motion, until: number): Tracks => {
-  const times = evenTimes({ from: 0, to: until }, pointsOf(until, motion))
-  const track = damped.sample(times)
+let last: DampedMotion | null = null
+const motionBy = remember((setup: FrictionSetup, until: number, points: number) => {
+  // A long motion is megabytes: the one before is not left to the collector.
+  last?.free()
+  last = new DampedMotion(setup, until, evenTimes({ from: 0, to: until }, points))
+  return last
+})
+
+/** The motion now. One that takes long is not done yet: it goes on beside the page. */
+export function dampedOf({ store, state, motion }: Live): DampedMotion {
+  const damped = motionBy(setupNow(state), state.until, pointsOf(state.until, motion))
+  return damped.done ? damped : slowly(store, damped, () => damped)
+}
+
+const tracksOf = remember((damped: DampedMotion, motion: Motion): Tracks => {
+  const { times, track } = damped
   return { times, ...track, energy: motion.energy(track).total, free: motion.sample(times).theta }
 })
 
@@ -72,8 +75,8 @@ const AVERAGED = 24
 /** How long a slice works, in ms: half a frame. */
 const SLICE = 8
 
-/** What is computed beside the page: the section of what is driven, the averaged law of what is not. */
-type Slow = Section | AveragedLaw
+/** What is computed beside the page: a long motion, then the section of what is driven, the averaged law of what is not. */
+type Slow = DampedMotion | Section | AveragedLaw
 
 interface Running {
   readonly slow: Slow
@@ -114,13 +117,14 @@ export function sectionOf({ store, state }: Live): Section | null {
   return slowly(store, setup, () => new Section(setup, MOST, SKIP))
 }
 
+/** Of a motion that is done. */
 export function frictionView(page: Live): FrictionView {
   const { state, motion } = page
-  const damped = dampedOf(state)
+  const damped = dampedOf(page)
   return {
     page: { ...page, t: within(page.t, state.until) },
     damped,
-    tracks: tracksOf(damped, motion, state.until),
+    tracks: tracksOf(damped, motion),
     section: sectionOf(page),
     averaged: state.drive === 0 ? slowly(page.store, damped, () => new AveragedLaw(damped, AVERAGED)) : null,
   }

@@ -3,7 +3,8 @@
 import '../language/friction'
 import '../style/friction.css'
 import { html, nothing, type TemplateResult } from 'lit-html'
-import { rich } from '../language/rich'
+import { plain, rich } from '../language/rich'
+import type { DampedMotion } from '../model/friction'
 import { LONGEST } from '../model/section'
 import { degrees } from '../number'
 import type { RangeName } from '../state'
@@ -62,9 +63,23 @@ function facts(page: Live, { damped, section }: FrictionView): TemplateResult {
     ${state.linear > 0 ? row('quality', state.quadratic > 0 || state.dry > 0 ? names.qualityLinear : names.quality, words.significant(motion.omega0 / (2 * state.linear))) : nothing}</dl>`
 }
 
+/** Of a motion that takes long: how far it is, and the way to be content with that. */
+function computing({ words, state, store }: Live, damped: DampedMotion): TemplateResult {
+  const { damped: say } = words.say
+  const end = () => {
+    damped.end()
+    store.changed()
+  }
+  return html`<div class="section-progress"><progress max=${state.until} .value=${damped.reach} aria-label=${plain(say.computing)}></progress>
+    <button type="button" class="button" id="friction-end" @click=${end}>${say.endHere}</button></div>`
+}
+
 function body(page: Live): TemplateResult {
   const waiting = motionsReady(page, page.words.say.damped)
   if (waiting) return waiting
+  const damped = dampedOf(page)
+  if (!damped.done)
+    return html`<div class="friction-columns">${left(page)}<div class="column middle">${computing(page, damped)}</div></div>`
   const view = frictionView(page)
   const { section } = view
   return html`<div class="friction-columns">${left(page)}
@@ -90,8 +105,9 @@ function sentence(page: Live): string {
   const { words, state } = page
   const { damped: say, units } = words.say
   if (motionsReady(page, say)) return words.say.sentence.waiting
+  const damped = dampedOf(page)
+  if (!damped.done) return say.computing
   if (state.drive !== 0) return drivenSentence(page)
-  const damped = dampedOf(state)
   const seconds = (value: number) => words.with(words.significant(value, 3), units.s)
   const until = words.with(words.given(damped.reach), units.s)
   const angle = (theta: number) => `${words.fixed(degrees(theta), 1)}°`

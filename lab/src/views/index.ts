@@ -40,8 +40,15 @@ export function secondFailed(): void {
   failed = true
 }
 
+/** Views that stand by themselves: without the part that comes after the Lab, and without the second module of the core. */
+const ALONE: readonly ViewName[] = ['springs', 'friction', 'data']
+/** One more that has no need of the module. */
+export const needsSecond = (shown: readonly ViewName[]): boolean =>
+  shown.some((name) => !ALONE.includes(name) && name !== 'phase')
+
 /** Loads the first views after the Lab; begun with the page, so that no request is left for a tab. Never rejects: the Lab works alone. */
-export async function loadViews(): Promise<void> {
+export async function loadViews(shown: readonly ViewName[]): Promise<void> {
+  if (shown.every((name) => ALONE.includes(name))) return
   try {
     later = await retried(() => import('./later'))
   } catch {
@@ -51,9 +58,9 @@ export async function loadViews(): Promise<void> {
 
 export const viewsLoaded = (): boolean => later !== null
 
-/** Loads the other views, that of the link first: what it is has come before it is drawn. Rejects where one did not come. */
-export async function loadParts(first: ViewName, came: () => void): Promise<void> {
-  const names = Object.keys(PARTS) as PartName[]
+/** Loads those of the other views that are shown, that of the link first: what it is has come before it is drawn. Rejects where one did not come. */
+export async function loadParts(shown: readonly ViewName[], first: ViewName, came: () => void): Promise<void> {
+  const names = (Object.keys(PARTS) as PartName[]).filter((name) => shown.includes(name))
   names.sort((a, b) => Number(b === first) - Number(a === first))
   for (const name of names) {
     parts[name] = (await retried(PARTS[name])).part

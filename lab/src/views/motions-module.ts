@@ -17,7 +17,7 @@ export function motionsReady({ store }: Live, words: WaitingWords): TemplateResu
   const phase = motionsPhase(MOTIONS, (now) => {
     store.changed()
     // With the module, a second visit works without a network too.
-    if (now === 'ready') void keepForLater()
+    if (now === 'ready' && !store.state.embed) void keepForLater()
   })
   if (phase === 'ready') return null
   if (phase === 'waiting') return html`<p class="waiting-line" role="status">${words.loading}</p>`

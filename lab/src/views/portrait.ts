@@ -75,10 +75,14 @@ const orbitOf = remember((motion: Motion): Loop[] => {
   return one ? [one] : []
 })
 
+/** The velocity at the bottom on the level of an energy. */
+function fastest(motion: Motion, energyRatio: number): number {
+  return motion.levelVelocity(Float64Array.of(0), energyRatio)[0] || 1
+}
+
 /** Greatest velocity of the axis: room for the faint curves and for the orbit. */
 function velocityReach(motion: Motion): number {
-  const [greatest = 1] = motion.levelVelocity(Float64Array.of(0), Math.max(2, 1.1 * motion.energyRatio))
-  return 1.02 * greatest
+  return 1.02 * fastest(motion, Math.max(2, 1.1 * motion.energyRatio))
 }
 
 /** While a hand is on the portrait its axis stands still. */
@@ -124,17 +128,20 @@ export function portraitGround(motion: Motion, sx: Scale, sy: Scale): TemplateRe
 }
 
 function draw(page: Live, width: number, height: number): TemplateResult {
-  const { motion, words, t, rem } = page
-  const reach = heldReach ?? velocityReach(motion)
+  const { motion, words, t, rem, state } = page
+  const { hide } = state
+  // Where g is hidden the velocity is measured by its largest: the separatrix, or a number of rad/s at its height, would say ω₀.
+  const unit = hide ? fastest(motion, motion.energyRatio) : 1
+  const reach = hide ? 1.15 * unit : (heldReach ?? velocityReach(motion))
   const sx = linearScale([-180, 180], [0, width])
   const sy = linearScale([-reach, reach], [height, 0])
-  const under = portraitGround(motion, sx, sy)
+  const under = hide ? nothing : portraitGround(motion, sx, sy)
   const { portrait } = words.say
   const labels = [
     { x: width / 2, y: height / 2 + 0.3 * rem, text: portrait.swings },
     { x: width / 2, y: 0.9 * rem, text: portrait.turnsOver },
   ]
-  const values = roundTicks(-reach, reach, 3)
+  const values = hide ? [-1, 0, 1] : roundTicks(-reach, reach, 3)
   const drawing = plot(
     {
       width,
@@ -143,10 +150,10 @@ function draw(page: Live, width: number, height: number): TemplateResult {
       sx,
       sy,
       xs: [-180, 0, 180].map((value) => ({ value, text: `${words.typed(value)}°` })),
-      ys: values.map((value) => ({ value, text: words.typed(value) })),
+      ys: values.map((value) => ({ value: value * unit, text: words.typed(value) })),
       xLabels: true,
       lines: orbitOf(motion).map((each) => ({ ...each, clothes: 'c-exact' })),
-      labels,
+      labels: hide ? [] : labels,
       under,
     },
     [motion, words, reach],
@@ -160,10 +167,11 @@ export function portraitChart(page: Live): TemplateResult {
   const { words, store, state } = page
   const { portrait } = words.say
   const size = sizeOf('portrait')
+  const { hide } = state
   const locked = isLocked(state, 'theta0') || isLocked(state, 'velocity0')
   return html`<figure class="chart portrait" aria-label=${portrait.title}>
-    <div class="head"><h2>${portrait.title} <span class="unit">${rich(portrait.unit)}</span></h2>${shownViews(state).includes('phase') ? iconButton(portrait.open, 'open', () => store.set({ view: 'phase' })) : nothing}</div>
-    <div class="plot with-x" style="--plot-height:12.5rem" ${measured('portrait')} title=${locked ? words.say.embedding.locked : nothing} @pointerdown=${size && !locked ? starting(page, size.width, size.height) : nothing}>${size && size.width > 0 ? draw(page, size.width, size.height) : ''}</div>
-    <figcaption class="unseen">${plain(portrait.caption)}</figcaption>
+    <div class="head"><h2>${portrait.title} <span class="unit">${rich(hide ? "_θ'_/_θ'_{max}" : portrait.unit)}</span></h2>${shownViews(state).includes('phase') ? iconButton(portrait.open, 'open', () => store.set({ view: 'phase' })) : nothing}</div>
+    <div class="plot with-x" style="--plot-height:12.5rem" ${measured('portrait')} title=${locked ? words.say.embedding.locked : nothing} @pointerdown=${size && !locked && !hide ? starting(page, size.width, size.height) : nothing}>${size && size.width > 0 ? draw(page, size.width, size.height) : ''}</div>
+    <figcaption class="unseen">${plain(hide ? portrait.title : portrait.caption)}</figcaption>
   </figure>`
 }

@@ -9,7 +9,6 @@ import { remember } from '../memory'
 import type { Model, Motion } from '../model'
 import { DEGREES, radians } from '../number'
 import { evenTimes } from '../study'
-import { roundTicksOf } from './axis-ticks'
 import type { Live } from './page'
 import { portraitGround } from './portrait'
 
@@ -76,6 +75,8 @@ export function portraitSheet(page: Live, exercises: Exercises): TemplateResult 
   const frame = { width: 280, height: 210, rem: REM }
   const motion = sheetMotions(model, exercises).portrait
   const [reach = 1] = motion.levelVelocity(Float64Array.of(0), 1.9)
+  // A line at every rad/s, so that a point is read to a part of one.
+  const whole = Math.floor(reach)
   const sx = linearScale([-180, 180], [0, frame.width])
   const sy = linearScale([-reach, reach], [frame.height, 0])
   const labels: Label[] = exercises.portrait.points.map(({ name, angle, velocity }) => ({
@@ -95,7 +96,7 @@ export function portraitSheet(page: Live, exercises: Exercises): TemplateResult 
       sx,
       sy,
       xs: ticks(-180, 180, 30, (value) => (value % 90 === 0 ? `${words.typed(value)}°` : '')),
-      ys: roundTicksOf(words, -reach, reach, 9),
+      ys: ticks(-whole, whole, 1, (value) => (value % (whole < 9 ? 2 : 5) === 0 ? words.typed(value) : '')),
       xLabels: true,
       lines: [],
       labels,

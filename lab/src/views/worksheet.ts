@@ -144,7 +144,7 @@ function pages(page: Live): TemplateResult {
       ${measurements(page)}<p class="made">${words.fill(handouts.made, { link: '' })}<span class="sheet-link">${link}</span></p></section>
     ${
       answers
-        ? html`<section class="sheet" data-page="key">${head(page, handouts.answers)}<p>${handouts.answersOf}</p>
+        ? html`<section class="sheet" data-page="key">${head(page, handouts.answers)}<p>${rich(handouts.answersOf)}</p>
       <ol class="exercises">${[...FIRST, ...SECOND].map((name, i) => html`<li class="exercise" data-answer=${name}><b>${LETTERS[i]})</b><p>${rich(answers[name])}</p></li>`)}</ol></section>`
         : nothing
     }`

@@ -3,7 +3,7 @@
 
 import { readFile } from 'node:fs/promises'
 import { load, Pendulum } from 'libration'
-import { GATE, give, LENGTHS, numbers, opening, RECORD, rows, state, time } from './data'
+import { GATE, give, LENGTHS, numbers, opening, RECORD, rows, state, time, watched } from './data'
 import { address, column, csvOf, expect, opened, show, test } from './lab'
 
 test.beforeAll(() => load())
@@ -11,7 +11,7 @@ test.beforeAll(() => load())
 test('story 18: T, the length and the swing give g, beside the formula of small swings and the place', async ({
   browser,
 }) => {
-  const { page, asked } = await opening(browser)
+  const { page, asked } = await watched(browser)
   await page.getByRole('button', { name: 'From a period' }).click()
   await expect(page.locator('#page .sentence')).toContainText('From a timed period')
   await expect(page.locator('main')).toContainText('Time some swings')

@@ -3,18 +3,29 @@
 import { readFile } from 'node:fs/promises'
 import type { Browser, Page } from '@playwright/test'
 import { Pendulum } from 'libration'
-import { expect, opened, show, whole } from './lab'
+import { address, expect, opened, show, whole } from './lab'
 
 export const RECORD = new URL('../record-70deg.csv', import.meta.url).pathname
 export const WANTED = JSON.parse(await readFile(RECORD.replace('.csv', '.json'), 'utf8'))
 
-/** The view in a page of its own: what is measured stays with a visit. Keeps the addresses that it asks for. */
-export async function opening(browser: Browser, options = {}) {
-  const page = await opened(browser, 't=0s&lang=en', options)
+const VIEW = 'view=data&t=0s&lang=en'
+
+/** The view in a page of its own: what is measured stays with a visit. */
+export async function opening(browser: Browser): Promise<{ readonly page: Page }> {
+  const context = await browser.newContext({ serviceWorkers: 'block' })
+  const page = await context.newPage()
+  await page.goto(`${address()}#${VIEW}`)
+  await expect(page.locator('#data-file')).toBeAttached()
+  return { page }
+}
+
+/** The same in a page that has loaded all of its parts, with the addresses that it asks for from then on. */
+export async function watched(browser: Browser) {
+  const page = await opened(browser, 't=0s&lang=en')
   await whole(page)
   const asked: string[] = []
   page.on('request', (request) => asked.push(request.url()))
-  await show(page, 'view=data&t=0s&lang=en')
+  await show(page, VIEW)
   await expect(page.locator('#data-file')).toBeAttached()
   return { page, asked }
 }
@@ -50,8 +61,15 @@ export function swing(count: number, rate = 30) {
 }
 
 export type Row = ReturnType<typeof swing>[number]
-export const rows = (head: string, each: (row: Row) => readonly number[], between: string, point = '.', count = 300) =>
-  `${head}\n${swing(count)
+export const rows = (
+  head: string,
+  each: (row: Row) => readonly number[],
+  between: string,
+  point = '.',
+  count = 300,
+  rate = 30,
+) =>
+  `${head}\n${swing(count, rate)
     .map((row) =>
       each(row)
         .map((value) => value.toFixed(6).replace('.', point))

@@ -5,7 +5,7 @@ import type { AddressInfo } from 'node:net'
 import type { Frame, Page } from '@playwright/test'
 import { readLink } from '../../src/link'
 import { LANGUAGES } from '../../src/state'
-import { address, csvOf, drawn, expect, opened, show, test } from './lab'
+import { address, csvOf, drawn, expect, opened, show, test, whole } from './lab'
 import { layoutFaults } from './layout'
 
 /** A page of others: what a course's site does with a frame. It has an address of its own and gives the frame nothing. */
@@ -42,7 +42,7 @@ test('story 11: in a sandboxed frame without storage it shows what was named, lo
       page,
       `${place}#th0=150deg&L=1m&g=9.81&embed=1&lock=g,L&show=phase&t=0s&lang=en`,
     )
-    await page.waitForLoadState('networkidle')
+    await whole(frame)
     const asked: string[] = []
     context.on('request', (request) => asked.push(request.url()))
     expect(
@@ -77,6 +77,35 @@ test('story 11: in a sandboxed frame without storage it shows what was named, lo
     expect(errors).toEqual([])
     await context.close()
     server.close()
+  }
+})
+
+test('story 11: a page of others loads the parts of what it shows and no others', async ({ browser }) => {
+  const PARTS = ['later', 'derivation', 'springs', 'friction', 'data', 'handouts', 'libration-second'] as const
+  for (const [view, wanted] of [
+    ['motion', ['later', 'libration-second']],
+    ['phase', ['later']],
+    ['friction', ['friction']],
+    ['data', ['data']],
+  ] as const) {
+    const context = await browser.newContext({ serviceWorkers: 'block' })
+    const page = await context.newPage()
+    const errors: string[] = []
+    page.on('pageerror', (error) => errors.push(String(error)))
+    await page.goto(`${address()}#embed=1&show=${view}&th0=150deg&t=0s&lang=en`)
+    await whole(page)
+    await expect(page.locator('.waiting-line')).toHaveCount(0)
+    await expect(page.locator('main .plot-drawing, main .step, main .drop').first()).toBeVisible()
+    const loaded = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name))
+    const parts = PARTS.filter((part) => loaded.some((name) => new RegExp(`/${part}-[^/]*[.](js|wasm)$`).test(name)))
+    expect([view, ...parts]).toEqual([view, ...wanted])
+    // A link that shows more has it.
+    if (view === 'phase') {
+      await show(page, 'view=derivation&th0=150deg&t=0s&lang=en')
+      await expect(page.locator('main .step').first()).toBeVisible()
+    }
+    expect(errors).toEqual([])
+    await context.close()
   }
 })
 
@@ -130,6 +159,10 @@ test('story 11: parts of the Lab alone, and each thing that can be locked', asyn
   await lab.mouse.up()
   await lab.locator('.portrait .plot').click({ position: { x: 40, y: 40 } })
   await expect(lab.locator('#field-theta0')).toHaveValue('150')
+  // What would say g alone is no empty page.
+  await show(lab, 'embed=1&hide=g&g=3.71&show=energy&th0=150deg&t=0s&lang=en')
+  await expect(lab.locator('.message')).toContainText('show=energy')
+  await expect(lab.locator('.first-chart')).toBeVisible()
   // Two views: their tabs, and no more of the bar.
   await show(lab, 'embed=1&show=lab,period&t=0s&lang=en')
   await expect(lab.locator('.tabs button')).toHaveCount(2)
@@ -191,6 +224,26 @@ test('story 11: on planet X nothing gives g: not the page, its titles and tables
   expect(header.join()).not.toContain('g')
   // Who has the link has the same pendulum, and does not see it either.
   expect(readLink(new URL(link).hash).state).toMatchObject({ gravity: g, hide: true })
+  // Its portrait is the same for every g, and has no number of rad/s; a click in it would set one.
+  await show(lab, `th0=117deg&L=${length}m&g=${g}&hide=g&t=0.31s&lang=en`)
+  const portrait = () =>
+    lab
+      .locator('.portrait .plot')
+      .evaluate((plot) =>
+        [
+          ...[...plot.querySelectorAll('path')].map((path) => path.getAttribute('d')),
+          ...[...plot.querySelectorAll('text')].map((text) => text.textContent?.trim()),
+        ].join(' '),
+      )
+  const seen = await portrait()
+  await show(lab, `th0=117deg&L=${length}m&g=1.62&hide=g&t=0.31s&lang=en`)
+  expect(await portrait()).toBe(seen)
+  await expect(lab.locator('.portrait .separatrix')).toHaveCount(0)
+  await lab.locator('.portrait .plot').click({ position: { x: 60, y: 40 } })
+  await expect(lab.locator('#field-theta0')).toHaveValue('117')
+  await show(lab, `th0=117deg&L=${length}m&g=1.62&t=0.31s&lang=en`)
+  expect(await portrait()).not.toBe(seen)
+  await show(lab, `th0=117deg&L=${length}m&g=${g}&hide=g&t=0.31s&lang=en`)
   // An example would show another g.
   await lab.locator('#menu-examples').click()
   for (const item of await lab.locator('.menu [role=menuitem]').all()) await expect(item).toBeDisabled()
@@ -278,7 +331,10 @@ test('story 11: the form makes the code of a frame that shows what was chosen', 
   for (const name of ['show-pendulum', 'show-motion', 'show-play', 'lock-curves', 'hide-g'])
     await page.locator(`#${name}`).check()
   await expect(page.locator('#show-phase')).toBeDisabled()
-  await expect(page.locator('#hidden-help')).toHaveText('With g hidden only Lab and Data can be shown.')
+  for (const name of ['energy', 'facts']) await expect(page.locator(`#show-${name}`)).toBeDisabled()
+  await expect(page.locator('#hidden-help')).toHaveText(
+    'With g hidden only Lab and Data can be shown, and of the Lab neither period nor energy.',
+  )
   await page.getByRole('button', { name: '640 × 480' }).click()
   const { state, faults } = await source()
   expect(faults).toEqual([])
@@ -293,7 +349,7 @@ test('story 11: the form makes the code of a frame that shows what was chosen', 
   await expect(code).toHaveValue(/width="640" height="480"/)
   await expect(code).not.toHaveValue(/3\.71/)
   await page.locator('#copy-embed').click()
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(await code.inputValue())
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe(await code.inputValue())
   await page.locator('#preview').click()
   const frame = page.frameLocator('.embed-preview')
   await expect(frame.locator('.first-chart .plot-drawing')).toBeVisible()

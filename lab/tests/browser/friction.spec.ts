@@ -1,7 +1,7 @@
 // Friction: what becomes of a motion is said in the core's numbers; a driven pendulum has its section, computed while the page works.
 
 import { DampedPendulum, load, loadMotions } from 'libration'
-import { column, csvOf, drawn, expect, linkOf, radians, show, test } from './lab'
+import { column, csvOf, drawn, expect, heldTimers, linkOf, radians, show, test } from './lab'
 
 test.beforeAll(async () => {
   await load()
@@ -88,6 +88,41 @@ test('friction: the next change ends a section that is being computed', async ({
   await lab.locator('#field-drive').fill('0')
   await expect(lab.locator('[data-chart=friction-section]')).toHaveCount(0)
   await expect(lab.locator('#page .sentence')).not.toContainText('Driven')
+})
+
+test('friction: while a fast motion is computed the page answers, says how far it is, and lets it be ended', async ({
+  lab,
+}) => {
+  const fast = 'view=friction&th0=150deg&L=0.001m&g=1000&linear=0.001&until=600s&t=0s&lang=en'
+  // A slice of the work is a timer of 0 ms: here they are begun by the test.
+  const slices = await heldTimers(lab, 0)
+  await show(lab, fast)
+  const progress = lab.locator('.section-progress progress')
+  const part = () => progress.evaluate((element: HTMLProgressElement) => element.position)
+  await expect(lab.locator('#page .sentence')).toContainText('being computed')
+  expect(await part()).toBe(0)
+  await slices.fire()
+  await expect.poll(part).toBeGreaterThan(0)
+  const before = await part()
+  expect(before).toBeLessThan(1)
+  // Between two slices the page answers, and the next one waits.
+  await lab.locator('#field-until').focus()
+  await lab.keyboard.press('Home')
+  expect(await slices.count()).toBe(1)
+  await slices.fire()
+  await expect.poll(part).toBeGreaterThan(before)
+  // What is there is shown, and how far it goes.
+  await lab.locator('#friction-end').click()
+  await expect(lab.locator('[data-chart=friction-angle] .plot-drawing')).toBeVisible()
+  await expect(lab.locator('[data-chart=friction-angle] .plot-note')).toContainText('Computed up to')
+  // A change of a value ends it too.
+  await show(lab, fast.replace('0.001&until', '0.002&until'))
+  await expect(progress).toBeVisible()
+  await lab.locator('#field-length').fill('1000')
+  await expect(progress).toHaveCount(0)
+  await expect(lab.locator('#page .sentence')).toContainText('energy')
+  await slices.end()
+  await show(lab, 'view=lab&t=0s')
 })
 
 test('friction stands in the link, and bad values are named', async ({ lab }) => {

@@ -1,7 +1,6 @@
 // What the stories share: one page of the lab for each worker, its state by the address, its numbers as the page exports them.
 
-import { readFile } from 'node:fs/promises'
-import { type Browser, type BrowserContextOptions, test as base, expect, type Page } from '@playwright/test'
+import { type Browser, type BrowserContextOptions, test as base, expect, type Frame, type Page } from '@playwright/test'
 
 export { expect }
 
@@ -21,18 +20,9 @@ export async function ready(page: Page): Promise<void> {
   await page.evaluate(() => document.fonts.ready)
 }
 
-/** Waits until every part of the page has come: the scripts that its first one asks for later, and the fonts of their styles. */
-export async function whole(page: Page): Promise<void> {
-  const missing = () =>
-    page.evaluate(async () => {
-      const first = document.querySelector<HTMLScriptElement>('script[type=module]')?.src ?? ''
-      const script = await (await fetch(first, { cache: 'force-cache' })).text()
-      const named = [...script.matchAll(/import\([`'"]\.\/([^`'"]+\.js)/g)].map(([, name]) => name as string)
-      const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
-      const absent = named.filter((name) => !loaded.some((each) => each.endsWith(name)))
-      return named.length === 0 || !document.fonts.check('1em "Libration Formulas"') ? ['parts'] : absent
-    })
-  await expect.poll(missing).toEqual([])
+/** Waits until every part of the page has come: what is asked for after it is for a view. */
+export async function whole(page: Page | Frame): Promise<void> {
+  await expect(page.locator('html')).toHaveAttribute('data-whole', '')
 }
 
 interface Shared {
@@ -50,7 +40,7 @@ export const test = base.extend<object, Shared>({
       expect(errors).toEqual([])
       await page.context().close()
     },
-    { scope: 'worker', timeout: 240_000 },
+    { scope: 'worker', timeout: 900_000 },
   ],
 })
 
@@ -63,16 +53,66 @@ export async function drawn(page: Page): Promise<void> {
 
 /** Shows the state of a link in a page that is open. It stands at the time of the link. */
 export async function show(page: Page, link: string): Promise<void> {
-  // The same link twice is no change for a browser, so another one first.
-  await page.evaluate((hash) => {
+  const whole = await page.evaluate(async (hash) => {
     for (const close of document.querySelectorAll<HTMLElement>('.message [data-tool=close]')) close.click()
+    // The same link twice is no change for a browser, so another one first.
     history.replaceState(null, '', '#')
     location.hash = hash
+    // The page hears of it before this does. Of a link before it may be heard first.
+    const { href } = location
+    await new Promise<void>((done) => {
+      addEventListener('hashchange', function heard({ newURL }) {
+        if (newURL !== href) return
+        removeEventListener('hashchange', heard)
+        done()
+      })
+    })
+    const frame = () => new Promise((done) => requestAnimationFrame(done))
+    await frame()
+    await frame()
+    return document.querySelector('#still:not([hidden]), .waiting-line') === null
   }, link)
-  await drawn(page)
+  if (whole) return
   await expect(page.locator('#still')).toBeHidden()
   // The parts that follow the first are there.
   await expect(page.locator('.waiting-line')).toHaveCount(0)
+}
+
+/** Timers of a page that wait for the test, of so many ms: how many there are, and what they do when it lets them. */
+export async function heldTimers(page: Page, ms: number) {
+  await page.evaluate((held) => {
+    const [set, clear] = [window.setTimeout, window.clearTimeout]
+    const waiting = new Map<number, () => void>()
+    let last = 0
+    Object.assign(window, {
+      waiting,
+      setTimeout: (act: () => void, time?: number, ...rest: unknown[]) => {
+        if (time !== held) return set(act, time, ...rest)
+        waiting.set(--last, act)
+        return last
+      },
+      clearTimeout: (id?: number) => (id !== undefined && id < 0 ? waiting.delete(id) : clear(id)),
+      letTimersGo: () => Object.assign(window, { setTimeout: set, clearTimeout: clear }),
+    })
+  }, ms)
+  type Held = { waiting: Map<number, () => void>; letTimersGo: () => void }
+  return {
+    count: () => page.evaluate(() => (window as unknown as Held).waiting.size),
+    fire: () =>
+      page.evaluate(() => {
+        const { waiting } = window as unknown as Held
+        const all = [...waiting.values()]
+        waiting.clear()
+        for (const act of all) act()
+      }),
+    /** The page has its own again; what still waits is done. */
+    end: () =>
+      page.evaluate(() => {
+        const { waiting, letTimersGo } = window as unknown as Held
+        letTimersGo()
+        for (const act of waiting.values()) act()
+      }),
+  }
 }
 
 /** The link that the page has written for what it shows. */
@@ -92,17 +132,51 @@ export interface Sheet {
   readonly text: string
 }
 
-/** The CSV of a chart, as a reader saves it; decimal point. Closes the table behind it. */
+/** Lets the page save a file by a click of the test, and has its text instead of the file. */
+export async function savedText(page: Page, click: () => Promise<void>): Promise<string> {
+  await page.evaluate(() => {
+    const kept = window as unknown as { saved: Promise<string> }
+    const { createObjectURL } = URL
+    const { click: usual } = HTMLAnchorElement.prototype
+    kept.saved = new Promise((done) => {
+      URL.createObjectURL = (of: Blob) => {
+        URL.createObjectURL = createObjectURL
+        const decoder = new TextDecoder('utf-8', { ignoreBOM: true })
+        void of.arrayBuffer().then((bytes) => done(decoder.decode(bytes)))
+        return 'about:blank'
+      }
+    })
+    HTMLAnchorElement.prototype.click = function act() {
+      HTMLAnchorElement.prototype.click = usual
+      if (!this.download) usual.call(this)
+    }
+  })
+  await click()
+  return page.evaluate(() => (window as unknown as { saved: Promise<string> }).saved)
+}
+
+/** The CSV of a chart, as a reader saves it from its table; decimal point. Closes the table behind it. */
 export async function csvOf(page: Page, chart: string): Promise<Sheet> {
   const figure = page.locator(`[data-chart=${chart}]`)
-  const tool = figure.locator('[data-tool=table]')
-  // A table that was just closed stands until its frame.
-  await drawn(page)
-  if ((await tool.getAttribute('aria-pressed')) !== 'true') await tool.click()
-  const saving = page.waitForEvent('download')
-  await figure.getByRole('button', { name: 'CSV', exact: true }).click()
-  const text = await readFile(await (await saving).path(), 'utf8')
-  await tool.click()
+  await expect(figure.locator('[data-tool=table]')).toBeVisible()
+  const text = await savedText(page, () =>
+    figure.evaluate(async (element) => {
+      const frame = () => new Promise((done) => requestAnimationFrame(done))
+      const tool = element.querySelector<HTMLElement>('[data-tool=table]')
+      const button = () =>
+        [...element.querySelectorAll<HTMLElement>('caption button')].find(
+          ({ textContent }) => textContent?.trim() === 'CSV',
+        )
+      // A table that was just closed stands until its frame.
+      await frame()
+      await frame()
+      if (tool?.getAttribute('aria-pressed') !== 'true') tool?.click()
+      while (!button()) await frame()
+      button()?.click()
+      tool?.click()
+      await frame()
+    }),
+  )
   return sheet(text)
 }
 

@@ -32,40 +32,44 @@ export function layoutFaults(page: Page, oneScreen = false): Promise<string[]> {
     )
     const scrolls = (element: Element) => element.closest('.tabs, .table-box, .code, [role=menu]') !== null
     // The lines of an element's own words, each as high as its letters: lines may stand close.
-    const lines = all.map((element) =>
-      [...element.childNodes].flatMap((node) => {
+    const lines = all.flatMap((element) => {
+      const of = {
+        element,
+        scrolls: scrolls(element),
+        sticky: element.closest('.play') !== null,
+        formula: element.closest('math'),
+      }
+      return [...element.childNodes].flatMap((node) => {
         if (node.nodeType !== 3 || (node.textContent ?? '').trim() === '') return []
         const range = document.createRange()
         range.selectNodeContents(node)
         return [...range.getClientRects()].map(({ left, right, top, bottom, height }) => ({
+          of,
           left,
           right,
           top: top + 0.25 * height,
           bottom: bottom - 0.25 * height,
         }))
-      }),
-    )
-    all.forEach((element, i) => {
-      const out = lines[i]?.some(({ left, right }) => left < -0.5 || right > innerWidth + 0.5)
-      if (out && !scrolls(element)) faults.push(`off the screen: ${name(element)}`)
+      })
     })
-    const sticky = (element: Element) => element.closest('.play') !== null
-    for (let i = 0; i < all.length; i++) {
-      for (let k = i + 1; k < all.length; k++) {
-        const [one, two] = [all[i], all[k]]
-        if (!one || !two || sticky(one) !== sticky(two) || scrolls(one) || scrolls(two)) continue
+    const out = lines.filter(({ of, left, right }) => !of.scrolls && (left < -0.5 || right > innerWidth + 0.5))
+    for (const element of new Set(out.map(({ of }) => of.element))) faults.push(`off the screen: ${name(element)}`)
+    // From the top down: a line is compared with those that begin above its end.
+    const fixed = lines.filter(({ of }) => !of.scrolls).sort((a, b) => a.top - b.top)
+    const over = new Set<string>()
+    fixed.forEach((a, i) => {
+      for (let k = i + 1; k < fixed.length; k++) {
+        const b = fixed[k] as (typeof fixed)[number]
+        if (b.top >= a.bottom - 1) break
+        if (a.of.element === b.of.element || a.of.sticky !== b.of.sticky) continue
         // A formula puts its letters over one another itself.
-        if (one.closest('math') !== null && one.closest('math') === two.closest('math')) continue
-        const over = lines[i]?.some((a) =>
-          lines[k]?.some((b) => {
-            const x = Math.min(a.right, b.right) - Math.max(a.left, b.left)
-            const y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
-            return x > 1.5 && y > 1
-          }),
-        )
-        if (over) faults.push(`text on text: ${name(one)}, ${name(two)}`)
+        if (a.of.formula !== null && a.of.formula === b.of.formula) continue
+        const x = Math.min(a.right, b.right) - Math.max(a.left, b.left)
+        const y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
+        if (x > 1.5 && y > 1) over.add(`text on text: ${name(a.of.element)}, ${name(b.of.element)}`)
       }
-    }
+    })
+    faults.push(...over)
     for (const element of document.querySelectorAll(
       '#page button, #page summary, #page .field, #page input[type=checkbox], #page input[type=radio]',
     )) {
@@ -90,9 +94,19 @@ export function lengthen(page: Page): Promise<void> {
     const walker = document.createTreeWalker(document.querySelector('#page') as Element, NodeFilter.SHOW_TEXT)
     const nodes: Text[] = []
     while (walker.nextNode()) nodes.push(walker.currentNode as Text)
+    const before = new Map(nodes.map((node) => [node, node.data]))
+    Object.assign(window, { before })
     for (const node of nodes) {
       if (node.parentElement?.closest('.tick, .symbol, i, var, kbd, math, .stepper, .letter-mark')) continue
       node.data = node.data.replace(/\p{L}{3,}/gu, (word) => word + 'ë'.repeat(Math.ceil(0.4 * word.length)))
     }
+  })
+}
+
+/** Gives the words of a page that were made longer their own length again. */
+export function shorten(page: Page): Promise<void> {
+  return page.evaluate(() => {
+    const { before } = window as unknown as { before: Map<Text, string> }
+    for (const [node, text] of before) node.data = text
   })
 }

@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs'
 import type { Locator, Page } from '@playwright/test'
-import { expect, opened, ready, test } from './lab'
+import { expect, heldTimers, opened, ready, test } from './lab'
 
 const GUIDE = new URL('../../../docs/lab.md', import.meta.url).pathname
 
@@ -36,6 +36,7 @@ test('lesson: 150 degrees, three formulas, the period, a link, a phone', async (
   const seen = await findings(page)
   // The link, to the clipboard.
   await click(page.locator('#share'))
+  await heldTimers(page, 2000)
   await click(page.getByRole('button', { name: 'Copy link' }))
   await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
   const link = await page.evaluate(() => navigator.clipboard.readText())

@@ -1,10 +1,11 @@
 // Story 15: CSV, SVG and PNG, made on this machine; with keys alone, in three languages, and from disk. The films: film.spec.ts.
 
 import { readFile } from 'node:fs/promises'
+import type { Page } from '@playwright/test'
 import { load } from 'libration'
 import { decodedGif, expectBobs, place } from './decoded'
-import { column, csvOf, expect, linkOf, opened, radians, ready, sheet, show, test } from './lab'
-import { film, LINK, SWING, saved } from './saved'
+import { column, csvOf, expect, linkOf, opened, radians, ready, savedText, sheet, show, test, whole } from './lab'
+import { film, LINK, menuOf, SWING, saved } from './saved'
 import { DIST } from './server'
 
 test.beforeAll(async () => {
@@ -55,6 +56,13 @@ test('story 15: the table of the motion is that of libration solve', async ({ la
   await lab.locator('.message [data-tool=close]').click()
 })
 
+/** The picture of a chart, as its menu saves it. */
+const svgOf = (page: Page, chart: string): Promise<string> =>
+  savedText(page, async () => {
+    await menuOf(page, chart).click()
+    await page.getByRole('menuitem', { name: /^SVG/ }).click()
+  })
+
 const CHARTS = [
   ['lab', 'pendulum'],
   ['lab', 'angle'],
@@ -74,8 +82,7 @@ test('story 15: every chart is an SVG of its own, with text as text, the same fr
   const large = await opened(browser, LINK, { viewport: { width: 1920, height: 1080 } })
   for (const [view, chart] of CHARTS) {
     await show(lab, `view=${view}&${LINK}&theme=dark`)
-    const { bytes } = await saved(lab, chart, /^SVG/)
-    const text = bytes.toString('utf8')
+    const text = await svgOf(lab, chart)
     const about = await lab.evaluate((source) => {
       const parsed = new DOMParser().parseFromString(source, 'image/svg+xml')
       const root = parsed.documentElement
@@ -112,7 +119,7 @@ test('story 15: every chart is an SVG of its own, with text as text, the same fr
     // Nothing that only the page knows: classes, variables, addresses.
     expect(text).not.toMatch(/ class=| style=|var\(|<style|<!--|href=|vector-effect|NaN|undefined/)
     await show(large, `view=${view}&${LINK}&theme=light`)
-    const other = (await saved(large, chart, /^SVG/)).bytes.toString('utf8')
+    const other = await svgOf(large, chart)
     expect(other.replace(/<desc>.*?<\/desc>/, '')).toBe(text.replace(/<desc>.*?<\/desc>/, ''))
   }
   await large.context().close()
@@ -161,7 +168,7 @@ test('story 15: a PNG has 300 dots per inch at its width, and the font of the pa
 
 test('story 15: by keys alone, in three languages, and nothing is asked for', async ({ browser }) => {
   const page = await opened(browser, LINK)
-  await page.waitForLoadState('networkidle')
+  await whole(page)
   const asked: string[] = []
   page.context().on('request', (request) => asked.push(request.url()))
   for (const [language, name, first, decimal] of [

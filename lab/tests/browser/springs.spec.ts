@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test'
 import { CubicQuintic, Duffing, load, loadMotions, Pendulum } from 'libration'
-import { address, column, csvOf, drawn, expect, linkOf, ready, show, test } from './lab'
+import { address, column, csvOf, drawn, expect, linkOf, ready, show, test, whole } from './lab'
 import { DIST } from './server'
 
 test.beforeAll(async () => {
@@ -116,7 +116,7 @@ test('springs: their module is asked for when the view opens, once, and nothing 
   page.on('request', (request) => asked.push(request.url()))
   await page.goto(`${address()}#view=lab&t=0s`)
   await expect(page.locator('main .plot-drawing').first()).toBeVisible()
-  await page.waitForLoadState('networkidle')
+  await whole(page)
   const modules = () => asked.filter((url) => url.includes('libration-motions')).length
   expect(modules()).toBe(0)
   await page.locator('[data-view=springs]').click()

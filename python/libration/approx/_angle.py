@@ -147,7 +147,7 @@ class AngleFormula(Named):
         array([0.035 , 0.2269,    nan])
         """
         errors = partial(self._errors, periods=real("periods", periods))
-        return apply(Elementwise(errors), theta_max, results=(ERROR,))
+        return apply(Elementwise(errors, argument="theta_max"), theta_max, results=(ERROR,))
 
     @explained
     def ranges(self, bound: float, periods: float = 1) -> Intervals:

@@ -254,7 +254,7 @@ class PeriodFormula(Named):
             raise ValueError(f"exactly one of {', '.join(given)} must be given, not {' and '.join(found) or 'none'}")
         [name] = found
         method = quantity if name == "theta_max" else f"{quantity}_of_{name}"
-        return apply(Elementwise(partial(self._values, method)), given[name], results=(result,))
+        return apply(Elementwise(partial(self._values, method), argument=name), given[name], results=(result,))
 
     def _values(self, method: str, argument: np.ndarray) -> Any:
         return getattr(self._formula, method)(argument)

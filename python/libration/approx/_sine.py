@@ -119,7 +119,7 @@ class SineFormula(Named):
         >>> approx.sine("taylor:3").value([0.5, 1.0]).round(6)
         array([0.479167, 0.833333])
         """
-        return apply(Elementwise(self._value), phi, results=(VALUE,))
+        return apply(Elementwise(self._value, argument="phi"), phi, results=(VALUE,))
 
     @explained
     def error(self, phi_max: float) -> SineError:

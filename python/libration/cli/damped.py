@@ -3,6 +3,7 @@
 import math
 from typing import TYPE_CHECKING
 
+from libration.cli.animation import AnimationOptions, animate, film
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, strict, write_table
 from libration.cli.friction import Forces
 from libration.cli.parameters import given_parameters, keyed
@@ -20,11 +21,15 @@ if TYPE_CHECKING:
 NOT_REACHED = "the motion does not get there"
 
 
+class DampedOptions(InstantOptions, AnimationOptions):
+    """What is asked of a motion with friction and torque: instants, files and a film."""
+
+
 def solve_damped(
-    options: InstantOptions, given: State, acting: Forces, motion: "DampedPendulum", style: NumberStyle, look: Look
+    options: "DampedOptions", given: State, acting: Forces, motion: "DampedPendulum", style: NumberStyle, look: Look
 ) -> None:
     """Solve a motion with friction and torque, write the files, print the summary."""
-    with targets(options, acting.kept) as (table, plot):
+    with targets(options, acting.kept) as (table, plot), film(options) as moving:
         check_plot(options)
         times, source = instants(options)
         theta, velocity = motion.motion(times)
@@ -37,7 +42,9 @@ def solve_damped(
             from libration.plot import plot_motion
 
             draw(plot_motion, motion, times, plot, options.plot, look)
-    files = written(options.out, options.plot)
+        if moving:
+            animate(motion, times, moving, options, look)
+    files = written(options.out, options.plot, options.animate)
     if options.json:
         answer = keyed([*known[1:], *undamped(given)]) | events(motion, times, theta)
         answer |= {"samples": len(times), "samples_nan": nans(theta)}

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from libration.cli.files import Json, strict
 from libration.cli.help import Topic
-from libration.cli.memory import available_bytes, bytes_text
+from libration.cli.memory import available_bytes, bytes_text, duration
 from libration.cli.offers import files, folders
 from libration.cli.parser import Flag, Options, Refusal, Value, Word, command, refusal, shown
+from libration.cli.streams import Ended, note
 from libration.cli.summary import print_lines, print_table
 
 if TYPE_CHECKING:
@@ -192,7 +193,7 @@ def needed(spec: "Specification", hands: Hands) -> None:
 
 def target(out: str) -> str:
     """The path of the store."""
-    if not out.rstrip("/").lower().endswith(SUFFIX) or "\0" in out:
+    if not out.rstrip(os.sep + (os.altsep or "")).lower().endswith(SUFFIX) or "\0" in out:
         raise refusal("--out", out, f"must end in {SUFFIX}")
     path = os.path.realpath(out)
     if not os.path.isdir(os.path.dirname(path)):
@@ -205,17 +206,18 @@ def begun(path: str, spec: "Specification", options: EnsembleOptions, hands: Han
     from libration import __version__
     from libration.ensemble import _store
 
-    out = str(options.out)
+    out, mine = str(options.out), False
     try:
         if not os.path.lexists(path):
             room(path, spec, out)
             try:
                 _store.created(path, spec, __version__)
+                mine = True
             except OSError:
-                # Two parts may begin at once: the one that comes second finds the store of the first.
-                if hands.part is None or not os.path.isdir(path):
+                # Two may begin at once: the one that comes second finds the store of the first.
+                if not os.path.isdir(path):
                     raise
-        elif not options.resume and hands.part is None:
+        if not mine and not options.resume and hands.part is None:
             raise refusal("--out", out, "exists already; --resume goes on with it, or give another name")
         _store.checked(path, spec, __version__)
         if options.resume:
@@ -270,23 +272,34 @@ def done(path: str, spec: "Specification", numbers: list[int], hands: Hands, cli
                     advance(count, f"chunk {count} of {len(numbers)}")
         return _store.finished(path, spec)
     except BaseException as error:
-        # The workers are gone, and with them who would rename what they began.
-        with contextlib.suppress(OSError):
-            _store.swept(path, spec, hands.part or (0, 1))
+        # The workers are gone, and with them who would rename what they began; but another run may be at work.
+        if not isinstance(error, FileNotFoundError):
+            with contextlib.suppress(OSError):
+                _store.swept(path, spec, hands.part or (0, 1))
         reason = ended(error, hands, out)
         if reason is None:
             raise
-        raise Refusal(f"{reason}; {of_chunks(path, spec)} are done, and --resume goes on") from error
+        far = f"{reason}; {of_chunks(path, spec)} are done, and --resume goes on"
+        if isinstance(error, KeyboardInterrupt | Ended):
+            note(far, "libration ensemble")
+            raise
+        raise Refusal(far) from error
 
 
 def ended(error: BaseException, hands: Hands, out: str) -> str | None:
     """Why the work came to an end, for people; None for what is no matter of the work."""
     from libration.ensemble._workers import LostWorker
 
+    if isinstance(error, KeyboardInterrupt | Ended):
+        return "interrupted" if isinstance(error, KeyboardInterrupt) else "asked to end"
     if isinstance(error, LostWorker):
         return f"--scheduler = {hands.scheduler}: {error}" if hands.scheduler else str(error)
     if isinstance(error, MemoryError):
         return "not enough memory; give fewer --workers, or begin again with a smaller [output] chunk"
+    if isinstance(error, FileNotFoundError):
+        return (
+            f"--out = {shown(out)}: what was being written was taken away; is another run at work on the same chunks?"
+        )
     if isinstance(error, OSError):
         return f"--out = {shown(out)}: cannot be written: {error.strerror or error}"
     return None
@@ -362,14 +375,6 @@ def foreseen(spec: "Specification", hands: Hands, options: EnsembleOptions) -> N
         for each in table
     ]
     print_table(["samples", "workers", "time", "store"], rows)
-
-
-def duration(seconds: float) -> str:
-    """`3.2 s`, `5.1 min`, `2.4 h` or `13 days`."""
-    for unit, size, most in (("s", 1, 120), ("min", 60, 120), ("h", 3600, 48)):
-        if seconds < most * size:
-            return f"{seconds / size:.2g} {unit}" if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
-    return f"{seconds / 86400:.3g} days"
 
 
 WORK, RESULTS = "the work", "the results"

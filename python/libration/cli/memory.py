@@ -1,4 +1,4 @@
-"""How much memory is available, as the operating system reports it; and sizes as text."""
+"""How much memory is available, as the operating system reports it; and sizes and durations as text."""
 
 import math
 import os
@@ -55,7 +55,7 @@ def windows() -> float:
 def lines(path: str) -> list[str]:
     """The lines of a small system file; none if it does not exist."""
     try:
-        with open(path) as file:
+        with open(path, encoding="utf-8") as file:
             return file.readlines()
     except OSError:
         return []
@@ -70,3 +70,11 @@ def bytes_text(count: float) -> str:
             return f"{count:.3g} {unit}"
         count /= 1000
     return f"{count:.3g} ZB"
+
+
+def duration(seconds: float) -> str:
+    """`3.2 s`, `5.1 min`, `2.4 h` or `13 days`."""
+    for unit, size, most in (("s", 1, 120), ("min", 60, 120), ("h", 3600, 48)):
+        if seconds < most * size:
+            return f"{seconds / size:.2g} {unit}" if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
+    return f"{seconds / 86400:.3g} days"

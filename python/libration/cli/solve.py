@@ -5,7 +5,8 @@ Everything that can be refused is refused before the motion is evaluated; files 
 
 from typing import TYPE_CHECKING
 
-from libration.cli.damped import solve_damped
+from libration.cli.animation import animate, animation_options, film
+from libration.cli.damped import DampedOptions, solve_damped
 from libration.cli.files import STANDARD_OUTPUT, Column, strict, write_table
 from libration.cli.friction import FORCES, ForceOptions, damped, force_options, forces
 from libration.cli.help import Topic
@@ -15,7 +16,6 @@ from libration.cli.picture import check_plot, draw, picture_look
 from libration.cli.results import written
 from libration.cli.sampling import (
     FILES,
-    InstantOptions,
     check_instants,
     check_targets,
     instant_options,
@@ -60,10 +60,11 @@ EXAMPLES = (
     "libration solve --theta0 2 --length 1m --linear 0.02/s --dry 0.1 --plot decay.png",
     "libration solve --theta0 0 --omega0 1 --torque-amplitude 0.3 --torque-frequency 0.1Hz",
     "libration solve --turning-angle 170deg --length 1m --downwards --out motion.csv",
+    "libration solve --theta0 150deg --length 1m --animate swing.gif",
 )
 
 
-class SolveOptions(StateOptions, ForceOptions, InstantOptions):
+class SolveOptions(StateOptions, ForceOptions, DampedOptions):
     """The options of `libration solve`."""
 
 
@@ -74,13 +75,13 @@ def run(options: SolveOptions) -> None:
         raise Refusal("missing --length or --omega0, such as --length 1m; `libration period` works without")
     check_instants(options)
     check_targets(options)
-    style, look = number_style(options), picture_look(options, options.plot)
+    style, look = number_style(options), picture_look(options, options.plot or options.animate)
     acting = forces(options)
     if acting is not None:
         solve_damped(options, given, acting, damped(given, acting, options), style, look)
         return
     motion = pendulum(given)
-    with targets(options) as (table, plot):
+    with targets(options) as (table, plot), film(options) as moving:
         check_plot(options)
         times, source = instants(options)
         columns, largest, at = motion_columns(motion, times)
@@ -90,7 +91,9 @@ def run(options: SolveOptions) -> None:
             from libration.plot import plot_motion
 
             draw(plot_motion, motion, times, plot, options.plot, look)
-    files = written(options.out, options.plot)
+        if moving:
+            animate(motion, times, moving, options, look)
+    files = written(options.out, options.plot, options.animate)
     if options.json:
         answer = keyed(given_parameters(given, motion) + found_parameters(motion))
         answer |= {"samples": len(times), "samples_nan": nans(columns[1][2])}
@@ -156,6 +159,7 @@ COMMAND = command(
         *state_options("(this, --omega0 or --omega2 is required)"),
         *force_options(),
         *instant_options(),
+        *animation_options(),
         *result_options(
             "t, theta, velocity and theta_linear (with friction: energy)", "theta(t) and the phase portrait"
         ),

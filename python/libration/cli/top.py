@@ -4,6 +4,7 @@ import click
 
 from libration.cli import (
     at,
+    cite,
     compare,
     completion,
     cubic_quintic,
@@ -19,7 +20,7 @@ from libration.cli import (
 from libration.cli.help import Topic
 from libration.cli.parser import Command, Refusal, nearest, quoted, unknown
 
-MODULES = (solve, at, period, compare, duffing, cubic_quintic, fit, gravity, ensemble, papers, lab, completion)
+MODULES = (solve, at, period, compare, duffing, cubic_quintic, fit, gravity, ensemble, papers, lab, cite, completion)
 COMMANDS: dict[str, click.Command] = {str(each.COMMAND.name): each.COMMAND for each in MODULES}
 
 TEXT = """\

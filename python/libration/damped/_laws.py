@@ -292,7 +292,8 @@ def law(
     if not isinstance(friction, Friction):
         raise ValueError(f"friction = {shown(friction)}: must be a Friction")
     terms = friction._terms
-    at = Elementwise(lambda array: _core.friction_law(name, array, terms, start, **frequency))
+    of = "t" if name == "averaged_turning_angle" else "theta_max"
+    at = Elementwise(lambda array: _core.friction_law(name, array, terms, start, **frequency), argument=of)
     return apply(at, values, results=(result,))
 
 

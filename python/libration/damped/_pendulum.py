@@ -12,6 +12,7 @@ import numpy as np
 from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import Elementwise, apply, tensor, unindexed
 from .._labels import Result
+from .._tables import Tabled
 from ..pendulum._results import MOTION, THETA, TURNS, VELOCITY
 from ._plots import Plots
 
@@ -25,7 +26,7 @@ BY = (
 AXES = {"of": ("theta", "velocity"), "by": BY}
 
 
-class DampedPendulum(Plots):
+class DampedPendulum(Tabled, Plots):
     """A pendulum with friction and torque, from its state at t = 0.
 
     theta'' + friction(theta') + omega0**2 sin(theta) = torque(t), with the terms that `Friction` and `Torque` say. Dry friction
@@ -71,6 +72,8 @@ class DampedPendulum(Plots):
     """
 
     __slots__ = ()
+
+    _columns = (*Tabled._columns, ("energy", ENERGY.units))
 
     @overload
     def theta(self, t: Scalar) -> np.float64: ...
@@ -186,7 +189,7 @@ class DampedPendulum(Plots):
     def turns(self, t: Any) -> Any:
         """Whole turns and the rest of the angle at the times `t`: ``(n, angle)``.
 
-        theta = 2 pi n + angle with -pi <= angle < pi and the true pi.
+        theta = 2 pi n + angle with -pi <= angle < pi and the true pi. An angle that rounds to pi is -pi of the next turn.
 
         Parameters
         ----------

@@ -9,6 +9,8 @@ from ._events import Events
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ..plot._animation import Animation
+
 
 class Plots(Events):
     """The part of a `DampedPendulum` that draws it; matplotlib is loaded when it is asked for a plot."""
@@ -147,3 +149,65 @@ class Plots(Events):
         from ..plot._damped import damped_energy_axes
 
         return damped_energy_axes(self, t, ax, lang=lang, style=style)
+
+    def animate(
+        self,
+        path: Any = None,
+        *,
+        t: Any = None,
+        fps: float = 25.0,
+        speed: float = 1.0,
+        form: str | None = None,
+        title: str | None = None,
+        dpi: float = 100.0,
+        lang: str = "en",
+    ) -> Animation:
+        """A film of the motion over a time: the pendulum beside theta(t). As `Pendulum.animate`, but `t` must be given.
+
+        Parameters
+        ----------
+        path : str, path or binary file, optional
+            Where to save it, as .gif or .mp4; by default nowhere: a notebook shows it.
+        t : array_like
+            The first and the last instant in s: with friction nothing repeats.
+        fps : scalar, default 25.0
+            Frames in a second of the film, at most; from 1 to 50. There are 12 to 2000 in all.
+        speed : scalar, default 1.0
+            Seconds of the motion in a second of the film, above 0.
+        form : str, optional
+            `gif` or `mp4`; by default the ending of `path`.
+        title : str, optional
+            The line above; by default it says the state, friction and torque. An empty one leaves it out.
+        dpi : scalar, default 100.0
+            Dots per inch of a picture of 6.4 by 3.2 inches, from 20 to 1200.
+        lang : str, default "en"
+            `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
+
+        Returns
+        -------
+        Animation
+            The instants of its frames in `times`, the frames by `frames()`; `save` writes it.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing, or PyAV for an MP4.
+        ValueError
+            If there is no `t`, if there would be too few or too many frames, or an argument is out of range.
+
+        Examples
+        --------
+        >>> from libration import DampedPendulum, Friction
+        >>> film = DampedPendulum(2.0, length=1.0, friction=Friction(linear=0.1)).animate(t=[0.0, 12.0])
+        >>> len(film.times)
+        300
+        """
+        from ..plot._animation import Animation
+        from ..plot._damped import damped_headline
+        from ..plot._language import Language
+
+        line = damped_headline(self, Language(lang)) if title is None else title
+        film = Animation(self, t, title=line, fps=fps, speed=speed, dpi=dpi, lang=lang)
+        if path is not None:
+            film.save(path, form)
+        return film

@@ -55,7 +55,7 @@ class Bucket(Immutable):
     Notes
     -----
     The pendulum stands for a cavity spread around the ring; `lumped_tune` tells by how much one cavity differs. A bucket does not
-    change; it is hashable. Source: Lee, Accelerator Physics (2019), section 3.II.
+    change; it is hashable. Error promised: 4 ulp, of eta times what its difference cancels next to transition. Source: Lee, Accelerator Physics (2019), section 3.II.
 
     Examples
     --------

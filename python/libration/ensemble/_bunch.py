@@ -29,7 +29,7 @@ WIDTHS = {
 # Scale over omega0 of a bunch of small swings whose rms angle is 1.
 SMALL = {"gaussian": 1.0, "waterbag": 2.0, "parabolic": 3.0}
 # Particles at a time: their columns stay in the cache.
-BLOCK = 2**15
+BLOCK = 2**13
 
 
 @explained

@@ -3,14 +3,15 @@
 import time
 from typing import Any, NamedTuple
 
-from ._reduce import histogram_cells
+from ._reduce import BLOCK, histogram_cells
 from ._specification import AT_TIMES, Specification
 from ._store import size_bytes, trial, written
 
 # Bytes of a process before its first chunk: a worker with NumPy and Zarr; what leads them; and with xarray for the sums.
 WORKER, LEADER, LEADER_OF_SUMS = 70 * 10**6, 70 * 10**6, 150 * 10**6
-# Bytes a particle: its number, place and state; a sample with what Zarr holds of it; the columns of a sum.
-STATE, SAMPLE, SUM = 48, 24, 100
+# Bytes a particle: its number, place and state; a sample with what Zarr holds of it; its cell of a histogram; the columns of a sum,
+# of a block alone.
+STATE, SAMPLE, CELL, SUM = 48, 24, 16, 100
 # Samples of a trial chunk, and how many are timed; the fastest counts.
 TRIAL, REPEATS = 2**17, 3
 # Sizes and numbers of workers of the table.
@@ -28,9 +29,10 @@ def chunk_bytes(spec: Specification) -> int:
     """The largest memory of one chunk at work."""
     times = len(spec.times)
     at_times = SAMPLE * times if any(name in AT_TIMES for name in spec.variables) else SAMPLE
-    sums = SUM if spec.plan is not None else 0
-    cells = 3 * 8 * times * histogram_cells(spec.plan) if spec.plan is not None else 0
-    return spec.chunk * (STATE + max(at_times, sums)) + cells
+    if spec.plan is None:
+        return spec.chunk * (STATE + at_times)
+    block, cells = SUM * min(BLOCK, spec.chunk), 3 * 8 * times * histogram_cells(spec.plan)
+    return spec.chunk * (STATE + max(at_times, CELL)) + block + cells
 
 
 def memory_bytes(spec: Specification, workers: int | None) -> int:

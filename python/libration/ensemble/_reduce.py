@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .._arrays import Floats
+from .._arrays import Floats, NDArray
 from .._dispatch import numbers
 from .._messages import explained
 from .._scalars import count, real, shown
@@ -29,8 +29,8 @@ QUANTITIES = {
     "frequency": ("rad s-1", "mean angular frequency"),
     "energy_ratio": ("1", "energy over that at the top"),
 }
-# Chunks at a time: as many results wait to be joined.
-WAVE = 64
+# Chunks at a time: as many results wait to be joined. Particles of a block.
+WAVE, BLOCK = 64, 2**14
 MOMENTS = ("theta_mean", "velocity_mean", "theta_variance", "velocity_variance", "covariance")
 RESULTS = ("count", *MOMENTS, "histogram", "outside", "t")
 
@@ -87,7 +87,8 @@ def reduce(
         By quantity ``(low, high, bins)``: equal bins of [low, high), of all quantities together. The quantities are theta,
         velocity, action, frequency and energy_ratio.
     mean : dict, optional
-        By name a function ``f(theta, velocity)`` of the states of a chunk, real or complex, whose mean over particles is given.
+        By name a function ``f(theta, velocity)`` of the states of some particles, real or complex, one number for each; its mean
+        over all particles is given.
     chunk : int, default 131072
         Particles at a time. The last bits of sums depend on it.
     workers : int, optional
@@ -110,7 +111,7 @@ def reduce(
 
     Notes
     -----
-    Memory: some 100 bytes a particle of the chunks at work, and 64 results of chunks. Source: Chan, Golub & LeVeque, Am. Stat. 37
+    Memory: some 40 bytes a particle of the chunks at work, and 64 results of chunks. Source: Chan, Golub & LeVeque, Am. Stat. 37
     (1983), 242.
 
     Examples
@@ -163,11 +164,27 @@ def of_chunk(source: Any, first: int, many: int, plan: Plan) -> list[Sums]:
 
 
 def sums_at(theta0: Floats, velocity0: Floats, time: float, plan: Plan) -> Sums:
-    """The sums of a chunk at one time."""
+    """The sums of a chunk at one time, block by block: columns of a block stay in the cache."""
+    sums, places = nothing(plan), np.empty(theta0.size if plan.bins else 0, dtype=np.int64)
+    for begin in range(0, theta0.size, BLOCK):
+        block = slice(begin, begin + BLOCK)
+        sums = joined(sums, _of_block(theta0[block], velocity0[block], time, plan, places[block]))
+    if plan.bins:
+        # The last cells are of what is in no bin, and of what is not finite.
+        counts = np.bincount(places, minlength=histogram_cells(plan) + 1)
+        sums = sums._replace(histogram=counts[:-1])
+    return sums
+
+
+def _of_block(theta0: Floats, velocity0: Floats, time: float, plan: Plan, places: NDArray[np.int64]) -> Sums:
+    """The sums of a block but for its histogram, of which the places are set."""
     theta, velocity = motion(time, theta0, velocity0, plan.omega0) if time else (theta0.copy(), velocity0)
     wrap(theta, np.zeros(theta.size, dtype=np.int64))
-    good = np.isfinite(theta) & np.isfinite(velocity)
-    if not good.all():
+    good: Any = np.isfinite(theta) & np.isfinite(velocity)
+    if good.all():
+        good = slice(None)
+    else:
+        places[...] = histogram_cells(plan)
         theta, velocity = theta[good], velocity[good]
     many = theta.size
     mean, products = np.zeros(2), np.zeros(3)
@@ -184,24 +201,28 @@ def sums_at(theta0: Floats, velocity0: Floats, time: float, plan: Plan) -> Sums:
                 f"mean {name!r} gives {values.dtype} of shape {values.shape}: must give a number for each of {many}"
             )
         totals.append(np.sum(values))
-    return Sums(many, mean, products, _histogram(theta, velocity, plan), totals)
+    if plan.bins:
+        places[good] = _cells(theta, velocity, plan)
+    return Sums(many, mean, products, 0, totals)
 
 
-def _histogram(theta: Floats, velocity: Floats, plan: Plan) -> Any:
-    """How many particles are in each bin, and in none."""
-    if not plan.bins:
-        return 0
-    place, inside, cells = np.zeros(theta.size, dtype=np.int64), np.ones(theta.size, dtype=bool), 1
+def _cells(theta: Floats, velocity: Floats, plan: Plan) -> NDArray[np.int64]:
+    """The cell of the histogram that each particle is in; the last one is that of no bin."""
+    cells, inside = np.zeros(theta.size), np.ones(theta.size, dtype=bool)
     for name, (low, high, bins) in plan.bins.items():
-        values = _quantity(name, theta, velocity, plan.omega0)
-        within = (values >= low) & (values < high)
+        # What is beyond the doubles is in no bin.
+        with np.errstate(over="ignore"):
+            values = _quantity(name, theta, velocity, plan.omega0)
+            number = np.subtract(values, low)
+            number /= high - low
+            number *= bins
+        inside &= (values >= low) & (values < high)
         # Below the upper end a quotient may still be rounded to the number of bins.
-        scaled = np.where(within, (values - low) / (high - low) * bins, 0.0)
-        place = place * bins + np.minimum(scaled.astype(np.int64), bins - 1)
-        inside &= within
+        np.minimum(np.floor(number, out=number), bins - 1, out=number)
+        # Whole numbers far below 2**53.
         cells *= bins
-    counts = np.bincount(place[inside], minlength=cells)
-    return np.append(counts, theta.size - np.count_nonzero(inside))
+        cells += number
+    return np.where(inside, cells, histogram_cells(plan) - 1).astype(np.int64)
 
 
 def _quantity(name: str, theta: Floats, velocity: Floats, omega0: float) -> Any:

@@ -96,6 +96,8 @@ def specification(text: str) -> Specification:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"is no TOML: {error}") from None
+    except RecursionError:
+        raise ValueError("is no SPEC: its lists are nested too deeply") from None
     _known("", tables, ["title", *TABLES])
     title = tables.get("title", "ensemble of pendulums")
     if not isinstance(title, str) or not title.strip():
@@ -203,6 +205,8 @@ def _stated(given: Any, axis: tuple[float, ...]) -> Any:
 
 
 def _finite(name: str, value: Any) -> float:
+    if not isinstance(value, int | float):
+        raise ValueError(f"{name} = {shown(value)}: must be one real number")
     number = real(name, value)
     if not math.isfinite(number):
         raise ValueError(f"{name} = {number!r}: must be finite")

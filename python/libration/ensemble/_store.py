@@ -110,6 +110,8 @@ def checked(path: str, spec: Specification, version: str) -> None:
 
     try:
         attributes = dict(zarr.open_group(path, mode="r").attrs)
+    except PermissionError:
+        raise
     except (OSError, ValueError, KeyError):
         attributes = {}
     if DIGEST not in attributes:

@@ -97,8 +97,9 @@ def _answer(pipes: dict[Any, Any]) -> tuple[int, Any]:
 @contextlib.contextmanager
 def _inherited() -> Iterator[None]:
     """What processes that begin inside have from the start: one thread each, and no interest in Ctrl-C, which is for us."""
-    # It unblocks the signal as it begins, so it comes first.
-    resource_tracker.ensure_running()
+    if os.name == "posix":
+        # Elsewhere there is none. It unblocks the signal as it begins, so it comes first.
+        resource_tracker.ensure_running()
     before = {name: os.environ.get(name) for name in ENVIRONMENT}
     os.environ.update(ENVIRONMENT)
     # Blocked, and not ignored: a Ctrl-C of this moment still reaches us.

@@ -13,6 +13,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from . import _core_functions as core
 from ._double_words import apart
 from ._flow import jacobi, state
 from ._set_up import Known, MotionParts, assembled, fully, nearly
@@ -92,22 +93,47 @@ def _contracted(slopes: Any, changes: tuple[Any, ...]) -> Any:
     return tuple(_contracted(each, changes) for each in slopes)
 
 
-def with_slopes(function: Callable[..., Any], value_and_slopes: Callable[..., Any]) -> Callable[..., Any]:
-    """A function of arrays of one shape, element by element, and the function that gives it with its derivatives."""
+def with_slopes(
+    function: Callable[..., Any],
+    value_and_slopes: Callable[..., Any],
+    formulas: Callable[..., Any] | None = None,
+) -> Callable[..., Any]:
+    """A function of arrays of one shape, element by element, and the function that gives it with its derivatives.
+
+    Where JAX cannot derive `value_and_slopes`, `formulas` are the same by other means, and the higher orders are theirs.
+    """
     value = jax.custom_jvp(function)
 
     @value.defjvp
     def rule(given: tuple[Any, ...], changes: tuple[Any, ...]) -> tuple[Any, Any]:
-        def next_order(*given: Any) -> Any:
-            return _columns(value_and_slopes, given)
+        def derived(*given: Any) -> Any:
+            return _columns(formulas or value_and_slopes, given)
 
-        found, slopes = with_slopes(value_and_slopes, next_order)(*given)
+        def next_order(*given: Any) -> Any:
+            values, columns = derived(*given)
+            return value_and_slopes(*given) if formulas else values, columns
+
+        found, slopes = with_slopes(value_and_slopes, next_order, derived if formulas else None)(*given)
         return found, _contracted(slopes, changes)
 
     return value
 
 
+def _of_core(function: Callable[..., Any]) -> Callable[..., Any]:
+    def value_and_slopes(*given: Any) -> Any:
+        values = function(*given)
+        return values, core.slopes(values, given)
+
+    return with_slopes(function, value_and_slopes, partial(_state_and_slopes, "full"))
+
+
+def _core_period_and_slopes(*given: Any) -> Any:
+    return core.period(*given), _period_and_slopes("full", *given)[1]
+
+
 MOTIONS = {digits: with_slopes(partial(_state, digits), partial(_state_and_slopes, digits)) for digits in KNOWN}
+STEPS = MOTIONS | {"core": _of_core(core.advance)}
+MOTIONS |= {"core": _of_core(core.motion)}
 PERIODS = {
     digits: with_slopes(partial(_period, digits, False), partial(_period_and_slopes, digits)) for digits in KNOWN
-}
+} | {"core": with_slopes(core.period, _core_period_and_slopes, partial(_period_and_slopes, "full"))}

@@ -7,7 +7,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ._derivatives import MOTIONS, PERIODS
+from . import _core_functions as core
+from ._derivatives import MOTIONS, PERIODS, STEPS
+
+FLOAT64 = 'call jax.config.update("jax_enable_x64", True) at the start'
 
 
 def motion(
@@ -21,15 +24,16 @@ def motion(
     Parameters
     ----------
     t : scalar or array
-        Time in s. More than 2**49 half periods, 2**20 in float32, give NaN.
+        Time in s. More than 2**49 half periods, 2**20 in float32, give NaN; for ``"core"`` more than 2**53.
     theta0 : scalar or array
         Initial angle in rad, less than 2**49 turns, 2**20 in float32.
     velocity0 : scalar or array, default 0.0
         Initial angular velocity in rad/s.
     omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, not 0.
-    digits : {"full", "short"}, default "full"
-        ``"full"`` computes with numbers of two floats where digits are lost, ``"short"`` mostly in plain floats.
+        Angular frequency of small swings in rad/s, not 0; positive for ``"core"``.
+    digits : {"full", "short", "core"}, default "full"
+        ``"full"`` computes with numbers of two floats where digits are lost, ``"short"`` mostly in plain floats; ``"core"``
+        calls the core, in float64 on CPUs.
 
     Returns
     -------
@@ -39,17 +43,22 @@ def motion(
     Raises
     ------
     TypeError
-        For float64 while JAX computes in float32, and for complex numbers.
+        For float64 while JAX computes in float32, for complex numbers, and for ``"core"`` with other floats than float64.
     ValueError
         For other `digits`.
+    NotImplementedError
+        For ``"core"`` in a program for another device than a CPU.
+    RuntimeError
+        For ``"core"`` where this jaxlib does not take it.
 
     Notes
     -----
     Error promised, of the largest angle and velocity, for the floats passed: ``"full"`` 1e-14 up to 1,000 periods, in
-    float32 5e-7 and n 2**-47/abs(1 - kappa**2) for n half periods; ``"short"`` 1e-12 and 5e-5 where abs(1 - kappa**2) is
-    1e-4 or more, up to 50 periods. Derivatives in float64: 1e-11 of the largest change where abs(1 - kappa**2) is 1e-6
-    or more, ``"short"`` 1e-4; nearer to the separatrix `libration.sensitivities` has them. The last digits depend on the
-    shape of the arrays, as XLA's do. Source: DLMF 20.2(i), 22.8(i), 22.19(i).
+    float32 5e-7; ``"short"`` 1e-12 and 5e-5 where abs(1 - kappa**2) is 1e-4 or more, up to 50 periods; ``"core"`` that of
+    `libration.motion` for states that are arrays, with its bits. Derivatives in float64: 1e-11 of the largest change where
+    abs(1 - kappa**2) is 1e-6 or more, ``"short"`` 1e-4; the first ones of ``"core"`` are those of `libration.sensitivities`,
+    right next to the separatrix too, and higher ones those of ``"full"``. The last digits of ``"full"`` and ``"short"``
+    depend on the shape of the arrays, as XLA's do. Source: DLMF 20.2(i), 22.8(i), 22.19(i).
 
     Examples
     --------
@@ -62,7 +71,7 @@ def motion(
     -1.8181
     """
     found: tuple[jax.Array, jax.Array] = _motion(
-        _chosen(digits), *_given(t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
+        *_arguments(digits, t=t, theta0=theta0, velocity0=velocity0, omega0=omega0)
     )
     return found
 
@@ -83,8 +92,8 @@ def advance(
     dt : scalar or array
         Time to go in s, of any sign, as for `motion`.
     omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, not 0.
-    digits : {"full", "short"}, default "full"
+        Angular frequency of small swings in rad/s, as for `motion`.
+    digits : {"full", "short", "core"}, default "full"
         As for `motion`.
 
     Returns
@@ -94,7 +103,7 @@ def advance(
 
     Raises
     ------
-    TypeError, ValueError
+    TypeError, ValueError, NotImplementedError, RuntimeError
         As for `motion`.
 
     Notes
@@ -108,8 +117,8 @@ def advance(
     >>> print(f"{theta:.4f} {velocity:.4f}")
     -0.3062 -0.9090
     """
-    found: tuple[jax.Array, jax.Array] = _motion(
-        _chosen(digits), *_given(dt=dt, theta=theta, velocity=velocity, omega0=omega0)
+    found: tuple[jax.Array, jax.Array] = _step(
+        *_arguments(digits, dt=dt, theta=theta, velocity=velocity, omega0=omega0)
     )
     return found
 
@@ -127,8 +136,8 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
     velocity : scalar or array, default 0.0
         Angular velocity in rad/s.
     omega0 : scalar or array, default 1.0
-        Angular frequency of small swings in rad/s, not 0.
-    digits : {"full", "short"}, default "full"
+        Angular frequency of small swings in rad/s, as for `motion`.
+    digits : {"full", "short", "core"}, default "full"
         As for `motion`.
 
     Returns
@@ -138,12 +147,12 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
 
     Raises
     ------
-    TypeError, ValueError
+    TypeError, ValueError, NotImplementedError, RuntimeError
         As for `motion`.
 
     Notes
     -----
-    Error promised, of the period: that of `motion`. Source: DLMF 19.8.5, 22.19(i).
+    Error promised, of the period: that of `motion`, ``"core"`` that of `libration.period`. Source: DLMF 19.8.5, 22.19(i).
 
     Examples
     --------
@@ -151,7 +160,7 @@ def period(theta: Any, velocity: Any = 0.0, omega0: Any = 1.0, *, digits: str = 
     >>> print(f"{period(3.0):.4f}")
     16.1555
     """
-    found: jax.Array = _period(_chosen(digits), *_given(theta=theta, velocity=velocity, omega0=omega0))
+    found: jax.Array = _period(*_arguments(digits, theta=theta, velocity=velocity, omega0=omega0))
     return found
 
 
@@ -161,27 +170,32 @@ def _motion(digits: str, *given: jax.Array) -> Any:
 
 
 @partial(jax.jit, static_argnums=0)
+def _step(digits: str, *given: jax.Array) -> Any:
+    return STEPS[digits](*jnp.broadcast_arrays(*given))
+
+
+@partial(jax.jit, static_argnums=0)
 def _period(digits: str, *given: jax.Array) -> Any:
     return PERIODS[digits](*jnp.broadcast_arrays(*given))
 
 
-def _chosen(digits: str) -> str:
-    if digits in MOTIONS:
-        return digits
-    raise ValueError(f"digits must be {' or '.join(map(repr, MOTIONS))}, not {digits!r}")
-
-
-def _given(**given: Any) -> list[jax.Array]:
-    """Floats of one kind, at least of 32 bits."""
+def _arguments(digits: str, **given: Any) -> tuple[Any, ...]:
+    """The digits, and floats of one kind, at least of 32 bits."""
+    if digits not in MOTIONS:
+        *others, last = map(repr, MOTIONS)
+        raise ValueError(f"digits must be {', '.join(others)} or {last}, not {digits!r}")
     for name, value in given.items():
         kind = np.dtype(getattr(value, "dtype", np.float32))
         if kind == np.float64 != jnp.result_type(float):
-            raise TypeError(
-                f"{name} is float64, but JAX computes in float32: pass float32, or call "
-                'jax.config.update("jax_enable_x64", True) at the start'
-            )
+            raise TypeError(f"{name} is float64, but JAX computes in float32: pass float32, or {FLOAT64}")
         if jnp.issubdtype(kind, jnp.complexfloating) or isinstance(value, complex):
             raise TypeError(f"{name} must be real, not complex")
+        if digits == "core" and hasattr(value, "dtype") and jnp.issubdtype(kind, jnp.floating) and kind != np.float64:
+            raise TypeError(f'{name} is {kind}, but digits="core" is for float64: pass float64, or digits="full"')
     kind = jnp.result_type(*given.values())
     kind = jnp.promote_types(kind, jnp.float32) if jnp.issubdtype(kind, jnp.floating) else jnp.result_type(float)
-    return [jnp.asarray(value, dtype=kind) for value in given.values()]
+    if digits == "core":
+        if jnp.result_type(float) != np.float64:
+            raise TypeError(f'digits="core" is for float64, but JAX computes in float32: {FLOAT64}')
+        core.ready()
+    return digits, *(jnp.asarray(value, dtype=kind) for value in given.values())

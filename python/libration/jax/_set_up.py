@@ -12,6 +12,7 @@ import jax.numpy as jnp
 from jax.lax import stop_gradient
 
 from . import _double_words as dw
+from . import _triple_words as tw
 
 
 class Nome(NamedTuple):
@@ -143,8 +144,9 @@ def fully(t: Any, theta0: Any, velocity0: Any, omega0: Any) -> Known:
     def shape() -> Any:
         x = dw.divide((velocity0, zero), dw.scaled(omega, 2.0))
         m = dw.add(dw.multiply(s, s), dw.multiply(x, x))
-        mc = dw.multiply(dw.add(c, dw.minus(x)), dw.add(c, x))
-        return x, m, mc
+        if zero.dtype == jnp.float32:
+            return x, m, tw.complement(theta0, velocity0, omega0)
+        return x, m, dw.multiply(dw.add(c, dw.minus(x)), dw.add(c, x))
 
     def parameters() -> Any:
         rotation = mc[0] < 0

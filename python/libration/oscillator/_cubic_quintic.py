@@ -33,7 +33,7 @@ class CubicQuintic(Oscillator):
     Notes
     -----
     An oscillator does not change; it is hashable, and a pickle rebuilds it bit for bit. Source: Legendre's normal forms of
-    v'**2 = 4 C(v) with v = 1/u**2 and the cubic C; Belendez et al. 2016 for release from rest.
+    ``v'**2 = 4 C(v)`` with ``v = 1/u**2`` and the cubic C; Belendez et al. 2016 for release from rest.
 
     Examples
     --------

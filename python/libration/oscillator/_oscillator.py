@@ -14,6 +14,7 @@ from .._immutable import Elsewhere, Immutable
 from .._labels import Result
 from .._messages import REFUSALS, explained, refuse
 from .._scalars import real
+from .._tables import Tabled
 
 # Displacements are in the user's units.
 U = Result("u", None, "displacement")
@@ -43,10 +44,13 @@ class OscillatorRegime(StrEnum):
     ESCAPE = "escape"
 
 
-class Oscillator(Immutable):
+class Oscillator(Tabled, Immutable):
     """A nonlinear spring: the motion, its kind, its reach and its ends."""
 
     __slots__ = ("_given", "_operands", "_oscillator")
+
+    # In the user's units.
+    _columns = (("u", None), ("velocity", None))
 
     _names: ClassVar[tuple[str, ...]]
     _kernels: ClassVar[tuple[np.ufunc, np.ufunc, np.ufunc]]
@@ -110,7 +114,7 @@ class Oscillator(Immutable):
         try:
             return apply(self._kernels[0], t, *self._operands, results=(U,), out=out)
         except REFUSALS as error:
-            refuse(error, Oscillator.u, (self, t, out))
+            return refuse(error, Oscillator.u, (self, t, out))
 
     @overload
     def velocity(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -151,7 +155,7 @@ class Oscillator(Immutable):
         try:
             return apply(self._kernels[1], t, *self._operands, results=(VELOCITY,), out=out)
         except REFUSALS as error:
-            refuse(error, Oscillator.velocity, (self, t, out))
+            return refuse(error, Oscillator.velocity, (self, t, out))
 
     @overload
     def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
@@ -188,7 +192,7 @@ class Oscillator(Immutable):
         try:
             return apply(self._kernels[2], t, *self._operands, results=MOTION)
         except REFUSALS as error:
-            refuse(error, Oscillator.motion, (self, t))
+            return refuse(error, Oscillator.motion, (self, t))
 
     @explained
     def times(self, u: float, start: float, stop: float) -> Floats:

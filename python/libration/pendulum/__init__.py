@@ -17,6 +17,7 @@ from ._motion import advance, motion, theta, velocity
 from ._passages import next_crossing, turns
 from ._pendulum import Pendulum
 from ._sensitivities import sensitivities
+from ._uncertain import uncertain_motion, uncertain_period
 
 __all__ = [
     "Fourier",
@@ -39,6 +40,8 @@ __all__ = [
     "theta",
     "theta_max",
     "turns",
+    "uncertain_motion",
+    "uncertain_period",
     "velocity",
 ]
 

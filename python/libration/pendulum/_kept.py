@@ -167,6 +167,9 @@ def energy_ratio(
     >>> libration.energy_ratio(0.0, [0.0, 1.0, 3.0])
     array([0.  , 0.25, 2.25])
     """
+    others = theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta, velocity, omega0, direction, *others):
+        return apply(_core.energy_ratio, *state, results=(ENERGY_RATIO,), out=out, where=where)
     angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
     given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_energy_ratio, *given, results=(ENERGY_RATIO,), out=out, where=where)
@@ -216,6 +219,9 @@ def energy_ratio_c(
     >>> f"{libration.energy_ratio_c(theta_from_top=1e-17):.6e}"
     '2.500000e-35'
     """
+    others = theta_from_top, energy_ratio, energy_ratio_c, energy, omega2, length, gravity
+    if state := plain_state(theta, velocity, omega0, direction, *others):
+        return apply(_core.energy_ratio_c, *state, results=(ENERGY_RATIO_C,), out=out, where=where)
     angles, motions = (theta, theta_from_top), (velocity, energy_ratio, energy_ratio_c, energy)
     given = orbit(NOW, angles, motions, direction, omega0, omega2, length, gravity)
     return apply(_core.orbit_energy_ratio_c, *given, results=(ENERGY_RATIO_C,), out=out, where=where)

@@ -41,6 +41,7 @@ def turns(
     """Whole turns of pendulums and the rest of the angle at the times `t`: ``(n, angle)``.
 
     What `Pendulum.turns` is, element by element: theta = 2 pi n + angle with -pi <= angle < pi.
+    An angle that rounds to pi is -pi of the next turn.
 
     Parameters
     ----------

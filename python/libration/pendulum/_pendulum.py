@@ -16,12 +16,13 @@ from .._arrays import Array, Floats, Indexed, Labelled, NDArray, Scalar, Stacked
 from .._dispatch import apply, tensor, unindexed
 from .._immutable import Elsewhere
 from .._messages import REFUSALS, explained, refuse
+from .._tables import Tabled
 from ._plots import Plots
 from ._results import MOTION, PHASE, SECOND_SENSITIVITIES, SENSITIVITIES, THETA, TURNS, VELOCITY
 from ._sensitivities import FIRST, SECOND, SYMMETRIC
 
 
-class Pendulum(Plots):
+class Pendulum(Tabled, Plots):
     """One orbit of the pendulum theta'' + omega0**2 sin(theta) = 0, exact in every regime.
 
     The angle is zero at the bottom and counts on continuously through whole turns. With the energy ratio
@@ -29,6 +30,9 @@ class Pendulum(Plots):
     and a rotation above. The regime is that of the doubles passed: ``Pendulum(math.pi)`` swings, with a long period,
     because ``math.pi`` is less than pi. For omega2 < 0 the bottom is the stable equilibrium theta = pi: energy,
     energy ratio and theta_max are those of theta0 - pi with abs(omega2).
+
+    At most one of `omega0`, `omega2` and `length` is given; none of them means ``omega0=1``. By what is known instead of the
+    velocity: `Pendulum.from_energy`, `Pendulum.from_turning_angle`, `Pendulum.from_period`, `Pendulum.from_action_phase`.
 
     Parameters
     ----------
@@ -48,9 +52,6 @@ class Pendulum(Plots):
     gravity : scalar, optional
         Acceleration of gravity in m/s**2, finite and of any sign; only with `length`, where it means 9.80665 if not
         given.
-
-    At most one of `omega0`, `omega2` and `length` is given; none of them means ``omega0=1``. By what is known instead of the
-    velocity: `Pendulum.from_energy`, `Pendulum.from_turning_angle`, `Pendulum.from_period`, `Pendulum.from_action_phase`.
 
     Raises
     ------
@@ -138,7 +139,7 @@ class Pendulum(Plots):
                 return _core.orbit_theta(t, *self._operands, out)
             return apply(_core.orbit_theta, t, *self._operands, results=(THETA,), out=out)
         except REFUSALS as error:
-            refuse(error, Pendulum.theta, (self, t, out))
+            return refuse(error, Pendulum.theta, (self, t, out))
 
     @overload
     def velocity(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -184,7 +185,7 @@ class Pendulum(Plots):
                 return _core.orbit_velocity(t, *self._operands, out)
             return apply(_core.orbit_velocity, t, *self._operands, results=(VELOCITY,), out=out)
         except REFUSALS as error:
-            refuse(error, Pendulum.velocity, (self, t, out))
+            return refuse(error, Pendulum.velocity, (self, t, out))
 
     @overload
     def motion(self, t: Scalar) -> tuple[np.float64, np.float64]: ...
@@ -223,7 +224,7 @@ class Pendulum(Plots):
         try:
             return apply(_core.orbit_motion, t, *self._operands, results=MOTION)
         except REFUSALS as error:
-            refuse(error, Pendulum.motion, (self, t))
+            return refuse(error, Pendulum.motion, (self, t))
 
     @overload
     def turns(self, t: Scalar) -> tuple[np.int64, np.float64]: ...
@@ -235,7 +236,7 @@ class Pendulum(Plots):
         """Whole turns and the rest of the angle at the times `t`: ``(n, angle)``.
 
         theta = 2 pi n + angle with -pi <= angle < pi and the true pi: after many turns the angle keeps the digits
-        that theta itself has no room for.
+        that theta itself has no room for. An angle that rounds to pi is -pi of the next turn.
 
         Parameters
         ----------
@@ -264,7 +265,7 @@ class Pendulum(Plots):
         try:
             return apply(_core.turns, t, *self._operands, results=TURNS)
         except REFUSALS as error:
-            refuse(error, Pendulum.turns, (self, t))
+            return refuse(error, Pendulum.turns, (self, t))
 
     @overload
     def phase(self, t: Scalar, out: None = None) -> np.float64: ...
@@ -307,7 +308,7 @@ class Pendulum(Plots):
         try:
             return apply(_core.orbit_phase, t, *self._operands, results=(PHASE,), out=out)
         except REFUSALS as error:
-            refuse(error, Pendulum.phase, (self, t, out))
+            return refuse(error, Pendulum.phase, (self, t, out))
 
     @overload
     def sensitivities(self, t: Scalar | Array) -> Floats: ...

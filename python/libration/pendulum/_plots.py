@@ -9,6 +9,8 @@ from ._crossings import Crossings
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ..plot._animation import Animation
+
 
 class Plots(Crossings):
     """The part of a `Pendulum` that draws it; matplotlib is loaded when it is asked for a plot."""
@@ -110,6 +112,70 @@ class Plots(Crossings):
         from ..plot._portrait import phase_axes
 
         return phase_axes(self, t, ax, others=others, lang=lang, style=style)
+
+    def animate(
+        self,
+        path: Any = None,
+        *,
+        t: Any = None,
+        fps: float = 25.0,
+        speed: float = 1.0,
+        form: str | None = None,
+        title: str | None = None,
+        dpi: float = 100.0,
+        lang: str = "en",
+    ) -> Animation:
+        """A film of the motion: the pendulum beside theta(t), of one period that repeats without a seam.
+
+        Frame i of N is the motion at i T/N, T being the period (of a rotation the time of one turn); frame N would be frame 0.
+
+        Parameters
+        ----------
+        path : str, path or binary file, optional
+            Where to save it, as .gif or .mp4; by default nowhere: a notebook shows it.
+        t : array_like, optional
+            The first and the last instant in s, in place of one period; such a film has a seam where it repeats.
+        fps : scalar, default 25.0
+            Frames in a second of the film, at most; from 1 to 50. There are 12 to 2000 in all.
+        speed : scalar, default 1.0
+            Seconds of the motion in a second of the film, above 0.
+        form : str, optional
+            `gif` or `mp4`; by default the ending of `path`.
+        title : str, optional
+            The line above; by default it says the state, the regime and the period. An empty one leaves it out.
+        dpi : scalar, default 100.0
+            Dots per inch of a picture of 6.4 by 3.2 inches, from 20 to 1200.
+        lang : str, default "en"
+            `en`, `pt-BR` or `es`: the language of the labels, with its decimal sign.
+
+        Returns
+        -------
+        Animation
+            The instants of its frames in `times`, the frames by `frames()`; `save` writes it.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing, or PyAV for an MP4.
+        ValueError
+            If there is no period and no `t`, at rest, if there would be too few or too many frames, or an argument is out of range.
+
+        Examples
+        --------
+        >>> from libration import Pendulum
+        >>> film = Pendulum(3.0, length=1.0).animate(speed=0.5)
+        >>> len(film.times), f"{film.seconds:.3f} s"
+        (257, '10.318 s')
+        """
+        from ..plot._angle import headline
+        from ..plot._animation import Animation
+        from ..plot._language import Language
+
+        line = headline(self, Language(lang)) if title is None else title
+        film = Animation(self, t, title=line, fps=fps, speed=speed, dpi=dpi, lang=lang)
+        if path is not None:
+            film.save(path, form)
+        return film
 
     def _repr_html_(self) -> str:
         """What a notebook shows: a drawing, regime and period, and the closed form with its numbers."""

@@ -51,6 +51,28 @@ def state_text(pendulum: Any, say: Language) -> str:
     return text
 
 
+def headline(pendulum: Any, say: Language = ENGLISH) -> str:
+    """Initial state, regime and period in one line."""
+    start = state_text(pendulum, say)
+    if not pendulum.velocity0:
+        start += r", $\dot\theta_0$ = 0"
+    period = say.number(pendulum.period)
+    regime = str(pendulum.regime)
+    if regime == "separatrix":
+        return say.word("{start}: separatrix, the top is approached and never reached", start=start)
+    if regime == "rotation":
+        return say.word("{start}: rotation, one turn in {period} s", start=start, period=period)
+    if regime == "rest":
+        if pendulum.omega0 == 0:
+            return say.word("{start}: rest, without a force", start=start)
+        return say.word("{start}: rest, small swings would take {period} s", start=start, period=period)
+    angle = degrees_text(pendulum.theta_max, pendulum, say)
+    if pendulum.omega2 < 0:
+        angle = say.word("{angle} from π", angle=angle)
+    words = "{start}: libration, period {period} s, turning angle {angle}"
+    return say.word(words, start=start, period=period, angle=angle)
+
+
 def draw_angle(axes: Any, pendulum: Any, t: np.ndarray, say: Language = ENGLISH) -> None:
     """The left panel of a saved picture: theta over t."""
     style = {"color": EXACT, "lw": 2, "label": say.word("exact")}

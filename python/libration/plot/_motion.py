@@ -7,9 +7,9 @@ from typing import Any
 from .._scalars import shown
 from ..damped import DampedPendulum
 from ..pendulum import Pendulum
-from ._angle import degrees_text, draw_angle, state_text
+from ._angle import draw_angle, headline
 from ._damped import damped_headline, draw_damped_angle, draw_damped_portrait
-from ._language import ENGLISH, Language
+from ._language import Language
 from ._portrait import draw_portrait
 from ._style import finite, save
 
@@ -78,25 +78,3 @@ def plot_motion(
     line, left, right = kinds
     panels = (lambda axes: left(axes, pendulum, t, say)), (lambda axes: right(axes, pendulum, t, say))
     save(path, form, line(pendulum, say) if title is None else title, *panels, dpi=dpi)
-
-
-def headline(pendulum: Pendulum, say: Language = ENGLISH) -> str:
-    """Initial state, regime and period in one line."""
-    start = state_text(pendulum, say)
-    if not pendulum.velocity0:
-        start += r", $\dot\theta_0$ = 0"
-    period = say.number(pendulum.period)
-    regime = str(pendulum.regime)
-    if regime == "separatrix":
-        return say.word("{start}: separatrix, the top is approached and never reached", start=start)
-    if regime == "rotation":
-        return say.word("{start}: rotation, one turn in {period} s", start=start, period=period)
-    if regime == "rest":
-        if pendulum.omega0 == 0:
-            return say.word("{start}: rest, without a force", start=start)
-        return say.word("{start}: rest, small swings would take {period} s", start=start, period=period)
-    angle = degrees_text(pendulum.theta_max, pendulum, say)
-    if pendulum.omega2 < 0:
-        angle = say.word("{angle} from π", angle=angle)
-    words = "{start}: libration, period {period} s, turning angle {angle}"
-    return say.word(words, start=start, period=period, angle=angle)

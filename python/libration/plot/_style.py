@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import re
 import textwrap
+from collections.abc import Iterator
+from contextlib import contextmanager
 from io import BytesIO
 from typing import Any
 
@@ -111,17 +113,10 @@ def save_figure(
         raise ValueError(f"dpi = {dpi!r}: must be from {LEAST_DPI} to {MOST_DPI}")
     for form, file in files.items():
         check_form(file, form)
-    try:
-        from matplotlib import rc_context, rcParamsDefault
+    with house():
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
-    except ModuleNotFoundError as error:
-        raise ImportError(MISSING) from error
 
-    # Not those of a matplotlibrc, which may ask for LaTeX or hide a line; the salt makes the same file of the same picture.
-    settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
-    house = {"svg.hashsalt": "libration", "svg.fonttype": "none", "font.sans-serif": list(FONTS[:-1])}
-    with rc_context(settings | house):
         figure = Figure(figsize=size, dpi=dpi, layout="constrained")
         FigureCanvasAgg(figure)
         engine: Any = figure.get_layout_engine()
@@ -130,6 +125,20 @@ def save_figure(
             draw(figure)
             for form, file in files.items():
                 save_as(figure, file, form, told or {})
+
+
+@contextmanager
+def house() -> Iterator[None]:
+    """The settings of every picture that is saved, in place of the user's."""
+    try:
+        from matplotlib import rc_context, rcParamsDefault
+    except ModuleNotFoundError as error:
+        raise ImportError(MISSING) from error
+    # Not those of a matplotlibrc, which may ask for LaTeX or hide a line; the salt makes the same file of the same picture.
+    settings: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
+    own = {"svg.hashsalt": "libration", "svg.fonttype": "none", "font.sans-serif": list(FONTS[:-1])}
+    with rc_context(settings | own):
+        yield
 
 
 def check_form(file: Any, form: str | None) -> None:

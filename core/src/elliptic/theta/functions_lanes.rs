@@ -7,7 +7,7 @@
 
 use super::functions::ThetaFunction;
 use super::neville::excesses;
-use crate::elliptic::agm::agm_near;
+use crate::elliptic::agm::NearMean;
 use crate::elliptic::given::Given;
 use crate::elliptic::nome::{minus_log_short_nome, short_nome};
 use crate::elliptic::parameter_lanes::{ParameterLanes, class};
@@ -86,8 +86,8 @@ impl Nome {
             Nome::Parameter(given) => {
                 let ParameterLanes { m, mc, negative, above, .. } = ParameterLanes::new(given, value);
                 let outside = L::select(above, nan, zero);
-                let (b, rest) = if HYPERBOLIC { (m.root(), mc) } else { (mc.root(), m) };
-                let [_, lambda] = agm_near([b, b.root()], rest);
+                let (square, rest) = if HYPERBOLIC { (m, mc) } else { (mc, m) };
+                let NearMean { lambda, .. } = NearMean::new(square, rest, L::splat(1.0));
                 let log = if HYPERBOLIC { minus_log_short_nome(lambda).tight() } else { none };
                 NomeLanes { q: short_nome(lambda), log, negative, outside }
             }

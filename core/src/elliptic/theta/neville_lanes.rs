@@ -4,15 +4,15 @@
 //! K by the arithmetic-geometric mean of fixed length for m <= 1/2; above, K = K' (-ln q')/pi with the nome q' of mc, whose
 //! logarithm is good to 2^-100, so that no mean of far numbers is formed. For steps that are repeated two theta functions
 //! suffice, because the rest follows from identities without cancellation: with
-//! p : q = sn : cn, the common factor is s = sqrt(p^2 + q^2) and dn = sqrt(q^2 + mc p^2)/s. So sn^2 + cn^2 = 1 and
-//! dn^2 + m sn^2 = 1 hold to double-double whatever the rounding of the theta functions, and a step repeated
-//! for ever keeps its energy.
+//! p : q = sn : cn, the common factor is s = sqrt(p^2 + q^2) and dn = sqrt(q^2 + mc p^2)/s. Both roots are one step of Newton's
+//! from the other two theta functions. So sn^2 + cn^2 = 1 and dn^2 + m sn^2 = 1 hold to double-double whatever the rounding of the
+//! theta functions, and a step repeated for ever keeps its energy.
 //! Source: as neville.rs and agm.rs; DLMF 22.2.1.
 //!
 //! [`NevilleTheta`]: super::neville::NevilleTheta
 
 use super::neville::{bounded_square, excesses, excesses_at_zero, fold, logarithmic_slope};
-use crate::elliptic::agm::agm_near;
+use crate::elliptic::agm::NearMean;
 use crate::elliptic::nome::{minus_log_short_nome, short_nome};
 use crate::float::elementary::{quotient, sin_cos, sinh_cosh};
 use crate::float::unnormalised::Unnormalised;
@@ -65,6 +65,7 @@ pub(crate) struct Point<L: Lane> {
     pub cn: Unnormalised<L>,
     pub dn: Unnormalised<L>,
     pub unit: Unnormalised<L>,
+    pub sn_square: Unnormalised<L>,
     pub cn_square: Unnormalised<L>,
     pub dn_square: Unnormalised<L>,
     pub unit_square: Unnormalised<L>,
@@ -87,9 +88,10 @@ impl<L: Lane> NevilleThetaLanes<L> {
     #[inline(always)]
     pub fn new<const HYPERBOLIC: bool>(m: Unnormalised<L>, mc: Unnormalised<L>) -> Self {
         let (square, one_minus_square) = if HYPERBOLIC { (m, mc) } else { (mc, m) };
-        let [b, root] = square.root_and_fourth();
-        let kc = if HYPERBOLIC { mc.root() } else { b };
-        let [mean, lambda] = agm_near([b, root], one_minus_square);
+        let half = L::splat(0.5);
+        let near_kc = if HYPERBOLIC { mc.hi.sqrt() } else { half };
+        let NearMean { b, root, mean, lambda, inverse } = NearMean::new(square, one_minus_square, near_kc);
+        let kc = if HYPERBOLIC { mc.near_root(near_kc, half * inverse) } else { b };
         let nome = short_nome(lambda);
         let (frequency, angle) = if HYPERBOLIC {
             let angle = minus_log_short_nome(lambda);
@@ -170,8 +172,17 @@ impl<L: Lane> NevilleThetaLanes<L> {
     #[inline(always)]
     pub fn at<const HYPERBOLIC: bool>(&self, f: Dd<L>) -> Point<L> {
         let (folded, v) = fold(f);
-        let angle = (Unnormalised::from(v) * self.angle).tight();
-        let [theta1, theta2, _, theta4] = self.crossed_thetas::<HYPERBOLIC>(angle).thetas;
+        let angle = (Unnormalised::from(v) * self.angle).ordered();
+        let [theta1, theta2, theta3, theta4] = self.crossed_thetas::<HYPERBOLIC>(angle).thetas;
+        // dn and the unit are known to a few roundings already: sn, cn, dn, unit are theta1, theta2 sqrt k', theta3 sqrt k',
+        // theta4 from 0 for m <= 1/2, and above theta1, theta4, theta3 sqrt k, theta2 sqrt k; from K likewise.
+        let near = |turned: L, plain: L| L::select(folded, turned, plain);
+        let root = self.root.hi;
+        let (near_dn, near_unit) = if HYPERBOLIC {
+            (near(theta2.hi * self.kc.hi, theta3.hi) * root, near(theta3.hi, theta2.hi) * root)
+        } else {
+            (near(theta4.hi, theta3.hi) * root, near(theta3.hi, theta4.hi))
+        };
         let theta1 = Unnormalised::from(theta1);
         let other = Unnormalised::from(if HYPERBOLIC { theta4 } else { theta2 });
         let sn = Unnormalised::select(folded, other, theta1);
@@ -183,7 +194,7 @@ impl<L: Lane> NevilleThetaLanes<L> {
         let (sn_square, cn_square) = (sn.square(), cn.square());
         let dn_square = cn_square + self.mc * sn_square;
         let unit_square = cn_square + sn_square;
-        let [dn, unit] = dn_square.two_roots(unit_square);
-        Point { sn, cn, dn, unit, cn_square, dn_square, unit_square, folded, angle }
+        let [dn, unit] = dn_square.two_near_roots(unit_square, [near_dn, near_unit]);
+        Point { sn, cn, dn, unit, sn_square, cn_square, dn_square, unit_square, folded, angle }
     }
 }
