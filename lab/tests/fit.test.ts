@@ -103,10 +103,10 @@ describe('refusals are the lines of the command', () => {
   })
 
   it('not periods alone: each begins where the one above ends', async () => {
-    const fits = await FitModule.start(module)
+    const fits = await Measuring.start()
     const read = fits.read(bytes('period (s)\n1.80\n1.81\n1.79\n1.80\n'), [['file', 'periods.csv']])
-    expect([read.kind, read.y]).toEqual(['gate', [1.8, 1.81, 1.79, 1.8]])
-    expect(read.x.map((t) => t.toFixed(2))).toEqual(['0.00', '1.80', '3.61', '5.40'])
+    expect([read.kind, [...read.y]]).toEqual(['gate', [1.8, 1.81, 1.79, 1.8]])
+    expect(Array.from(read.x, (t) => t.toFixed(2))).toEqual(['0.00', '1.80', '3.61', '5.40'])
     expect(read.understood).toContain('No column of times: each period begins where the one above ends.')
   })
 

@@ -8,7 +8,7 @@ import { basename, join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { load, loadMotions } from 'libration'
 import { longRecord } from '../long-record'
-import { give, opening } from './data'
+import { give, watched } from './data'
 import { address, expect, ready, test } from './lab'
 import { DIST } from './server'
 
@@ -117,7 +117,7 @@ test('measure: the fit of 20,000 samples', async ({ browser }) => {
   await loadMotions()
   const text = longRecord()
   for (let i = 0; i < FITS; i++) {
-    const { page, asked } = await opening(browser)
+    const { page, asked } = await watched(browser)
     const session = await page.context().newCDPSession(page)
     await session.send('Performance.enable', { timeDomain: 'threadTicks' })
     await page.evaluate(() => {
