@@ -68,21 +68,27 @@ WASM_FLAGS := -C no-vectorize-loops -C no-vectorize-slp
 module-simd: WASM_FLAGS += -C target-feature=+simd128
 # What a page does not need at first.
 module-second: WHOLE := --features whole
-# The reader and the fit, with vectors: a package of its own.
+# What a page loads later is built with short calls, which the linker writes where it is asked to.
 CRATE := libration-wasm
 PROFILE := wasm
-module-fit: WASM_FLAGS += -C target-feature=+simd128
+SHORT := -C link-arg=--compress-relocations
+# The fit, with vectors, the reader, g from a period: packages of their own on the same libraries.
+module-fit: WASM_FLAGS += -C target-feature=+simd128 $(SHORT)
 module-fit: CRATE := libration-wasm-fit
+module-fit: BESIDE := reader period
 module-fit: PROFILE := wasm-fit
-# Springs and friction: a package of its own. Short calls, which the linker writes where it is asked to, are a sixtieth of it.
-module-motions: WASM_FLAGS += -C link-arg=--compress-relocations
+# Springs and friction: a package of its own.
+module-motions: WASM_FLAGS += $(SHORT)
 module-motions: CRATE := libration-wasm-motions
-$(MODULES:%=module-%): module-%:
-	@mkdir -p $(LOGS) $(DIST)
+.PHONY: wasm-target
+wasm-target:
 	@rustup target list --installed | grep -q wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
-	@RUSTFLAGS='$(WASM_FLAGS)' CARGO_TARGET_DIR=target/wasm-$* cargo build --locked --package $(CRATE) --profile $(PROFILE) \
+$(MODULES:%=module-%): module-%: | wasm-target
+	@mkdir -p $(LOGS) $(DIST)
+	@RUSTFLAGS='$(WASM_FLAGS)' CARGO_TARGET_DIR=target/wasm-$* cargo build --locked --package $(CRATE) $(BESIDE:%=--package libration-wasm-%) --profile $(PROFILE) \
 	  --target wasm32-unknown-unknown $(WHOLE) >$(LOGS)/$@.log 2>&1 || { tail -n 60 $(LOGS)/$@.log; exit 1; }
-	@cp target/wasm-$*/wasm32-unknown-unknown/$(PROFILE)/$(subst -,_,$(CRATE)).wasm $(DIST)/libration-$*.wasm
+	@cd target/wasm-$*/wasm32-unknown-unknown/$(PROFILE) && cp $(subst -,_,$(CRATE)).wasm $(abspath $(DIST))/libration-$*.wasm && \
+	  $(foreach each,$(BESIDE),cp libration_wasm_$(each).wasm $(abspath $(DIST))/libration-$(each).wasm &&) true
 
 $(NPM)/node_modules/.package-lock.json: $(NPM)/package-lock.json
 	@npm --prefix $(NPM) ci --no-audit --no-fund --loglevel=error

@@ -14,6 +14,8 @@ ROOMS = {
     "wasm/src": Crate,
     "wasm/fit/src": Crate,
     "wasm/motions/src": Crate,
+    "wasm/period/src": Crate,
+    "wasm/reader/src": Crate,
     "python": Folder,
     "bench": Folder,
     "reference": Folder,

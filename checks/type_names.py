@@ -9,6 +9,7 @@ from tree import code_lines, files, finish
 
 ROOMS = [
     *("core/src", "fit/src", "python/src", "wasm/src", "wasm/fit/src", "wasm/motions/src"),
+    *("wasm/period/src", "wasm/reader/src"),
     *("wasm/npm/src", "lab/src", "python/libration", "bench", "reference"),
 ]
 RUST = re.compile(r"^(?:\s*(?:pub(?:\([^)]*\))?\s+)?(?:struct|enum|trait|union)|(?:pub(?:\([^)]*\))?\s+)?type)\s+(\w+)")

@@ -7,6 +7,7 @@
 //! The normal g of WGS 84 is Somigliana's formula with the height's second order.
 //! Source: NIMA TR 8350.2 (2000), equations 4-1 and 4-3.
 
+use crate::digits::Shown;
 use crate::fit::{BudgetRow, Estimate, FitRefusal, Measure};
 use core::f64::consts::PI;
 use libration::damped::averaged_turning_angle;
@@ -27,12 +28,18 @@ pub struct PeriodGravity {
 fn checked(name: &str, unit: &str, measure: Measure, low: f64, high: f64) -> Result<(), FitRefusal> {
     let Measure { value, u } = measure;
     if !(value.is_finite() && value > low && value < high) {
-        let most = if high.is_finite() { format!(" and less than {high:.6}") } else { String::new() };
-        return Err(FitRefusal::new(format!("{name} = {value} {unit}: must be greater than {low:.0}{most}")));
+        let most =
+            if high.is_finite() { format!(" and less than {:.6}", Shown(high)) } else { String::new() };
+        return Err(FitRefusal::new(format!(
+            "{name} = {} {unit}: must be greater than {:.0}{most}",
+            Shown(value),
+            Shown(low)
+        )));
     }
     if !(u.is_finite() && u >= 0.0) {
         return Err(FitRefusal::new(format!(
-            "uncertainty of {name} = {u} {unit}: must be finite and not negative"
+            "uncertainty of {name} = {} {unit}: must be finite and not negative",
+            Shown(u)
         )));
     }
     Ok(())
@@ -184,11 +191,12 @@ const ECCENTRICITY2: f64 = 0.006_694_379_990_13;
 pub fn normal_gravity(latitude: f64, height: f64) -> Result<f64, FitRefusal> {
     if !(-0.5 * PI..=0.5 * PI).contains(&latitude) {
         return Err(FitRefusal::new(format!(
-            "latitude = {latitude} rad: must be from -pi/2 to pi/2, -90deg to 90deg"
+            "latitude = {} rad: must be from -pi/2 to pi/2, -90deg to 90deg",
+            Shown(latitude)
         )));
     }
     if !(-12e3..=100e3).contains(&height) {
-        return Err(FitRefusal::new(format!("height = {height} m: must be from -12000 to 100000")));
+        return Err(FitRefusal::new(format!("height = {} m: must be from -12000 to 100000", Shown(height))));
     }
     let sine = libm::sin(latitude);
     let square = sine * sine;

@@ -5,9 +5,11 @@
 //! [`fit()`](fit::fit) takes columns of a record and what is known beside it; it gives a [`Fit`](fit::Fit), or a
 //! [`FitRefusal`](fit::FitRefusal) of one line.
 
+mod digits;
 pub mod fit;
 mod from_record;
 mod gravity;
+mod order;
 pub mod read;
 
 pub use from_record::data;

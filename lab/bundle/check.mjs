@@ -12,10 +12,13 @@ const DIST = new URL('../dist/', import.meta.url).pathname
 /** Bytes: all that is loaded first, gzipped; the offline file as it is. */
 const FIRST_LOAD = 150_000
 const OFFLINE = 600_000
-/** The module of the reader and the fit, gzipped: what the view Data asks for when it opens. */
-const FIT = 340_000
-/** The module of springs and friction, gzipped: what their views ask for when one opens. */
-const MOTIONS = 90_000
+/** Modules that are asked for when they are needed, gzipped, and when that is. */
+const LATER = {
+  reader: { most: 150_000, when: 'when Data from a file opens' },
+  fit: { most: 152_000, when: 'with the first file' },
+  period: { most: 36_000, when: 'when Data from a period opens' },
+  motions: { most: 90_000, when: 'when springs or friction open' },
+}
 
 /** @param {string} folder @returns {string[]} */
 function files(folder) {
@@ -74,17 +77,13 @@ if (!all.some(({ name }) => name === 'licences.txt')) failures.push('the licence
 if (cores.length !== 2) failures.push(`two modules of the core are expected, there are ${cores.length}`)
 if (bounds && !(load <= FIRST_LOAD)) failures.push(`the first load is ${load} bytes gzipped, allowed are ${FIRST_LOAD}`)
 
-const fits = all.filter(({ name }) => /libration-fit[^/]*\.wasm$/.test(name))
-console.log(`then ${fits[0]?.gzipped} for the fit, when the view Data opens`)
-if (fits.length !== 1) failures.push(`one module of the fit is expected, there are ${fits.length}`)
-if (bounds && !((fits[0]?.gzipped ?? 0) <= FIT))
-  failures.push(`the fit is ${fits[0]?.gzipped} bytes gzipped, allowed are ${FIT}`)
-
-const motions = all.filter(({ name }) => /libration-motions[^/]*\.wasm$/.test(name))
-console.log(`then ${motions[0]?.gzipped} for springs and friction, when one of these views opens`)
-if (motions.length !== 1) failures.push(`one module of springs and friction is expected, there are ${motions.length}`)
-if (bounds && !((motions[0]?.gzipped ?? 0) <= MOTIONS))
-  failures.push(`springs and friction are ${motions[0]?.gzipped} bytes gzipped, allowed are ${MOTIONS}`)
+for (const [kind, { most, when }] of Object.entries(LATER)) {
+  const modules = all.filter(({ name }) => new RegExp(`libration-${kind}[^/]*\\.wasm$`).test(name))
+  const weight = modules[0]?.gzipped ?? Number.NaN
+  console.log(`then ${weight} for the module ${kind}, ${when}`)
+  if (modules.length !== 1) failures.push(`one module ${kind} is expected, there are ${modules.length}`)
+  if (bounds && !(weight <= most)) failures.push(`the module ${kind} is ${weight} bytes gzipped, allowed are ${most}`)
+}
 
 const offline = all.find(({ name }) => name === 'offline.html')
 if (!offline) failures.push('there is no offline.html')

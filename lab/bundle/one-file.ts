@@ -69,8 +69,8 @@ export function oneFile(name: string): Plugin {
     },
     load(id) {
       if (!id.endsWith('.wasm?url')) return null
-      // The fit is asked for by the view Data, which is not in this file; a browser that unpacks the script has vectors.
-      if (/libration-(?:fit|scalar)/.test(id)) return "export default ''"
+      // Some are asked for by the view Data, which is not in this file; a browser that unpacks the script has vectors.
+      if (/libration-(?:fit|period|reader|scalar)/.test(id)) return "export default ''"
       const packed = gzipSync(readFileSync(id.slice(0, -'?url'.length)), { level: 9 })
       return `export default 'data:application/gzip;base64,${packed.toString('base64')}'`
     },

@@ -1,7 +1,7 @@
 // A second visit without a network: a service worker keeps what this visit has loaded (public/service-worker.js).
 
 import { retried } from './retry'
-import { MOTIONS, SECOND } from './sources'
+import { FIT, MOTIONS, PERIOD, READER, SECOND } from './sources'
 
 /** How long an answer of the worker is waited for, in ms: the browser may end it while it keeps. */
 const PATIENCE = 10_000
@@ -50,7 +50,8 @@ async function keep(): Promise<void> {
     const addressOf = (source: unknown) => (typeof source === 'string' ? [new URL(source, location.href).href] : [])
     // The last part may not be among them yet, and a module of a view that this visit did not open is kept if one before did.
     const last = addressOf(SECOND)
-    for (const part of addressOf(MOTIONS)) if (await caches.match(part, { ignoreVary: true })) last.push(part)
+    for (const part of [MOTIONS, READER, FIT, PERIOD].flatMap(addressOf))
+      if (await caches.match(part, { ignoreVary: true })) last.push(part)
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
     const page = location.href.replace(/[?#].*$/, '')
     const parts = [...loaded, ...last].filter((name) => !name.endsWith('/service-worker.js'))

@@ -4,6 +4,8 @@
 
 import fit from 'libration/libration-fit.wasm?url'
 import motions from 'libration/libration-motions.wasm?url'
+import period from 'libration/libration-period.wasm?url'
+import reader from 'libration/libration-reader.wasm?url'
 import scalar from 'libration/libration-scalar.wasm?url'
 import second from 'libration/libration-second.wasm?url'
 import simd from 'libration/libration-simd.wasm?url'
@@ -27,7 +29,9 @@ function source(address: string): string | PromiseLike<Response> {
 
 export const SOURCES = { simd: source(simd), scalar: source(scalar) }
 export const SECOND = source(second)
-/** The reader and the fit: asked for when the view Data opens. */
+/** The reader of files and g from a period: asked for when their part of the view Data opens; the fit with the first file. */
+export const READER = source(reader)
 export const FIT = source(fit)
+export const PERIOD = source(period)
 /** Springs and friction: asked for when one of these views opens. */
 export const MOTIONS = source(motions)

@@ -1,7 +1,7 @@
 // A period that was timed by hand: what is typed, the statements of the module, and g with the normal g of the place beside it.
 
-import type { FitModule, PeriodGravity } from './model/fit-module'
-import type { Statements } from './model/fit-protocol'
+import type { Statements } from './model/exchange'
+import type { PeriodGravity, PeriodModule } from './model/period-module'
 import { degrees, parseNumber, parseQuantity, radians } from './number'
 
 const UNITS = {
@@ -46,7 +46,7 @@ export function timingNumber(name: TimingName, text: string): number {
 export const isBadTiming = (name: TimingName, text: string): boolean =>
   text.trim() !== '' && Number.isNaN(timingNumber(name, text))
 
-/** The statements of the module (wasm/fit/src/period.rs). */
+/** The statements of the module (wasm/period/src/period.rs). */
 export function timingStatements(entries: TimingEntries): Statements {
   const number = (name: TimingName) => timingNumber(name, entries[name])
   const given = (name: TimingName) => entries[name].trim() !== ''
@@ -78,12 +78,12 @@ export class Timing {
   curve: GravityCurve | null = null
   /** The line of a refusal. */
   message = ''
-  #module: FitModule | null = null
+  #module: PeriodModule | null = null
 
   constructor(private readonly changed: () => void) {}
 
   /** The module has come. */
-  begin(module: FitModule): void {
+  begin(module: PeriodModule): void {
     this.#module = module
     this.#weigh()
   }
@@ -116,7 +116,7 @@ export class Timing {
     this.changed()
   }
 
-  #curve(module: FitModule): GravityCurve {
+  #curve(module: PeriodModule): GravityCurve {
     const stated = timingStatements({ ...this.entries, swing: '', end: '', latitude: '' })
     const largest = Math.max(...(['swing', 'end'] as const).map((name) => timingNumber(name, this.entries[name]) || 0))
     // A swing beyond 175 degrees is not timed by hand.

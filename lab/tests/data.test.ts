@@ -2,26 +2,20 @@
 // same files. Fits of one record and of several, parts of a rigid pendulum, corrections; g from a period that was timed.
 
 import { readFile } from 'node:fs/promises'
-import { createRequire } from 'node:module'
-import { beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { lawOf, smallPeriod } from '../src/against-swing'
 import type { Entries } from '../src/entries'
 import { Measurement } from '../src/measurement'
 import { completedModel, openModel } from '../src/model'
-import { FitModule } from '../src/model/fit-module'
 import { type AskedFile, measure, type Result, type Statements, type Told } from '../src/model/fit-protocol'
 import type { Fitter } from '../src/model/fitter'
 import { degrees, radians } from '../src/number'
 import { EXAMPLE, isBadTiming, Timing, type TimingEntries, timingStatements } from '../src/timing'
 import fits from './fits.json'
 import periods from './gravity.json'
+import { modules, startedPeriod } from './measuring'
 
-const place = createRequire(import.meta.url)
 const text = (name: string) => readFile(new URL(name, import.meta.url), 'utf8')
-let module: WebAssembly.Module
-beforeAll(async () => {
-  module = await WebAssembly.compile(await readFile(place.resolve('libration/libration-fit.wasm')))
-})
 
 /** Parts of an uncertainty. What a model adds to one is a difference of two fits, of which one may be hardly determined: a tenth counts. */
 const UNCERTAIN = new Set(['u', 'expanded', 'model'])
@@ -57,7 +51,7 @@ async function fitted({ files, typed, lengths }: Case) {
   })
   const all: Told[] = []
   const last = begun.at(-1)
-  if (last) await measure({ module, ...last }, (told) => all.push(told))
+  if (last) await measure({ modules, ...last }, (told) => all.push(told))
   const end = all.at(-1)
   if (end?.kind !== 'fitted') throw new Error(JSON.stringify(end))
   const quantities = all.flatMap((told) => (told.kind === 'read' ? [told.reading.measured] : []))
@@ -117,7 +111,7 @@ describe('story 18: a period that was timed', () => {
   it.each(periods.map((each) => [each.command.join(' '), each] as const))(
     '%s: the numbers of the command',
     async (_, each) => {
-      const { found, normal } = (await FitModule.start(module)).gravity(timingStatements(of(each.typed)))
+      const { found, normal } = (await startedPeriod()).gravity(timingStatements(of(each.typed)))
       const { g, budget, g_small_swings: small, normal_g: place = null } = each.answer as Record<string, unknown>
       expect(difference(normal, place)).toBeLessThan(1e-12)
       if (g === undefined) return expect(found).toBe(null)
@@ -131,7 +125,7 @@ describe('story 18: a period that was timed', () => {
   it('30°: 9.810, where the formula of small swings gives 9.477', async () => {
     const timing = new Timing(() => {})
     timing.enter({ ...EXAMPLE, time: '20.409902' })
-    timing.begin(await FitModule.start(module))
+    timing.begin(await startedPeriod())
     expect(timing.answer?.found?.g.value.toFixed(3)).toBe('9.810')
     expect(timing.answer?.found?.small_swings.toFixed(3)).toBe('9.477')
     // The curve goes through both.
@@ -141,7 +135,7 @@ describe('story 18: a period that was timed', () => {
   })
 
   it('Londrina has 9.787, not 9.81', async () => {
-    const { normal, found } = (await FitModule.start(module)).gravity(
+    const { normal, found } = (await startedPeriod()).gravity(
       timingStatements(of({ latitude: '−23,3', height: '585' })),
     )
     expect([normal?.toFixed(3), found]).toEqual(['9.787', null])
@@ -149,7 +143,7 @@ describe('story 18: a period that was timed', () => {
 
   it('a value out of its range is a refusal of one line, and no number is none', async () => {
     const timing = new Timing(() => {})
-    timing.begin(await FitModule.start(module))
+    timing.begin(await startedPeriod())
     timing.enter({ time: '2', length: '1', swing: '200' })
     expect(timing.message).toContain('must be greater than 0 and less than 3.14159')
     expect(timing.answer).toBe(null)

@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest'
 import { entryNumber, isBad, measuredValue, statementsOf } from '../src/entries'
 import { Measurement } from '../src/measurement'
-import type { Statements } from '../src/model/fit-module'
+import type { Statements } from '../src/model/exchange'
 import type { Fitter } from '../src/model/fitter'
 
 const bytes = (of: string) => new TextEncoder().encode(of)

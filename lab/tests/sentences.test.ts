@@ -1,17 +1,10 @@
 // Sentences of the reader and the fit in Portuguese and Spanish: every pattern of the table, and the refusals that are met first.
 
-import { readFile } from 'node:fs/promises'
-import { createRequire } from 'node:module'
-import { beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import table from '../../python/libration/measurement/sentences.json'
 import { inLanguage, refusalInLanguage } from '../src/language/sentences'
-import { FitModule, FitRefusal, type Statements } from '../src/model/fit-module'
-
-const place = createRequire(import.meta.url)
-let module: WebAssembly.Module
-beforeAll(async () => {
-  module = await WebAssembly.compile(await readFile(place.resolve('libration/libration-fit.wasm')))
-})
+import type { Statements } from '../src/model/exchange'
+import { Measuring } from './measuring'
 
 const groups: Readonly<Record<string, Readonly<Record<string, readonly string[]>>>> = table.sentences
 
@@ -68,15 +61,7 @@ describe('refusals of the module', () => {
     ['a PDF', '%PDF-1.7', [], 'dados brutos', 'datos brutos'],
     ['JSON', '{"t": [0, 1]}', [], 'escreva', 'escriba'],
   ])('%s', async (_, file, stated, portuguese, spanish) => {
-    const fits = await FitModule.start(module)
-    let line = ''
-    try {
-      fits.read(new TextEncoder().encode(file), [['file', 'swing.csv'], ...stated])
-      fits.fit(stated)
-    } catch (error) {
-      if (!(error instanceof FitRefusal)) throw error
-      line = error.message
-    }
+    const line = (await Measuring.start()).refusal(new TextEncoder().encode(file), [['file', 'swing.csv'], ...stated])
     expect(line).not.toBe('')
     const told = (['pt-BR', 'es'] as const).map((language) => refusalInLanguage(line, ['swing.csv'], language))
     expect(told[0], line).toContain(portuguese)

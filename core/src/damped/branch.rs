@@ -3,7 +3,7 @@
 use super::damped_pendulum::DampedPendulum;
 use super::equation::Equation;
 use super::integrator::{MOST_SEGMENTS, integrate};
-use super::segment::Segment;
+use super::segment::{Segment, Tolerance};
 use crate::domain::Domain;
 use crate::float::Dd;
 use crate::float::exponent::ldexp;
@@ -98,13 +98,15 @@ impl DampedPendulum {
         &self,
         start: f64,
         stop: f64,
+        tolerance: Tolerance,
         ended: &dyn Fn() -> bool,
     ) -> ([Branch; 2], Option<Domain>) {
         let branch = |sense: f64, end: f64| {
             let equation = Equation::new(self.velocity0, self.frequency, self.friction, &self.torque, sense);
             let most = if sense < 0.0 && end == 0.0 { 0 } else { MOST_SEGMENTS };
             let time = equation.time(end);
-            let (segments, refused) = integrate(&equation, self.theta0, self.velocity0, time, most, ended);
+            let (segments, refused) =
+                integrate(&equation, self.theta0, self.velocity0, time, most, tolerance, ended);
             (Branch { equation, segments }, refused.filter(|_| most > 0))
         };
         let ((backward, early), (forward, late)) = (branch(-1.0, start), branch(1.0, stop));

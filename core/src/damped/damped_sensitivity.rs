@@ -5,7 +5,7 @@
 
 use super::branch::{Branch, since};
 use super::integrator::ASKED_EVERY;
-use super::segment::Segment;
+use super::segment::{Segment, Tolerance};
 use super::trajectory::Trajectory;
 use super::variational::{ColumnJet, Columns, LANE, LANES, PARAMETERS, SiFactors};
 use crate::domain::Domain;
@@ -98,7 +98,7 @@ impl DampedSensitivity {
         let (start, stop) = trajectory.interval();
         let branches = match trajectory.branches() {
             Some(branches) => Arc::clone(branches),
-            None => match trajectory.pendulum().branches(start, stop, ended) {
+            None => match trajectory.pendulum().branches(start, stop, Tolerance::Tight, ended) {
                 (branches, None) => Arc::new(branches),
                 (_, Some(refused)) => return Err(refused),
             },

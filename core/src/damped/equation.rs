@@ -8,7 +8,7 @@ use super::circular::circular;
 use super::friction::Friction;
 use super::jet::Piece;
 use super::taylor::{INVERSE, ORDER};
-use super::torque::{Samples, Torque};
+use super::torque::{Samples, TORQUES, Torque};
 use super::torque_jet::{LARGEST_ROTATION, TorqueJet, driven};
 use crate::float::Dd;
 use crate::float::exponent::{exponent, ldexp};
@@ -75,7 +75,7 @@ impl Equation {
         let driving = sense * ldexp(torque.frequency(), -power);
         let mut powers = TorqueJet::ZERO;
         let mut factor = Dd::from(amplitude);
-        for k in 0..ORDER {
+        for k in 0..if TORQUES { ORDER } else { 0 } {
             powers.add(k, factor);
             factor = factor * driving * INVERSE[k + 1];
         }
@@ -91,7 +91,7 @@ impl Equation {
             amplitude,
             frequency: driving,
             phase: torque.phase(),
-            at_start: circular(Dd::from(torque.phase())),
+            at_start: if TORQUES { circular(Dd::from(torque.phase())) } else { (Dd::ZERO, Dd::ONE) },
             powers,
             samples: torque.samples.clone(),
         }
@@ -108,7 +108,7 @@ impl Equation {
 
     /// Sine and cosine of the phase of the sinusoid.
     pub fn sinusoid(&self, time: Dd) -> (Dd, Dd) {
-        if self.frequency == 0.0 {
+        if !TORQUES || self.frequency == 0.0 {
             return self.at_start;
         }
         circular(time * self.frequency + Dd::from(self.phase))
@@ -116,17 +116,24 @@ impl Equation {
 
     /// The longest step that the sinusoid allows.
     pub fn longest(&self) -> f64 {
-        if self.amplitude == 0.0 { f64::INFINITY } else { LARGEST_ROTATION / self.frequency.abs() }
+        if !TORQUES || self.amplitude == 0.0 {
+            f64::INFINITY
+        } else {
+            LARGEST_ROTATION / self.frequency.abs()
+        }
     }
 
     /// Whether the torque is another one at other times.
     pub fn varies(&self) -> bool {
-        self.amplitude != 0.0 || self.samples.is_some()
+        TORQUES && (self.amplitude != 0.0 || self.samples.is_some())
     }
 
     /// The torque's coefficients at a time, with the sine and cosine of its sinusoid; those of samples of the piece that lies
     /// ahead.
     pub fn torque(&self, time: Dd, [sine, cosine]: [Dd; 2]) -> TorqueJet {
+        if !TORQUES {
+            return TorqueJet::ZERO;
+        }
         let mut jet =
             if self.amplitude == 0.0 { TorqueJet::ZERO } else { driven(sine, cosine, &self.powers) };
         if self.constant != 0.0 {
@@ -154,7 +161,7 @@ impl Equation {
 
     /// Where the polynomial of the samples at `time` ends; infinite without samples.
     pub fn next_knot(&self, time: Dd) -> f64 {
-        let Some(samples) = &self.samples else { return f64::INFINITY };
+        let Some(samples) = self.samples.as_ref().filter(|_| TORQUES) else { return f64::INFINITY };
         let i = self.piece(samples, self.seconds(time.value()));
         let forward = self.sense > 0.0;
         self.time(if forward { samples.times[i + 1] } else { samples.times[i] })

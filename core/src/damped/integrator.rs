@@ -10,8 +10,9 @@ use super::equation::Equation;
 use super::jet::{COSINE, Jet, SINE, SLIP, VELOCITY};
 use super::jet_sum::Ahead;
 use super::roots::{first_root, value_and_slope};
-use super::segment::{Event, Segment, Start, step_length};
+use super::segment::{Event, Segment, Start, Tolerance, step_length};
 use super::taylor::ORDER;
+use super::torque::TORQUES;
 use super::torque_jet::{TorqueJet, rotated};
 use crate::domain::{Domain, shown};
 use crate::float::Dd;
@@ -38,6 +39,7 @@ struct State {
     decided: bool,
     /// Released by a torque that grew: the acceleration is 0.
     at_limit: bool,
+    tolerance: Tolerance,
 }
 
 /// Segments from time 0 until they go beyond `stop`, at most `most`, and why they do not, if so. Times are in the unit and the
@@ -50,9 +52,10 @@ pub(super) fn integrate(
     velocity0: f64,
     stop: f64,
     most: usize,
+    tolerance: Tolerance,
     ended: &dyn Fn() -> bool,
 ) -> (Vec<Segment>, Option<Domain>) {
-    let mut state = State::new(equation, theta0, velocity0);
+    let mut state = State::new(equation, theta0, velocity0, tolerance);
     let mut segments = Vec::new();
     let mut torque = equation.torque(state.time, state.sinusoid);
     let mut jet = Jet::ZERO;
@@ -101,7 +104,7 @@ fn refused(equation: &Equation, end: f64, allowed: String) -> Domain {
 }
 
 impl State {
-    fn new(equation: &Equation, theta0: f64, velocity0: f64) -> State {
+    fn new(equation: &Equation, theta0: f64, velocity0: f64, tolerance: Tolerance) -> State {
         let (sine, cosine) = of_double(theta0);
         let velocity = equation.sense * crate::float::exponent::ldexp(velocity0, -equation.power);
         let slip = if equation.presliding > 0.0 && velocity == 0.0 { 1.0 } else { 0.0 };
@@ -115,6 +118,7 @@ impl State {
             event: Event::Start,
             decided: velocity != 0.0,
             at_limit: false,
+            tolerance,
         };
         if velocity == 0.0 && state.held(equation) {
             state.side = 0.0;
@@ -156,7 +160,7 @@ impl State {
             let piece = equation.piece_of(self.side, settled);
             jet.fill(&self.values, &piece, torque, self.at_limit);
             if self.decided {
-                return step_length(jet, &piece).min(equation.longest());
+                return step_length(jet, &piece, self.tolerance).min(equation.longest());
             }
             // The first coefficient that does not vanish is the same for both signs, but for dry friction, which is smaller
             // than the pull where it does not hold.
@@ -168,7 +172,7 @@ impl State {
 
     /// The phase of the torque a time later.
     fn turn_phase(&mut self, equation: &Equation, passed: Dd) {
-        if equation.amplitude != 0.0 {
+        if TORQUES && equation.amplitude != 0.0 {
             let [sine, cosine] = self.sinusoid;
             self.sinusoid = rotated(sine, cosine, passed * equation.frequency).into();
         }
@@ -230,6 +234,7 @@ impl State {
             // At rest without a torque the sign is asked for again.
             decided: moving || turns,
             at_limit: false,
+            tolerance: self.tolerance,
         };
         if turns {
             if self.held(equation) {
@@ -300,16 +305,16 @@ mod tests {
         let force = Frequency::from_omega0(1.0).unwrap();
         for (sense, argument, stop) in [(1.0, "stop", "100.0"), (-1.0, "start", "-100.0")] {
             let equation = Equation::new(0.0, force, friction, &Torque::NONE, sense);
-            let (some, refused) = integrate(&equation, 1.0, 0.0, 100.0, 10, &|| false);
+            let (some, refused) = integrate(&equation, 1.0, 0.0, 100.0, 10, Tolerance::Tight, &|| false);
             let refused = refused.unwrap();
             assert_eq!(some.len(), 10);
             assert_eq!((refused.argument, refused.given.as_str()), (argument, stop));
             let start = "within 10 steps of the integration, which end at ";
             assert!(refused.allowed.starts_with(start), "{}", refused.allowed);
-            let (all, refused) = integrate(&equation, 1.0, 0.0, 100.0, 1000, &|| false);
+            let (all, refused) = integrate(&equation, 1.0, 0.0, 100.0, 1000, Tolerance::Tight, &|| false);
             assert!(refused.is_none() && all.len() > some.len());
             // Segments do not depend on where they stop.
-            let (fewer, _) = integrate(&equation, 1.0, 0.0, 37.3, 1000, &|| false);
+            let (fewer, _) = integrate(&equation, 1.0, 0.0, 37.3, 1000, Tolerance::Tight, &|| false);
             for (a, b) in all.iter().zip(&fewer) {
                 assert_eq!((a.start, a.length, a.theta, a.slopes), (b.start, b.length, b.theta, b.slopes));
             }

@@ -30,6 +30,7 @@ pub use friction::Friction;
 pub use half_swing::half_swing;
 pub use integrator::{ASKED_EVERY, MOST_SEGMENTS};
 pub use lazy_trajectory::LazyTrajectory;
+pub use segment::Tolerance;
 pub use torque::{Interpolation, Torque};
 pub use trajectory::Trajectory;
 pub use variational::PARAMETERS;

@@ -8,6 +8,15 @@ use crate::domain::Domain;
 use crate::float::Dd;
 use std::sync::Arc;
 
+/// Whether there are torques at all: without the feature `torques` none can be made, and nothing of them is compiled.
+pub(super) const TORQUES: bool = cfg!(feature = "torques");
+
+/// An error where there are none.
+fn served() -> Result<(), Domain> {
+    let given = String::from("given");
+    if TORQUES { Ok(()) } else { Err(Domain::new("torque", given, "none without the feature `torques`")) }
+}
+
 const FINITE: &str = "finite";
 
 /// How samples become a torque at every time between the first and the last.
@@ -62,6 +71,7 @@ impl Torque {
     /// # Ok::<(), libration::Domain>(())
     /// ```
     pub fn new(constant: f64, amplitude: f64, frequency: f64, phase: f64) -> Result<Torque, Domain> {
+        served()?;
         Domain::check("constant", constant, constant.is_finite(), FINITE)?;
         Domain::check("amplitude", amplitude, amplitude.is_finite(), FINITE)?;
         Domain::check("frequency", frequency, frequency.is_finite(), FINITE)?;
@@ -87,6 +97,7 @@ impl Torque {
         values: &[f64],
         interpolation: Interpolation,
     ) -> Result<Torque, Domain> {
+        served()?;
         if times.len() != values.len() {
             let allowed = format!("as many as the times, {}", times.len());
             return Err(Domain::new("number of torque values", values.len().to_string(), allowed));

@@ -3,16 +3,43 @@
 use super::branch::{Branch, since};
 use super::circular::of_double;
 use super::damped_pendulum::DampedPendulum;
-use super::segment::{Event, Segment};
+use super::segment::{Event, Segment, Tolerance};
+use super::torque::TORQUES;
 use crate::domain::{Domain, shown};
 use crate::float::{Dd, TWO_PI};
 use crate::pendulum::{Orbit, Turns, half_open};
 use crate::sorting::{sort, sort_numbers};
 use std::sync::Arc;
 
+/// What a trajectory asks an exact motion for its values. Behind a trait, so that a program that integrates every motion holds none of
+/// its code.
+trait Exact: Send + Sync {
+    fn orbit(&self) -> &Orbit;
+    fn at(&self, t: f64) -> (f64, f64);
+    fn at_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]);
+}
+
+impl core::fmt::Debug for dyn Exact {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("an exact motion")
+    }
+}
+
+impl Exact for Orbit {
+    fn orbit(&self) -> &Orbit {
+        self
+    }
+    fn at(&self, t: f64) -> (f64, f64) {
+        self.motion(t)
+    }
+    fn at_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
+        self.motion_into(t, theta, velocity);
+    }
+}
+
 #[derive(Clone, Debug)]
 enum Motion {
-    Exact(Box<Orbit>),
+    Exact(Arc<dyn Exact>),
     /// Backward and forward from t = 0.
     Integrated(Arc<[Branch; 2]>),
 }
@@ -73,13 +100,33 @@ impl DampedPendulum {
     /// nothing.
     #[must_use]
     pub fn reachable_unless(&self, start: f64, stop: f64, ended: &dyn Fn() -> bool) -> Trajectory {
-        let (first, last) = match &self.torque.samples {
+        let [start, stop] = self.reached(start, stop);
+        self.over(start, stop, ended).0
+    }
+
+    /// [`DampedPendulum::reachable_unless`], integrated also where the motion is exact, with the tolerance of the steps. With a loose one
+    /// the **error** grows by at most 2^-44 of the motion in each step.
+    #[must_use]
+    pub fn integrated_unless(
+        &self,
+        start: f64,
+        stop: f64,
+        tolerance: Tolerance,
+        ended: &dyn Fn() -> bool,
+    ) -> Trajectory {
+        let [start, stop] = self.reached(start, stop);
+        self.integrated(start, stop, tolerance, ended).0
+    }
+
+    /// The interval that can be followed.
+    fn reached(&self, start: f64, stop: f64) -> [f64; 2] {
+        let (first, last) = match self.torque.samples.as_ref().filter(|_| TORQUES) {
             Some(samples) => (samples.times[0], samples.times[samples.times.len() - 1]),
             None => (f64::MIN, f64::MAX),
         };
         let first = if self.remembers() { 0.0 } else { first };
         // max and min take the other number where one is NaN.
-        self.over(start.min(0.0).max(first), stop.max(0.0).min(last), ended).0
+        [start.min(0.0).max(first), stop.max(0.0).min(last)]
     }
 
     /// Whether an earlier state has to be known: that of presliding.
@@ -88,13 +135,22 @@ impl DampedPendulum {
     }
 
     fn over(&self, start: f64, stop: f64, ended: &dyn Fn() -> bool) -> (Trajectory, Option<Domain>) {
-        let interval = [start, stop];
         let orbit = Orbit::new(self.theta0, self.velocity0, self.frequency);
         if let (true, Ok(orbit)) = (self.friction.is_none() && self.torque.is_none(), orbit) {
-            let motion = Motion::Exact(Box::new(orbit));
-            return (Trajectory { pendulum: self.clone(), motion, interval }, None);
+            let motion = Motion::Exact(Arc::new(orbit));
+            return (Trajectory { pendulum: self.clone(), motion, interval: [start, stop] }, None);
         }
-        let (branches, refused) = self.branches(start, stop, ended);
+        self.integrated(start, stop, Tolerance::Tight, ended)
+    }
+
+    fn integrated(
+        &self,
+        start: f64,
+        stop: f64,
+        tolerance: Tolerance,
+        ended: &dyn Fn() -> bool,
+    ) -> (Trajectory, Option<Domain>) {
+        let (branches, refused) = self.branches(start, stop, tolerance, ended);
         let interval = [start.max(branches[0].end()), stop.min(branches[1].end())];
         (
             Trajectory { pendulum: self.clone(), motion: Motion::Integrated(Arc::new(branches)), interval },
@@ -161,7 +217,7 @@ impl Trajectory {
             return (self.pendulum.theta0, self.pendulum.velocity0);
         }
         match &self.motion {
-            Motion::Exact(orbit) => orbit.motion(t),
+            Motion::Exact(exact) => exact.at(t),
             Motion::Integrated(branches) => {
                 let side = usize::from(t > 0.0);
                 branches[side].at(t, &mut near[side])
@@ -171,8 +227,8 @@ impl Trajectory {
     /// [`Trajectory::motion`] of every time, bit for bit; panics where the lengths differ.
     pub fn motion_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
         assert!(t.len() == theta.len() && t.len() == velocity.len(), "columns of different lengths");
-        if let Motion::Exact(orbit) = &self.motion {
-            orbit.motion_into(t, theta, velocity);
+        if let Motion::Exact(exact) = &self.motion {
+            exact.at_into(t, theta, velocity);
             for (row, t) in t.iter().enumerate() {
                 if !self.holds(*t) {
                     (theta[row], velocity[row]) = (f64::NAN, f64::NAN);
@@ -208,7 +264,7 @@ impl Trajectory {
     pub fn turns(&self, t: f64) -> Turns {
         let branches = match &self.motion {
             _ if !self.holds(t) => return Turns { count: 0, angle: f64::NAN },
-            Motion::Exact(orbit) => return orbit.turns(t),
+            Motion::Exact(exact) => return exact.orbit().turns(t),
             Motion::Integrated(branches) => branches,
         };
         let branch = &branches[usize::from(t >= 0.0)];
@@ -246,7 +302,7 @@ impl Trajectory {
         Domain::check("theta", theta, theta.is_finite(), "finite")?;
         self.check_interval(start, stop)?;
         match &self.motion {
-            Motion::Exact(orbit) => orbit.times(theta, start, stop),
+            Motion::Exact(exact) => exact.orbit().times(theta, start, stop),
             Motion::Integrated(branches) => {
                 Ok(collected(branches, start, stop, |_, segment, next| segment.passage(next, theta)))
             }
@@ -261,7 +317,7 @@ impl Trajectory {
     pub fn turning_times(&self, start: f64, stop: f64) -> Result<Vec<f64>, Domain> {
         self.check_interval(start, stop)?;
         match &self.motion {
-            Motion::Exact(orbit) => orbit.turning_times(start, stop),
+            Motion::Exact(exact) => exact.orbit().turning_times(start, stop),
             Motion::Integrated(branches) => Ok(collected(branches, start, stop, |first, segment, _| {
                 let turns = match segment.event {
                     Event::Turn => true,

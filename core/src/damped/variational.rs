@@ -14,6 +14,7 @@ use super::jet::Piece;
 use super::motion_series::{LAST, MotionSeries, Short};
 use super::segment::{Event, Segment};
 use super::taylor::INVERSE;
+use super::torque::TORQUES;
 use crate::float::Dd;
 use crate::lanes::{Kernel, Lane, four};
 
@@ -135,8 +136,8 @@ impl ColumnJet {
         let settled = equation.presliding == 0.0 || segment.slip == 0.0;
         match lanes {
             1 if equation.quadratic == 0.0 && settled => self.filled::<1>(equation, segment, start),
-            1 | 2 => self.filled::<2>(equation, segment, start),
-            _ => self.filled::<LANES>(equation, segment, start),
+            LANES if TORQUES => self.filled::<LANES>(equation, segment, start),
+            _ => self.filled::<2>(equation, segment, start),
         }
     }
 
@@ -174,8 +175,8 @@ impl ColumnJet {
 fn sums<const ROWS: usize>(lanes: usize, rows: [&[Row; LAST + 1]; ROWS], since: f64) -> [Row; ROWS] {
     match lanes {
         1 => four(ColumnSum::<1, ROWS> { rows, since }),
-        2 => four(ColumnSum::<2, ROWS> { rows, since }),
-        _ => four(ColumnSum::<LANES, ROWS> { rows, since }),
+        LANES if TORQUES => four(ColumnSum::<LANES, ROWS> { rows, since }),
+        _ => four(ColumnSum::<2, ROWS> { rows, since }),
     }
 }
 

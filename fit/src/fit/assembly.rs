@@ -6,7 +6,7 @@ use super::data::{Measured, clean, extent};
 use super::diagnosis::{ScaleFound, of_residuals, scale, swing};
 use super::held::{by_presliding, held, presliding_held, with_bounds, without_held};
 use super::monte_carlo::interval;
-use super::options::{FitOptions, Model};
+use super::options::{DRAWS, FitOptions, Model};
 use super::problem::{
     DRY, LINEAR, Loss, NAMES, OFFSET, OMEGA2, PRESLIDING, Problem, QUADRATIC, SCALE, THETA, VELOCITY,
     presliding,
@@ -20,6 +20,7 @@ use super::result::{
 };
 use super::spread::{between, scatter, windows};
 use super::verdicts::{Evidence, verdicts};
+use crate::digits::Shown;
 use nalgebra::DVector;
 
 pub(super) fn record(
@@ -120,7 +121,7 @@ pub(super) fn record(
         samples_per_period: per_period,
         omega0_u_naive: place(OMEGA2).map_or(0.0, |i| half * covariance.naive[(i, i)].sqrt()),
         omega0_u_windows: scattered.map(|s| half * s.0),
-        omega0_u_bootstrap: (options.bootstrap > 0)
+        omega0_u_bootstrap: (DRAWS && options.bootstrap > 0)
             .then(|| {
                 let block = lags.max(1).min(samples.len() / 4);
                 block_bootstrap(&jacobian, &covariance.inverse, problem.plain(), block, options)
@@ -218,7 +219,7 @@ pub(super) fn record(
             Grade::Note,
             format!(
                 "the swing stays the same until {:.2} s and falls only then: something drives the pendulum before, so only what follows is fitted",
-                fitted.window.0
+                Shown(fitted.window.0)
             ),
         ));
     }

@@ -135,9 +135,13 @@ impl Covariance {
             column.unscale_mut(*norm);
         }
         let triangle = scaled.clone().qr().r();
-        let singular = triangle.clone().singular_values();
-        let condition = singular.max() / singular.min();
-        let half = triangle.try_inverse()?;
+        let mut half = DMatrix::identity(p, p);
+        if !triangle.solve_upper_triangular_mut(&mut half) {
+            return None;
+        }
+        // The largest singular values of the triangle and of its inverse: roots of eigenvalues, which are right where they are largest.
+        let largest = |matrix: DMatrix<f64>| matrix.symmetric_eigen().eigenvalues.max();
+        let condition = (largest(triangle.tr_mul(&triangle)) * largest(half.tr_mul(&half))).sqrt();
         // Columns of an orthonormal base: the sums below then lose nothing to the condition.
         let base = &scaled * &half;
         let corrected = autocorrelations_of_noise(&base, residuals);

@@ -4,8 +4,9 @@
 
 use super::covariance::Covariance;
 use super::data::robust_deviation;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use super::search::{LeastSquares, descend};
+use levenberg_marquardt::LevenbergMarquardt;
+use nalgebra::{DMatrix, DVector};
 
 /// What a curve shows at every row for some values; none where they are out of its domain.
 pub(super) type Curve<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a;
@@ -64,15 +65,11 @@ impl CurveProblem<'_> {
     }
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for CurveProblem<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, params: &DVector<f64>) {
-        self.values = params.iter().copied().collect();
+impl LeastSquares for CurveProblem<'_> {
+    fn assume(&mut self, values: &DVector<f64>) {
+        self.values = values.iter().copied().collect();
     }
-    fn params(&self) -> DVector<f64> {
+    fn assumed(&self) -> DVector<f64> {
         DVector::from_column_slice(&self.values)
     }
     fn residuals(&self) -> Option<DVector<f64>> {
@@ -86,9 +83,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for CurveProblem<'_> {
 
 /// The minimum near `start`.
 pub(super) fn nearest(curve: &Curve, measured: &[f64], start: &[f64], lags: usize) -> Option<CurveFit> {
-    let problem = CurveProblem { curve, measured, values: start.to_vec() };
-    problem.plain()?;
-    let (found, _) = LevenbergMarquardt::new().with_patience(60).with_stepbound(1.0).minimize(problem);
+    let mut found = CurveProblem { curve, measured, values: start.to_vec() };
+    found.plain()?;
+    descend(&mut found, LevenbergMarquardt::new().with_patience(60));
     let residuals: Vec<f64> = found.plain()?.iter().map(|r| -r).collect();
     let covariance = Covariance::of(&found.derivatives()?, &residuals, lags)?;
     Some(CurveFit { values: found.values, residuals, covariance })

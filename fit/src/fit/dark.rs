@@ -8,6 +8,7 @@
 use super::curve::{CurveFit, nearest};
 use super::data::median;
 use super::result::{Grade, Verdict};
+use crate::order::sorted;
 use libration::{Frequency, Orbit};
 use nalgebra::{DMatrix, DVector};
 
@@ -32,8 +33,8 @@ pub(super) struct Coarse {
 
 /// The values that finite times take; none where most rows have a value of their own.
 pub(super) fn coarse(dark: &[f64]) -> Option<Coarse> {
-    let mut sorted: Vec<f64> = dark.iter().copied().filter(|dark| dark.is_finite()).collect();
-    sorted.sort_by(f64::total_cmp);
+    let finite: Vec<f64> = dark.iter().copied().filter(|dark| dark.is_finite()).collect();
+    let sorted = sorted(&finite, f64::total_cmp);
     // Differences of rounded instants repeat but for the last digits of a double.
     let same = 1e-6 * median(&sorted).abs();
     let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > same);

@@ -1,6 +1,8 @@
 //! What is fitted: plain columns in SI units.
 
 use super::refusal::FitRefusal;
+use crate::digits::Shown;
+use crate::order::ranked;
 
 /// What the second column of a record holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,18 +117,26 @@ pub(super) fn clean(t: &[f64], values: &[f64]) -> Result<Clean, FitRefusal> {
     }
     let (low, high) = extent(&kept.y);
     if low == high {
-        return Err(FitRefusal::new(format!("every value is {low}: a pendulum that moves is needed")));
+        return Err(FitRefusal::new(format!(
+            "every value is {}: a pendulum that moves is needed",
+            Shown(low)
+        )));
     }
     if high - low < LEAST_RANGE {
         return Err(FitRefusal::new(format!(
-            "the values lie within {:.1e} of each other: a motion of at least {LEAST_RANGE:e} is needed",
-            high - low
+            "the values lie within {:.1e} of each other: a motion of at least 1e-12 is needed",
+            Shown(high - low)
         )));
     }
     if kept.t[0] == kept.t[kept.t.len() - 1] {
-        return Err(FitRefusal::new(format!("every time is {}: times must rise", kept.t[0])));
+        return Err(FitRefusal::new(format!("every time is {}: times must rise", Shown(kept.t[0]))));
     }
     Ok(kept)
+}
+
+/// A value between two bounds: `f64::clamp` without its panic, which would bring Rust's digits into a page.
+pub(super) fn bounded(value: f64, low: f64, high: f64) -> f64 {
+    value.max(low).min(high)
 }
 
 /// Least and largest.
@@ -136,13 +146,10 @@ pub(super) fn extent(values: &[f64]) -> (f64, f64) {
 
 /// The median; NaN of nothing.
 pub(super) fn median(values: &[f64]) -> f64 {
-    let mut sorted: Vec<f64> = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    match sorted.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => sorted[n / 2],
-        n => 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]),
-    }
+    let mut values: Vec<f64> = values.to_vec();
+    let middle = values.len() / 2;
+    let upper = ranked(&mut values, middle);
+    if values.len() % 2 == 1 { upper } else { 0.5 * (ranked(&mut values, middle.wrapping_sub(1)) + upper) }
 }
 
 /// The standard deviation that a normal distribution with this median of |value| has.

@@ -4,8 +4,8 @@
 //! the search astray.
 
 use super::data::{Measured, robust_deviation};
-use super::optimiser::{Outcome, ROUGH, minimum};
-use super::problem::{DRY, LINEAR, Loss, QUADRATIC, Samples, Values, always_free};
+use super::optimiser::{Outcome, ROUGH, outcome, settle};
+use super::problem::{DRY, LINEAR, Loss, Problem, QUADRATIC, Samples, Values, always_free};
 use super::start::Start;
 
 /// Half widths of the horizon in periods, and how many friction terms are free there.
@@ -52,15 +52,19 @@ pub(super) fn grown(
 
 fn stage(samples: &Samples, measured: Measured, friction: &[usize], scale: f64, values: Values) -> Outcome {
     let mut free = always_free(measured);
-    let mut outcome = minimum(samples, measured, &free, Loss::Squares, values, ROUGH);
+    let mut problem = Problem::within(samples, measured, &free, Loss::Squares, values, ROUGH.motions);
+    settle(&mut problem, ROUGH);
     if !friction.is_empty() {
         free.extend(friction);
-        outcome = minimum(samples, measured, &free, Loss::Squares, outcome.values, ROUGH);
+        problem.with(&free, Loss::Squares);
+        settle(&mut problem, ROUGH);
     }
-    let wide = robust_deviation(&outcome.residuals).max(3.0 * scale);
+    let wide = robust_deviation(problem.plain()).max(3.0 * scale);
     if wide.is_finite() {
-        outcome = minimum(samples, measured, &free, Loss::Soft(wide), outcome.values, ROUGH);
+        problem.with(&free, Loss::Soft(wide));
+        settle(&mut problem, ROUGH);
     }
+    let mut outcome = outcome(&problem);
     // A term below 0 drives the pendulum, which helps no longer horizon.
     for term in [LINEAR, QUADRATIC, DRY] {
         outcome.values[term] = outcome.values[term].max(0.0);

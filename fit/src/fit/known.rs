@@ -2,6 +2,7 @@
 
 use super::measure::Measure;
 use super::refusal::FitRefusal;
+use crate::digits::Shown;
 use libration::compound::{added_mass, bob_size, buoyancy, wire_mass};
 use libration::{Compound, Part, Shape};
 use serde::Serialize;
@@ -85,7 +86,10 @@ impl Corrections {
             given.into_iter().chain([("density", Some(self.density)), ("viscosity", Some(self.viscosity))]);
         for (name, value) in all.filter_map(|(name, value)| Some((name, value?))) {
             if !(value.is_finite() && value > 0.0) {
-                return Err(FitRefusal::new(format!("{name} = {value}: must be finite and positive")));
+                return Err(FitRefusal::new(format!(
+                    "{name} = {}: must be finite and positive",
+                    Shown(value)
+                )));
             }
         }
         if parts && given.iter().any(|(_, value)| value.is_some()) {
@@ -99,8 +103,9 @@ impl Corrections {
         let bob = self.radius.zip(self.mass).map(|(radius, mass)| density(radius, mass));
         if let Some(bob) = bob.filter(|bob| *bob <= self.density) {
             return Err(FitRefusal::new(format!(
-                "the bob has {bob:.4} kg/m^3 and the fluid {}: a bob that floats is no pendulum",
-                self.density
+                "the bob has {:.4} kg/m^3 and the fluid {}: a bob that floats is no pendulum",
+                Shown(bob),
+                Shown(self.density)
             )));
         }
         Ok(())

@@ -8,6 +8,7 @@ use super::problem::{
     DRY, LINEAR, Loss, OMEGA2, PRESLIDING, PRESLIDING_HELD, PRESLIDING_RANGE, Problem, QUADRATIC, SCALE,
     Samples, THETA, VELOCITY, Values, always_free, below_bound, least_linear, trajectory,
 };
+use libration::damped::Tolerance;
 use nalgebra::DVector;
 
 /// A model at its minimum.
@@ -40,7 +41,7 @@ pub(super) fn terms(model: Model) -> &'static [usize] {
 /// The best of some angles over which dry friction may change sign, each with the values that it shifts most set free.
 fn best_presliding(samples: &Samples, measured: Measured, values: &Values) -> f64 {
     let few = samples.thinned(f64::NEG_INFINITY, f64::INFINITY, 1500);
-    let quick = Patience { tolerance: 1e-3, evaluations: 5 };
+    let quick = Patience { tolerance: 1e-3, evaluations: 5, motions: Tolerance::Tight };
     let tried = [0.003, 0.01, 0.03, 0.1].map(|angle| {
         let mut values = *values;
         values[PRESLIDING] = libm::log(angle);

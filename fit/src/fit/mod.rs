@@ -25,6 +25,7 @@ mod record;
 mod refusal;
 mod result;
 mod reversible;
+mod search;
 mod spread;
 mod start;
 mod swings;

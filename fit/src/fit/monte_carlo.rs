@@ -1,9 +1,10 @@
 //! The quoted quantity's distribution by Monte Carlo, after Supplement 1 to the GUM (JCGM 101:2008).
 
-use super::options::FitOptions;
+use super::options::{DRAWS, FitOptions};
 use super::quote::{DOUBT, ideal, quoted};
 use super::random::Stream;
 use super::result::Estimate;
+use crate::order::ranked;
 
 /// Numbers of one draw: omega0, length, g and four corrections.
 const DRAWN: u64 = 7;
@@ -13,7 +14,7 @@ const DRAWN: u64 = 7;
 /// Drawn are omega0 with all its parts, what is given beside it and how much of each correction is true, each normal; the formula is
 /// not made linear.
 pub(super) fn interval(omega0: Estimate, options: &FitOptions) -> Option<(f64, f64)> {
-    if options.monte_carlo < 40 {
+    if !DRAWS || options.monte_carlo < 40 {
         return None;
     }
     let stream = Stream::new(options.seed ^ 0x4d43);
@@ -41,7 +42,7 @@ pub(super) fn interval(omega0: Estimate, options: &FitOptions) -> Option<(f64, f
         let found = if changed.length.is_some() { quote.g.map(|g| g.value * ratio) } else { of_length };
         drawn.push(found.unwrap_or(value));
     }
-    drawn.sort_by(f64::total_cmp);
-    let at = |share: f64| drawn[((share * drawn.len() as f64) as usize).min(drawn.len() - 1)];
+    let count = drawn.len();
+    let mut at = |share: f64| ranked(&mut drawn, ((share * count as f64) as usize).min(count - 1));
     Some((at(0.025), at(0.975)))
 }

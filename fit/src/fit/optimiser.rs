@@ -1,8 +1,10 @@
-//! Levenberg and Marquardt's method as MINPACK has it, from the crate `levenberg-marquardt`.
+//! From start values of a motion to the nearest minimum.
 
 use super::data::Measured;
 use super::problem::{Loss, Problem, Samples, Values};
+use super::search::descend;
 use levenberg_marquardt::LevenbergMarquardt;
+use libration::damped::Tolerance;
 
 /// Where a search has ended.
 #[derive(Clone, Debug)]
@@ -19,19 +21,20 @@ impl Outcome {
     }
 }
 
-/// How far a search goes: relative changes of cost and values at which it ends.
+/// How far a search goes: relative changes of cost and values at which it ends, and what its motions may leave out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Patience {
     pub tolerance: f64,
     pub evaluations: usize,
+    pub motions: Tolerance,
 }
 
 /// A rough place, on the way.
-pub(super) const ROUGH: Patience = Patience { tolerance: 1e-5, evaluations: 12 };
+pub(super) const ROUGH: Patience = Patience { tolerance: 1e-5, evaluations: 12, motions: Tolerance::Loose };
 /// Near enough to compare rungs.
-pub(super) const CLOSE: Patience = Patience { tolerance: 1e-8, evaluations: 30 };
+pub(super) const CLOSE: Patience = Patience { tolerance: 1e-8, evaluations: 30, motions: Tolerance::Tight };
 /// The minimum itself.
-pub(super) const FINE: Patience = Patience { tolerance: 1e-13, evaluations: 60 };
+pub(super) const FINE: Patience = Patience { tolerance: 1e-13, evaluations: 60, motions: Tolerance::Tight };
 
 /// From start values to the nearest minimum.
 pub(super) fn minimum(
@@ -42,25 +45,28 @@ pub(super) fn minimum(
     start: Values,
     patience: Patience,
 ) -> Outcome {
-    let problem = Problem::new(samples, measured, free, loss, start);
+    let mut problem = Problem::within(samples, measured, free, loss, start, patience.motions);
+    settle(&mut problem, patience);
+    outcome(&problem)
+}
+
+/// Leaves a problem at the minimum nearest to its values.
+pub(super) fn settle(problem: &mut Problem, patience: Patience) {
+    let (start, before) = (*problem.values(), problem.sum_of_squares());
     let method = LevenbergMarquardt::new()
         .with_ftol(patience.tolerance)
         .with_xtol(patience.tolerance)
         .with_gtol(1e-15)
-        .with_patience(patience.evaluations.div_ceil(free.len() + 1).max(2))
-        // The first steps stay where the linear form of the problem holds.
-        .with_stepbound(1.0);
-    let before = problem.sum_of_squares();
-    let (found, _) = method.minimize(problem);
-    let after = found.sum_of_squares();
-    if loss == Loss::Squares && (after.is_nan() || after > before) {
-        let problem = Problem::new(samples, measured, free, loss, start);
-        return outcome(&problem);
+        .with_patience(patience.evaluations.div_ceil(problem.free().len() + 1).max(2));
+    descend(problem, method);
+    let after = problem.sum_of_squares();
+    if problem.loss() == Loss::Squares && (after.is_nan() || after > before) {
+        problem.place(start);
     }
-    outcome(&found)
 }
 
-fn outcome(problem: &Problem) -> Outcome {
+/// Where a problem is.
+pub(super) fn outcome(problem: &Problem) -> Outcome {
     Outcome {
         values: *problem.values(),
         sum_of_squares: problem.sum_of_squares(),

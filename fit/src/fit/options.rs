@@ -3,6 +3,7 @@
 use super::known::{Corrections, MeasuredPart};
 use super::measure::Measure;
 use super::refusal::FitRefusal;
+use crate::digits::Shown;
 use serde::Serialize;
 
 /// The rungs of the ladder: each adds one friction term to the one before.
@@ -39,6 +40,9 @@ impl Model {
     }
 }
 
+/// Whether draws are compiled: a page asks for none.
+pub(super) const DRAWS: bool = cfg!(feature = "draws");
+
 /// A question to the caller, whether to give up; none for a caller who never does.
 pub type Stop = Option<fn() -> bool>;
 
@@ -66,9 +70,9 @@ pub struct FitOptions {
     pub clock_u: f64,
     /// Whether the scale of the angle is free in the result, not in the diagnosis alone.
     pub free_scale: bool,
-    /// Resamplings of the block bootstrap; 0 for none.
+    /// Resamplings of the block bootstrap; 0 for none, as without the feature `draws`.
     pub bootstrap: usize,
-    /// Draws of the Monte Carlo propagation; 0 for none.
+    /// Draws of the Monte Carlo propagation; 0 for none, as without the feature `draws`.
     pub monte_carlo: usize,
     /// The first counter of its random numbers.
     pub seed: u64,
@@ -103,25 +107,33 @@ impl FitOptions {
         }
         let positive = |name: &str, measure: &Option<Measure>| match measure {
             Some(Measure { value, .. }) if !(value.is_finite() && *value > 0.0) => {
-                Err(FitRefusal::new(format!("{name} = {value}: must be finite and positive")))
+                Err(FitRefusal::new(format!("{name} = {}: must be finite and positive", Shown(*value))))
             }
-            Some(Measure { u, .. }) if !(u.is_finite() && *u >= 0.0) => {
-                Err(FitRefusal::new(format!("uncertainty of {name} = {u}: must be finite and not negative")))
-            }
+            Some(Measure { u, .. }) if !(u.is_finite() && *u >= 0.0) => Err(FitRefusal::new(format!(
+                "uncertainty of {name} = {}: must be finite and not negative",
+                Shown(*u)
+            ))),
             _ => Ok(()),
         };
         positive("length", &self.length)?;
         positive("gravity", &self.gravity)?;
         for (name, u) in [("scale_u", self.scale_u), ("clock_u", self.clock_u)] {
             if !(u.is_finite() && u >= 0.0) {
-                return Err(FitRefusal::new(format!("{name} = {u}: must be finite and not negative")));
+                return Err(FitRefusal::new(format!(
+                    "{name} = {}: must be finite and not negative",
+                    Shown(u)
+                )));
             }
         }
         self.corrections.check(!self.parts.is_empty())?;
         if let Some((from, to)) = self.window
             && !(from.is_finite() && to.is_finite() && from < to)
         {
-            return Err(FitRefusal::new(format!("window = {from} to {to}: must be two rising finite times")));
+            return Err(FitRefusal::new(format!(
+                "window = {} to {}: must be two rising finite times",
+                Shown(from),
+                Shown(to)
+            )));
         }
         Ok(())
     }

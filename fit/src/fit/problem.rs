@@ -2,15 +2,15 @@
 //!
 //! Residual i is offset + scale q(t_i) - measured_i, q the angle or velocity of a damped pendulum with a free state at t = 0.
 
-use super::data::Measured;
+use super::data::{self, Measured};
 pub(super) use super::loss::Loss;
 use super::loss::soft;
 use super::options::Stop;
+use super::search::LeastSquares;
 use core::{cell::Cell, f64::consts::PI};
-use levenberg_marquardt::LeastSquaresProblem;
-use libration::damped::ASKED_EVERY;
+use libration::damped::{ASKED_EVERY, Tolerance};
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use nalgebra::{DMatrix, DVector};
 
 /// What a fit may vary, the first seven in the order of the core's derivatives; presliding as the logarithm above its least value.
 pub(super) const NAMES: [&str; 9] =
@@ -70,9 +70,10 @@ impl Samples {
 pub(super) struct Problem<'a> {
     samples: &'a Samples,
     measured: Measured,
-    free: &'a [usize],
+    free: Vec<usize>,
     loss: Loss,
     values: Values,
+    tolerance: Tolerance,
     state: Option<(Trajectory, Vec<f64>)>,
     /// What a residual is where there is no motion: so large that the step is taken back.
     rejected: f64,
@@ -135,6 +136,11 @@ pub(super) fn below_bound(values: &Values, term: usize) -> bool {
 ///
 /// Friction below its bound counts as at it, so that a search may lean on the bound without being stopped there.
 pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajectory> {
+    followed(values, from, to, Tolerance::Tight)
+}
+
+/// [`trajectory`] with a tolerance of its own.
+fn followed(values: &Values, from: f64, to: f64, tolerance: Tolerance) -> Option<Trajectory> {
     if values.iter().any(|value| !value.is_finite()) || !bounded(values, to - from) {
         return None;
     }
@@ -155,7 +161,7 @@ pub(super) fn trajectory(values: &Values, from: f64, to: f64) -> Option<Trajecto
         asked.set(asked.get() + 1);
         asked.get() * ASKED_EVERY > most
     };
-    let trajectory = pendulum.reachable_unless(from, to, &gone_astray);
+    let trajectory = pendulum.integrated_unless(from, to, tolerance, &gone_astray);
     let whole = asked.get() * ASKED_EVERY <= most && trajectory.interval() == (from, to);
     whole.then_some(trajectory)
 }
@@ -172,7 +178,7 @@ fn difference(values: &Values) -> f64 {
 /// which leaves out 4e-8 of it.
 fn neighbours(t: &[f64], (from, to): (f64, f64), values: &Values) -> [Vec<f64>; 2] {
     let step = difference(values);
-    [-step, step].map(|step| t.iter().map(|t| (t + step).clamp(from, to)).collect())
+    [-step, step].map(|step| t.iter().map(|t| data::bounded(t + step, from, to)).collect())
 }
 
 /// What is free in every model of a record.
@@ -206,15 +212,50 @@ impl<'a> Problem<'a> {
     pub fn new(
         samples: &'a Samples,
         measured: Measured,
-        free: &'a [usize],
+        free: &[usize],
         loss: Loss,
         values: Values,
     ) -> Problem<'a> {
+        Problem::within(samples, measured, free, loss, values, Tolerance::Tight)
+    }
+    /// With the tolerance of its motions.
+    pub fn within(
+        samples: &'a Samples,
+        measured: Measured,
+        free: &[usize],
+        loss: Loss,
+        values: Values,
+        tolerance: Tolerance,
+    ) -> Problem<'a> {
         let size = samples.y.iter().fold(0.0f64, |size, y| size.max(y.abs()));
-        let mut problem =
-            Problem { samples, measured, free, loss, values, state: None, rejected: 1e6 * (size + 1.0) };
+        let free = free.to_vec();
+        let mut problem = Problem {
+            samples,
+            measured,
+            free,
+            loss,
+            values,
+            tolerance,
+            state: None,
+            rejected: 1e6 * (size + 1.0),
+        };
         problem.evaluate();
         problem
+    }
+    /// The same motion with other values free, or another loss.
+    pub fn with(&mut self, free: &[usize], loss: Loss) {
+        (self.free, self.loss) = (free.to_vec(), loss);
+    }
+    pub fn free(&self) -> &[usize] {
+        &self.free
+    }
+    pub fn loss(&self) -> Loss {
+        self.loss
+    }
+    /// The motion of other values.
+    pub fn place(&mut self, values: Values) {
+        self.values = values;
+        self.evaluate();
     }
     pub fn values(&self) -> &Values {
         &self.values
@@ -246,11 +287,12 @@ impl<'a> Problem<'a> {
             self.state = None;
             return;
         }
-        self.state = trajectory(&self.values, first - before, last + room).and_then(|trajectory| {
-            let shown = predicted(&trajectory, self.measured, &self.values, t);
-            let residuals: Vec<f64> = shown.iter().zip(&self.samples.y).map(|(q, y)| q - y).collect();
-            residuals.iter().all(|r| r.is_finite()).then_some((trajectory, residuals))
-        });
+        self.state =
+            followed(&self.values, first - before, last + room, self.tolerance).and_then(|trajectory| {
+                let shown = predicted(&trajectory, self.measured, &self.values, t);
+                let residuals: Vec<f64> = shown.iter().zip(&self.samples.y).map(|(q, y)| q - y).collect();
+                residuals.iter().all(|r| r.is_finite()).then_some((trajectory, residuals))
+            });
     }
 
     /// d residual/d value for every free value, a column each, without the loss.
@@ -314,18 +356,14 @@ fn fill(sensitivity: &DampedSensitivity, t: &[f64], columns: &mut [Vec<f64>]) {
         .at_into(t, core::array::from_fn(|_| slices.next().map_or(&mut [][..], |c| &mut c[..t.len()])));
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, params: &DVector<f64>) {
-        for (place, value) in self.free.iter().zip(params.iter()) {
+impl LeastSquares for Problem<'_> {
+    fn assume(&mut self, values: &DVector<f64>) {
+        for (place, value) in self.free.iter().zip(values.iter()) {
             self.values[*place] = *value;
         }
         self.evaluate();
     }
-    fn params(&self) -> DVector<f64> {
+    fn assumed(&self) -> DVector<f64> {
         DVector::from_iterator(self.free.len(), self.free.iter().map(|place| self.values[*place]))
     }
     fn residuals(&self) -> Option<DVector<f64>> {

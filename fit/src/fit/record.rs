@@ -1,6 +1,6 @@
 //! A record in time: window, search, ladder, uncertainty.
 
-use super::data::{Clean, Measured, extent, robust_deviation};
+use super::data::{Clean, Measured, bounded, extent, robust_deviation};
 use super::diagnosis::{isochronous, linear_equation};
 use super::horizon::grown;
 use super::ladder::{Rung, chosen, criteria, moved, rung, terms};
@@ -11,6 +11,7 @@ use super::refusal::FitRefusal;
 use super::start::{Start, driven, free_decay, rotation, starts};
 use super::swings::{Passage, Swings, noise};
 use super::window::{caught, described, last_motion, reached};
+use crate::digits::Shown;
 
 /// A record at the minimum of every rung.
 #[derive(Clone, Debug)]
@@ -69,16 +70,21 @@ pub(super) fn fitted(clean: &Clean, measured: Measured, options: &FitOptions) ->
     if measured == Measured::Angle && start.last > 1.1 * core::f64::consts::PI {
         return Err(FitRefusal::new(format!(
             "the last swing turns back {} rad from the rest: a pendulum turns back below pi; are these degrees or counts?",
-            if start.last < 1e6 { format!("{:.4}", start.last) } else { format!("{:.3e}", start.last) }
+            if start.last < 1e6 {
+                format!("{:.4}", Shown(start.last))
+            } else {
+                format!("{:.3e}", Shown(start.last))
+            }
         )));
     }
     // With two samples in a period omega0 is pi over the step, and a swing passes its rest at less than 2 omega0.
     let step = (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64;
     if measured == Measured::Velocity && start.reach * step > 3.0 * core::f64::consts::PI {
         return Err(FitRefusal::new(format!(
-            "a velocity of {:.1e} rad/s at steps of {step:.1e} s: a swing turns by less than {:.0} rad from one sample to the next",
-            start.reach,
-            3.0 * core::f64::consts::PI
+            "a velocity of {:.1e} rad/s at steps of {:.1e} s: a swing turns by less than {:.0} rad from one sample to the next",
+            Shown(start.reach),
+            Shown(step),
+            Shown(3.0 * core::f64::consts::PI)
         )));
     }
     let all = Samples { t: t.iter().map(|t| t - start.anchor).collect(), y, stop: options.stop };
@@ -229,7 +235,7 @@ fn extended(
         let outcome = minimum(&near, measured, &free, Loss::Squares, local, ROUGH);
         local = outcome.values;
         let usual = robust_deviation(&outcome.residuals).max(noise);
-        let bound = (6.0 * usual).clamp(share * swing, 0.1 * swing);
+        let bound = bounded(6.0 * usual, share * swing, 0.1 * swing);
         let next = reached(all, measured, &local, begin, bound, -1.0);
         // What was taken in wrongly is given back.
         let inner = reached(all, measured, &local, -0.1 * start.period, bound, -1.0);
@@ -362,7 +368,10 @@ fn finish(
         for (i, row) in rows.iter().enumerate().filter(|(i, _)| outside[*i]) {
             dropped.push((
                 *row,
-                format!("outlier: {:.1} deviations from the fit", OUTLIER * residuals[i].abs() / bound),
+                format!(
+                    "outlier: {:.1} deviations from the fit",
+                    Shown(OUTLIER * residuals[i].abs() / bound)
+                ),
             ));
         }
         *rows = rows.iter().zip(&outside).filter(|(_, outside)| !**outside).map(|(row, _)| *row).collect();

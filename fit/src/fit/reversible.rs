@@ -4,6 +4,7 @@ use super::measure::Measure;
 use super::refusal::FitRefusal;
 use super::result::{BudgetRow, Estimate, Grade, Verdict};
 use super::verdicts::GRAVITY_ON_EARTH;
+use crate::digits::Shown;
 use libration::compound::reversible_gravity;
 use serde::Serialize;
 
@@ -66,7 +67,8 @@ pub fn reversible_between(
     if first.value >= between.value {
         return Err(FitRefusal::new(format!(
             "first distance = {} m: must be less than the distance between the pivots, {} m: the centre of mass lies between them",
-            first.value, between.value
+            Shown(first.value),
+            Shown(between.value)
         )));
     }
     let names = ["first period", "second period", "first distance", "distance between"];
@@ -85,7 +87,8 @@ fn evaluated(
         if !(measure.value.is_finite() && measure.value > 0.0 && measure.u.is_finite() && measure.u >= 0.0) {
             return Err(FitRefusal::new(format!(
                 "{name} = {} with u = {}: must be finite and positive",
-                measure.value, measure.u
+                Shown(measure.value),
+                Shown(measure.u)
             )));
         }
     }
@@ -98,7 +101,10 @@ fn evaluated(
     if !(g.is_finite() && g > 0.0) {
         return Err(FitRefusal::new(format!(
             "distances {} and {} m with periods {} and {} s give no g: pivots at equal distances say nothing",
-            values[2], values[3], values[0], values[1]
+            Shown(values[2]),
+            Shown(values[3]),
+            Shown(values[0]),
+            Shown(values[1])
         )));
     }
     let mut budget = Vec::new();
@@ -118,8 +124,10 @@ fn evaluated(
         verdicts.push(Verdict::new(
             Grade::Warning,
             format!(
-                "g = {:.3} m/s^2 lies outside of {low} to {high} by more than its uncertainty: equal periods at equal distances, or a miscount",
-                g.value
+                "g = {:.3} m/s^2 lies outside of {} to {} by more than its uncertainty: equal periods at equal distances, or a miscount",
+                Shown(g.value),
+                Shown(low),
+                Shown(high)
             ),
         ));
     }

@@ -147,7 +147,7 @@ fn omega0_of_velocity(velocity: f64, period: f64) -> Option<f64> {
 /// How fast a libration with this turning angle passes its rest.
 fn greatest_velocity(theta_max: f64, omega0: f64) -> Option<f64> {
     let orbit = Orbit::new(theta_max.min(3.1), 0.0, Frequency::from_omega0(omega0).ok()?).ok()?;
-    Some(orbit.velocity(0.25 * orbit.period()).abs())
+    Some((2.0 * orbit.energy()).sqrt())
 }
 
 /// The turning angle of a libration that passes its rest at this velocity.
@@ -190,7 +190,8 @@ fn best_sum(rows: &[[f64; 4]], terms: usize) -> [f64; 3] {
         let used: Vec<usize> = (0..terms).filter(|i| set >> i & 1 == 1).collect();
         let matrix = DMatrix::from_fn(rows.len(), used.len(), |row, column| rows[row][used[column]]);
         let right = DVector::from_fn(rows.len(), |row, _| rows[row][3]);
-        let Ok(solved) = matrix.svd(true, true).solve(&right, 1e-10) else { continue };
+        let Some(root) = matrix.tr_mul(&matrix).cholesky() else { continue };
+        let solved = root.solve(&matrix.tr_mul(&right));
         if solved.iter().all(|factor| *factor >= 0.0) {
             let mut factors = [0.0; 3];
             for (place, factor) in used.iter().zip(solved.iter()) {
@@ -213,11 +214,9 @@ pub(super) fn starts(swings: &Swings, decay: &core::ops::Range<usize>, measured:
     assumed.iter().filter_map(|assumed| start(swings, decay, measured, *assumed)).collect()
 }
 
-/// The greatest acceleration of a libration with this turning angle.
-fn greatest_acceleration(theta_max: f64, omega0: f64) -> Option<f64> {
-    let orbit = Orbit::new(theta_max, 0.0, Frequency::from_omega0(omega0).ok()?).ok()?;
-    let step = 1e-4 / omega0;
-    Some(orbit.velocity(step).abs() / step)
+/// The greatest acceleration of a libration with this turning angle, at most a right one: that at the turn.
+fn greatest_acceleration(theta_max: f64, omega0: f64) -> f64 {
+    omega0 * omega0 * libm::sin(theta_max)
 }
 
 /// Start values from the passages of a free decay; of accelerations with an assumed turning angle.
@@ -275,7 +274,7 @@ fn start(
         }
         // The pull is against the angle, so the acceleration falls where the angle rises.
         Measured::Acceleration => {
-            values[SCALE] = fastest.swing / greatest_acceleration(assumed, omega0)?;
+            values[SCALE] = fastest.swing / greatest_acceleration(assumed, omega0);
             values[VELOCITY] = -fastest.slope.signum() * greatest_velocity(assumed, omega0)?;
             fastest.t
         }

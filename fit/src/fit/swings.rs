@@ -3,7 +3,8 @@
 //! A turn is an extreme from which the record comes back by a threshold above noise and rounding. The rest lies in the middle of
 //! two turns on one side and the one between; a passage of it is a straight line through the samples around it.
 
-use super::data::{extent, median, robust_deviation};
+use super::data::{bounded, extent, median, robust_deviation};
+use crate::order::ranked;
 
 /// An extreme of the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,9 +41,9 @@ pub(super) fn noise(y: &[f64]) -> f64 {
     let fourth: Vec<f64> =
         y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]) / 70f64.sqrt()).collect();
     let mut steps: Vec<f64> = y.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|step| *step > 0.0).collect();
-    steps.sort_by(f64::total_cmp);
     // A rounded record repeats its least step.
-    let quantum = steps.get(steps.len() / 20).copied().unwrap_or(0.0);
+    let place = steps.len() / 20;
+    let quantum = if steps.is_empty() { 0.0 } else { ranked(&mut steps, place) };
     let repeated = y.windows(2).filter(|w| w[0] == w[1]).count() * 50 > y.len();
     robust_deviation(&fourth).max(if repeated { quantum / 3.0 } else { 0.0 })
 }
@@ -87,13 +88,13 @@ impl Swings {
     pub fn of(t: &[f64], y: &[f64]) -> Swings {
         let (low, high) = extent(y);
         let range = high - low;
-        let threshold = (6.0 * noise(y)).clamp(0.01 * range, 0.15 * range);
+        let threshold = bounded(6.0 * noise(y), 0.01 * range, 0.15 * range);
         let mut turning = turns(t, y, threshold);
         let dense = turning.len() > 2 && y.len() / turning.len() > 12;
         let smooth = if dense { filtered(y) } else { y.to_vec() };
         if dense {
             let (low, high) = extent(&smooth);
-            let threshold = (6.0 * noise(&smooth)).clamp(0.005 * (high - low), 0.15 * (high - low));
+            let threshold = bounded(6.0 * noise(&smooth), 0.005 * (high - low), 0.15 * (high - low));
             turning = turns(t, &smooth, threshold);
         }
         let middles: Vec<f64> = turning.windows(3).map(|w| 0.25 * (w[0].y + 2.0 * w[1].y + w[2].y)).collect();
@@ -135,5 +136,5 @@ fn passage(t: &[f64], y: &[f64], pair: &[Turn], centre: f64) -> Passage {
     }
     let slope = if tt > 0.0 { ty / tt } else { 0.0 };
     let time = if slope == 0.0 { t[after] } else { mean_t + (level - mean_y) / slope };
-    Passage { t: time.clamp(a.t, b.t), slope, swing }
+    Passage { t: bounded(time, a.t, b.t), slope, swing }
 }

@@ -12,7 +12,8 @@ use super::result::{
     Correlation, Diagnostics, Dropped, Estimate, Fit, FrictionEstimates, Grade, Residuals, Verdict,
 };
 use super::spread::scatter;
-use super::verdicts::{of_correlation, of_length};
+use super::verdicts::{gravest_first, of_correlation, of_length};
+use crate::digits::Shown;
 use libration::damped::averaged_turning_angle;
 use libration::{Frequency, Friction, Orbit};
 
@@ -76,7 +77,8 @@ pub(super) fn table(swings: &[f64], periods: &[f64], options: &FitOptions) -> Re
     let measured: Vec<f64> = rows.kept.iter().map(|row| periods[*row]).collect();
     if let Some(wide) = a.iter().find(|a| a.abs() >= core::f64::consts::PI) {
         return Err(FitRefusal::new(format!(
-            "swing = {wide:?} rad: must lie below pi; are the swings in degrees?"
+            "swing = {:?} rad: must lie below pi; are the swings in degrees?",
+            Shown(*wide)
         )));
     }
     let plain =
@@ -320,7 +322,7 @@ fn of_periods(
             Grade::Refuted,
             format!(
                 "periods scatter by {:.1} %: more than one mode moves, or passages were missed",
-                100.0 * rms / mean
+                Shown(100.0 * rms / mean)
             ),
         ));
     } else if expected > 0.02 && constant < 0.5 * rms {
@@ -372,6 +374,6 @@ fn of_periods(
         state: (swing, 0.0, 0.0),
     };
     fit.verdicts.extend(of_length(&fit));
-    fit.verdicts.sort_by_key(|verdict| core::cmp::Reverse(verdict.grade));
+    fit.verdicts = gravest_first(fit.verdicts);
     Ok(fit)
 }

@@ -12,6 +12,7 @@ use super::options::FitOptions;
 use super::quote::{Quote, quoted};
 use super::refusal::FitRefusal;
 use super::result::{BudgetRow, Estimate, Fit, Grade, Verdict};
+use crate::digits::Shown;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
@@ -124,7 +125,7 @@ pub fn fit_lengths(runs: &[Data], lengths: &[Measure], options: &FitOptions) -> 
             Grade::Warning,
             format!(
                 "every stated length is short by {:.4} m: it may end above the centre of the bob",
-                offset.value
+                Shown(offset.value)
             ),
         ));
     }
@@ -132,7 +133,9 @@ pub fn fit_lengths(runs: &[Data], lengths: &[Measure], options: &FitOptions) -> 
         verdicts.push(Verdict::new(
             Grade::Note,
             format!(
-                "both lengths agree on g = {g:.3} m/s^2 if each is short by {offset:.4} m: a third length would tell"
+                "both lengths agree on g = {:.3} m/s^2 if each is short by {:.4} m: a third length would tell",
+                Shown(g),
+                Shown(offset)
             ),
         ));
     }
@@ -205,7 +208,9 @@ fn consistent(chi: f64, freedom: usize, what: &str) -> Vec<Verdict> {
     let freedom = freedom as f64;
     if freedom > 0.0 && chi > freedom + 4.0 * (2.0 * freedom).sqrt() {
         let sentence = format!(
-            "the records do not agree on {what}: chi squared {chi:.1} for {freedom} degrees of freedom"
+            "the records do not agree on {what}: chi squared {:.1} for {} degrees of freedom",
+            Shown(chi),
+            Shown(freedom)
         );
         return vec![Verdict::new(Grade::Warning, sentence)];
     }

@@ -2,6 +2,8 @@
 
 use super::diagnosis::{ScaleFound, isochronous};
 use super::result::{Fit, Grade, Verdict};
+use crate::digits::{Shown, plain};
+use crate::order::sorted;
 
 /// What verdicts need beside the result.
 #[derive(Clone, Copy, Debug)]
@@ -26,11 +28,15 @@ pub(super) const GRAVITY_ON_EARTH: (f64, f64) = (9.763, 9.834);
 /// g this many times that of the Earth, or less by as much, is a wrong unit or power of ten: g of the Moon is 6 times less.
 const OTHER_UNIT: f64 = 8.0;
 
+/// Of equally grave ones the first stays first.
+pub(super) fn gravest_first(verdicts: Vec<Verdict>) -> Vec<Verdict> {
+    sorted(&verdicts, |a, b| b.grade.cmp(&a.grade))
+}
+
 /// Three digits, without an exponent where the number is not too long for it.
 fn short(value: f64) -> String {
-    let text = format!("{value:.2e}");
-    let rounded = text.parse::<f64>().unwrap_or(value);
-    if (1e-4..1e7).contains(&rounded) { rounded.to_string() } else { text }
+    // What is rounded to 1e-4, and to 1e7.
+    if (9.995e-5..9.995e6).contains(&value) { plain(value, 2) } else { format!("{:.2e}", Shown(value)) }
 }
 
 /// What a stated length says where g would be none of the Earth.
@@ -55,10 +61,11 @@ pub(super) fn of_length(fit: &Fit) -> Option<Verdict> {
     Some(Verdict::new(
         Grade::Warning,
         format!(
-            "the stated length is off by {:.1} %: g would be {:.3} m/s^2, and with g = {middle:.2} the length is {:.4} m",
-            100.0 * (times - 1.0).abs(),
-            g.value,
-            length.value / times
+            "the stated length is off by {:.1} %: g would be {:.3} m/s^2, and with g = {:.2} the length is {:.4} m",
+            Shown(100.0 * (times - 1.0).abs()),
+            Shown(g.value),
+            Shown(middle),
+            Shown(length.value / times)
         ),
     ))
 }
@@ -76,8 +83,9 @@ pub(super) fn of_correlation(fit: &Fit) -> Option<Verdict> {
     Some(Verdict::new(
         Grade::Note,
         format!(
-            "residuals follow each other (correlation {:.2}): an uncertainty that takes them as independent would be {ratio:.0} times too small",
-            diagnostics.lag1
+            "residuals follow each other (correlation {:.2}): an uncertainty that takes them as independent would be {:.0} times too small",
+            Shown(diagnostics.lag1),
+            Shown(ratio)
         ),
     ))
 }
@@ -95,8 +103,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Refuted,
             format!(
                 "too good: this is a linear cosine, computed and not measured (the linear equation leaves {:.1e} of the swing, the pendulum's {:.1e})",
-                linear / evidence.reach,
-                share
+                Shown(linear / evidence.reach),
+                Shown(share)
             ),
         );
     } else if isochronous {
@@ -104,14 +112,14 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Refuted,
             format!(
                 "the period does not depend on the swing: this is no angle of a pendulum (the linear equation leaves {:.2} deg rms, the pendulum's {:.2} deg)",
-                linear.to_degrees(),
-                fit.rms.to_degrees()
+                Shown(linear.to_degrees()),
+                Shown(fit.rms.to_degrees())
             ),
         );
     } else if share < 3e-6 {
         say(
             Grade::Warning,
-            format!("too good: residuals of {share:.1e} of the swing are below any sensor's noise"),
+            format!("too good: residuals of {:.1e} of the swing are below any sensor's noise", Shown(share)),
         );
     }
     let s = diagnostics.scale;
@@ -127,21 +135,27 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         let (given, meant) = if in_degrees { ("degrees", "radians") } else { ("radians", "degrees") };
         say(
             Grade::Refuted,
-            format!("the unit is wrong: a scale of {s:.4} says that values read as {given} are {meant}"),
+            format!(
+                "the unit is wrong: a scale of {:.4} says that values read as {given} are {meant}",
+                Shown(s)
+            ),
         );
     } else if waveform {
         say(
             Grade::Refuted,
             format!(
-                "the waveform is not a rigid pendulum's: with a scale of {s:.3} of the angle the rms falls by a factor of {:.1}",
-                evidence.rms_without_presliding / diagnostics.scale_rms
+                "the waveform is not a rigid pendulum's: with a scale of {:.3} of the angle the rms falls by a factor of {:.1}",
+                Shown(s),
+                Shown(evidence.rms_without_presliding / diagnostics.scale_rms)
             ),
         );
     } else if asks && (s - 1.0).abs() > 0.01 {
         say(
             Grade::Warning,
             format!(
-                "the record asks for a scale of {s:.3} of its angle: with it the rms falls by a factor of {gain:.2}"
+                "the record asks for a scale of {:.3} of its angle: with it the rms falls by a factor of {:.2}",
+                Shown(s),
+                Shown(gain)
             ),
         );
     }
@@ -151,7 +165,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Refuted,
             format!(
                 "no motion of a pendulum describes the record: {:.0} % of the swing is left",
-                100.0 * share
+                Shown(100.0 * share)
             ),
         );
     } else if share > 8e-3
@@ -164,8 +178,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Refuted,
             format!(
                 "the base moves or the friction law is wrong: {:.1} % of the swing is left, from one sample to the next with a correlation of {:.2}",
-                100.0 * share,
-                diagnostics.lag1
+                Shown(100.0 * share),
+                Shown(diagnostics.lag1)
             ),
         );
     } else if falling {
@@ -184,7 +198,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Warning,
             format!(
                 "omega0 is not constant: five windows of the record scatter by {:.2} %",
-                50.0 * evidence.window_spread
+                Shown(50.0 * evidence.window_spread)
             ),
         );
     }
@@ -199,7 +213,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
         say(
             Grade::Warning,
             format!(
-                "{word} points per swing ({per_period:.1} samples in a period): another frequency may fit as well"
+                "{word} points per swing ({:.1} samples in a period): another frequency may fit as well",
+                Shown(per_period)
             ),
         );
     }
@@ -208,7 +223,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Warning,
             format!(
                 "the record holds {:.1} periods: friction and rest are hardly determined",
-                evidence.periods
+                Shown(evidence.periods)
             ),
         );
     }
@@ -217,7 +232,7 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
             Grade::Warning,
             format!(
                 "the values depend on each other (condition {:.0e}): only their combination is known",
-                diagnostics.condition
+                Shown(diagnostics.condition)
             ),
         );
     }
@@ -228,9 +243,8 @@ pub(super) fn verdicts(fit: &Fit, evidence: &Evidence) -> Vec<Verdict> {
     if clock > 0.3 && diagnostics.effective_size > 20.0 {
         say(
             Grade::Note,
-            format!("residuals follow the velocity (correlation {clock:.2}): the clock has faults"),
+            format!("residuals follow the velocity (correlation {:.2}): the clock has faults", Shown(clock)),
         );
     }
-    found.sort_by_key(|verdict| core::cmp::Reverse(verdict.grade));
-    found
+    gravest_first(found)
 }

@@ -2,6 +2,7 @@
 //! rounded. Values are only unwrapped, put in order or rebuilt where the stamps prove it; nothing is resampled.
 
 use super::profile::median;
+use crate::order::sorted;
 
 /// Periods of counters: 16 and 32 bits in ticks, 32 bits of ms and of us in s, a day in s.
 const WRAPS: [f64; 5] = [65536.0, 4294967296.0, 4294967.296, 4294.967296, 86400.0];
@@ -94,8 +95,7 @@ pub(super) fn ordered(stamps: &mut Vec<(usize, f64)>, rounded: bool) -> Order {
     let mut order = Order::default();
     let falls: Vec<usize> = (1..stamps.len()).filter(|k| stamps[*k].1 < stamps[k - 1].1).collect();
     if !falls.is_empty() {
-        let mut sorted = stamps.clone();
-        sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let sorted = sorted(stamps, |a, b| a.1.total_cmp(&b.1));
         let mut rises: Vec<f64> =
             sorted.windows(2).map(|pair| pair[1].1 - pair[0].1).filter(|rise| *rise > 0.0).collect();
         let step = median(&mut rises).unwrap_or(0.0);

@@ -2,6 +2,7 @@
 
 use super::heads::{Head, suffix};
 use super::names::{Meaning, words};
+use crate::order::in_order;
 
 /// The columns of one run.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,16 +60,18 @@ fn by_repetition(heads: &[Head]) -> Option<Vec<Option<String>>> {
     let meant = |k: usize| {
         heads[k].meaning.is_some_and(|meaning| !matches!(meaning, Meaning::Uncertainty | Meaning::Index))
     };
-    let mut counts: std::collections::HashMap<&str, usize> = std::collections::HashMap::new();
-    let mut place = Vec::with_capacity(heads.len());
-    for (k, name) in names.iter().enumerate() {
-        let count = counts.entry(name).or_insert(0);
-        *count += usize::from(meant(k));
-        place.push(*count);
+    // Columns of one name side by side, in their order: which of them a column is, and how many there are.
+    let order = in_order(names.len(), &|a, b| names[a].cmp(&names[b]));
+    let (mut place, mut counts) = (vec![0; names.len()], vec![0; names.len()]);
+    for alike in order.chunk_by(|a, b| names[*a] == names[*b]) {
+        let mut count = 0;
+        for k in alike {
+            count += usize::from(meant(*k));
+            place[*k] = count;
+        }
+        alike.iter().for_each(|k| counts[*k] = count);
     }
-    let repeated = |k: usize| {
-        meant(k) && !names[k].is_empty() && counts.get(names[k].as_str()).is_some_and(|count| *count > 1)
-    };
+    let repeated = |k: usize| meant(k) && !names[k].is_empty() && counts[k] > 1;
     let several = (0..heads.len()).any(repeated);
     several.then(|| (0..heads.len()).map(|k| repeated(k).then(|| place[k].to_string())).collect())
 }

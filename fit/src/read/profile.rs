@@ -92,6 +92,5 @@ pub(super) fn median(values: &mut [f64]) -> Option<f64> {
         return None;
     }
     let middle = (values.len() - 1) / 2;
-    let (_, value, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
-    Some(*value)
+    Some(crate::order::ranked(values, middle))
 }

@@ -13,6 +13,7 @@ use super::record::Quantity;
 use super::refusal::{Refusal, listed, quoted};
 use super::table::Table;
 use super::units::Dimension;
+use crate::order::sorted;
 
 /// What to make of the columns of a group.
 #[derive(Clone, Debug, PartialEq)]
@@ -239,7 +240,7 @@ impl Choice<'_> {
         let mut unsaid = among(None);
         // Where the header is borrowed, `x` is the time and `y` the motion.
         unsaid.extend(x.into_iter().chain(y));
-        unsaid.sort_unstable();
+        let mut unsaid = sorted(&unsaid, usize::cmp);
         // What counts the rows is no motion, and may stand beside one.
         let counters = unsaid.iter().filter(|k| self.counter(**k)).count();
         if counters < unsaid.len() {

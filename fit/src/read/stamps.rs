@@ -195,6 +195,5 @@ pub(super) fn sampling(time: &[f64]) -> Vec<String> {
 
 /// Six digits at most.
 pub(super) fn short(value: f64) -> String {
-    let text = format!("{value:.5e}");
-    text.parse::<f64>().map_or(text, |rounded| rounded.to_string())
+    crate::digits::plain(value, 5)
 }

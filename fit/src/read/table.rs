@@ -301,9 +301,9 @@ fn usual_row(text: &str, dialect: &Dialect) -> Result<(usize, usize), Refusal> {
             break;
         }
     }
-    // Of equally frequent ones the first: a sort that keeps the order.
-    seen.sort_by_key(|each| usize::MAX - each.1);
-    let width = seen.first().map_or(1, |each| each.0.0);
+    // Of equally frequent ones the first.
+    let most = seen.iter().map(|each| each.1).max();
+    let width = seen.iter().find(|each| Some(each.1) == most).map_or(1, |each| each.0.0);
     let words = seen.iter().filter(|each| each.0.0 == width).map(|each| each.0.1).min().unwrap_or(0);
     Ok((width, words))
 }

@@ -5,12 +5,13 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 use super::refusal::{Refusal, quoted};
+use crate::order::sorted;
 
 /// Point masses that are read: those with the most steps.
 const MOST_TRACKS: usize = 16;
 
 /// What the file has of one point mass.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Mass {
     name: String,
     steps: Vec<(u64, f64, f64)>,
@@ -39,14 +40,14 @@ pub(super) fn table_of(text: &str) -> Result<(String, Vec<String>), Refusal> {
                 "a Tracker project without the time of a frame (delta_t); give the exported table",
             )
         })?;
-    let mut masses: Vec<Mass> = project.masses.into_iter().filter(|mass| !mass.steps.is_empty()).collect();
+    let masses: Vec<Mass> = project.masses.into_iter().filter(|mass| !mass.steps.is_empty()).collect();
     if masses.is_empty() {
         return Err(Refusal::fault(None, "a Tracker project without a tracked point mass"));
     }
     // Tracks stand side by side: more of them would make a table that is mostly blank.
-    masses.sort_by_key(|mass| usize::MAX - mass.steps.len());
+    let mut masses = sorted(&masses, |a, b| b.steps.len().cmp(&a.steps.len()));
     masses.truncate(MOST_TRACKS);
-    masses.iter_mut().for_each(|mass| mass.steps.sort_by_key(|step| step.0));
+    masses.iter_mut().for_each(|mass| mass.steps = sorted(&mass.steps, |a, b| a.0.cmp(&b.0)));
     let names: Vec<String> = masses.iter().map(|mass| quoted(&mass.name)).collect();
     let rows = masses.iter().map(|mass| mass.steps.len()).max().unwrap_or(0);
     let mut table = String::new();

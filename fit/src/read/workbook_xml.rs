@@ -7,13 +7,14 @@ use quick_xml::events::{BytesStart, Event};
 use super::archive::Archive;
 use super::refusal::{Refusal, plain};
 use super::workbook::Sheet;
+use crate::order::sorted;
 
 /// The sheets of a workbook.
 pub(super) fn sheets(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, Refusal> {
     let mut names = archive.names();
     names.retain(|name| name.starts_with("xl/worksheets/") && name.ends_with(".xml"));
     // sheet2 before sheet10.
-    names.sort_by_key(|name| (name.len(), name.clone()));
+    let mut names = sorted(&names, |a, b| a.len().cmp(&b.len()).then_with(|| a.cmp(b)));
     names.truncate(32);
     let shared = match archive.names().iter().find(|name| *name == "xl/sharedStrings.xml") {
         Some(name) => shared_strings(&text(archive.bytes(name)?)?)?,

@@ -1,26 +1,10 @@
-// The module of the reader and the fit: bytes of a file in, what was understood and the result out.
+// The module of the fit: columns of a record in, the result out.
 //
 // A WebAssembly module of its own (wasm/fit), with 128-bit vectors. A fit takes up to seconds and does not let go in between: it is
 // called in a worker.
 
-/** What is stated about a file and its pendulum: pairs of a name and a value (wasm/fit/src/stated.rs). */
-export type Statements = readonly (readonly [name: string, value: string])[]
-
-/** What was understood of a file. */
-export interface Understood {
-  readonly kind: 'samples' | 'gate' | 'swings'
-  readonly measured: 'angle' | 'velocity' | 'acceleration' | 'gate' | 'swings'
-  /** The run that was read, from 1, and how many there are. */
-  readonly run: readonly [number, number]
-  /** Each guess as one sentence. */
-  readonly understood: readonly string[]
-  /** What was left out, a sentence each. */
-  readonly dropped: readonly string[]
-  readonly columns: readonly { readonly what: string; readonly name: string }[]
-  /** Times in s, or turning angles in rad; what is fitted, in SI units. */
-  readonly x: readonly number[]
-  readonly y: readonly number[]
-}
+import { Exchange, numberOf, type Statements } from './exchange'
+import type { Reading } from './reader-module'
 
 /** A value with its standard uncertainty and the parts of it. */
 export interface Estimate {
@@ -53,11 +37,6 @@ export interface Fit {
   readonly budget: readonly { readonly source: string; readonly u: number }[]
   readonly corrections: readonly { readonly name: string; readonly relative_period: number; readonly made: boolean }[]
   readonly diagnostics: Readonly<Record<string, number | null>>
-  readonly residuals: {
-    readonly t: readonly number[]
-    readonly measured: readonly number[]
-    readonly residual: readonly number[]
-  }
 }
 
 /** A result with the grades of its verdicts, in their order. */
@@ -66,8 +45,12 @@ export interface Fitted {
   readonly grades: readonly ('note' | 'warning' | 'refuted')[]
   /** Whether no verdict forbids to quote it. */
   readonly stands: boolean
-  /** Of periods: the turning angle of each by the fit, in rad. */
-  readonly swings: readonly number[]
+  /** Times in s or turning angles in rad, what was measured, and that less what was fitted: as `--json` prints them. */
+  readonly t: Float64Array
+  readonly measured: Float64Array
+  readonly residual: Float64Array
+  /** Of periods: the turning angle of each by the fit, in rad; else empty. */
+  readonly swings: Float64Array
 }
 
 /** What several records share, as `libration fit --json` prints it, without the records. */
@@ -89,42 +72,26 @@ export interface FittedTogether extends Pick<Fitted, 'grades' | 'stands'> {
   readonly records: readonly Fitted[]
 }
 
-/** g from a period, and the normal g of a place, in m/s^2; null where nothing was stated for it. */
-export interface PeriodGravity {
-  readonly found: { readonly g: Estimate; readonly budget: Fit['budget']; readonly small_swings: number } | null
-  readonly normal: number | null
-}
-
-/** Why there is no record or no fit: the line that the command prints. */
-export class FitRefusal extends Error {
-  override readonly name = 'FitRefusal'
-}
-
 /** What the module exports: wasm/fit/src/abi.rs. */
-interface Exports {
-  memory: WebAssembly.Memory
-  room(text: number, length: number): number
-  answer(): number
-  answer_length(): number
-  read_file(): number
+interface FitExports {
+  give_column(): void
+  give_record(): number
   fit_data(): number
-  gravity(): number
   steps(): void
 }
 
-const FILE = 0
-const STATED = 1
+type Graded = Pick<Fitted, 'fit' | 'grades' | 'stands'>
 
-/** A module at work. It holds the record that was read last. */
+/** A module at work. It holds the records that it was given. */
 export class FitModule {
   /** Names of the steps of a fit, in their order. */
   readonly steps: readonly string[]
-  readonly #exports: Exports
+  readonly #exchange: Exchange<FitExports>
 
-  private constructor(exports: Exports) {
-    this.#exports = exports
-    exports.steps()
-    this.steps = this.#answer().split('\n')
+  private constructor(exchange: Exchange<FitExports>) {
+    this.#exchange = exchange
+    exchange.exports.steps()
+    this.steps = exchange.answer().split('\n')
   }
 
   /**
@@ -133,50 +100,41 @@ export class FitModule {
    * @param told Called with the number of each step of a fit when it begins.
    */
   static async start(module: WebAssembly.Module, told: (step: number) => void = () => {}): Promise<FitModule> {
-    const { exports } = await WebAssembly.instantiate(module, { page: { step: told } })
-    return new FitModule(exports as unknown as Exports)
+    const number = (at: number, length: number): number => numberOf(exchange.text(at, length))
+    const { exports } = await WebAssembly.instantiate(module, { page: { step: told, number } })
+    const exchange = new Exchange<FitExports>(exports)
+    return new FitModule(exchange)
   }
 
-  /** Reads a file; a FitRefusal where it cannot be read, or leaves a question open. */
-  read(file: Uint8Array, stated: Statements): Understood {
-    this.#write(FILE, file)
-    return this.#asked(stated, () => this.#exports.read_file())
+  /** Gives a record as it was read, beside those before where `beside` is stated. */
+  give({ measured, x, y, dark }: Pick<Reading, 'measured' | 'x' | 'y' | 'dark'>, stated: Statements): void {
+    const { exports } = this.#exchange
+    for (const column of dark.length > 0 ? [x, y, dark] : [x, y]) {
+      this.#exchange.write(new Uint8Array(column.buffer, column.byteOffset, column.byteLength))
+      exports.give_column()
+    }
+    this.#exchange.asked(() => exports.give_record(), [...stated, ['measured', measured]])
   }
 
-  /** Fits what was read last; a FitRefusal where it holds no motion. */
+  /** Fits what was given last; a FitRefusal where it holds no motion. */
   fit(stated: Statements): Fitted {
-    return this.#asked(stated, () => this.#exports.fit_data())
-  }
-
-  /** Fits all records that were read, each after the first with a statement `beside`. */
-  fitTogether(stated: Statements): FittedTogether {
-    return this.#asked(stated, () => this.#exports.fit_data())
-  }
-
-  /** g from a period and of a place (wasm/fit/src/period.rs); a FitRefusal where a value is out of its range. */
-  gravity(stated: Statements): PeriodGravity {
-    return this.#asked(stated, () => this.#exports.gravity())
-  }
-
-  #asked<Answer>(stated: Statements, work: () => number): Answer {
-    // A line is one statement, so a value has no line of its own.
-    const lines = stated.map(([name, value]) => `${name}\t${value.replace(/[\r\n]+/g, ' ')}`)
-    this.#write(STATED, new TextEncoder().encode(lines.join('\n')))
-    const kept = work()
-    const answer = this.#answer()
-    if (kept === 0) throw new FitRefusal(answer)
-    return JSON.parse(answer)
-  }
-
-  #write(text: number, bytes: Uint8Array): void {
-    const at = this.#exports.room(text, bytes.length)
-    new Uint8Array(this.#exports.memory.buffer, at, bytes.length).set(bytes)
-  }
-
-  #answer(): string {
-    const { memory } = this.#exports
-    return new TextDecoder().decode(
-      new Uint8Array(memory.buffer, this.#exports.answer(), this.#exports.answer_length()),
+    return this.#withColumns(
+      this.#exchange.asked<Graded>(() => this.#exchange.exports.fit_data(), stated),
+      0,
     )
+  }
+
+  /** Fits all records that were given, each after the first with a statement `beside`. */
+  fitTogether(stated: Statements): FittedTogether {
+    const found = this.#exchange.asked<Omit<FittedTogether, 'records'> & { readonly records: readonly Graded[] }>(
+      () => this.#exchange.exports.fit_data(),
+      stated,
+    )
+    return { ...found, records: found.records.map((record, i) => this.#withColumns(record, i)) }
+  }
+
+  #withColumns(record: Graded, place: number): Fitted {
+    const column = (number: number) => this.#exchange.column(4 * place + number)
+    return { ...record, t: column(0), measured: column(1), residual: column(2), swings: column(3) }
   }
 }

@@ -1,36 +1,28 @@
 // What the page and the worker of the fit say to each other, and the answers of the worker: no part of it knows a browser.
 
-import {
-  type Fit,
-  FitModule,
-  FitRefusal,
-  type Fitted,
-  type FittedTogether,
-  type Statements,
-  type Understood,
-} from './fit-module'
+import { FitRefusal, type Statements } from './exchange'
+import { type Fit, FitModule, type Fitted, type FittedTogether } from './fit-module'
+import { ReaderModule, type Reading } from './reader-module'
 
-export type { Estimate, Fit, ModelName, Statements, Together, Understood } from './fit-module'
-
-/** A file as it was understood, its numbers in columns as they are drawn. */
-export interface Reading extends Omit<Understood, 'x' | 'y'> {
-  readonly x: Float64Array
-  readonly y: Float64Array
-}
+export type { Statements } from './exchange'
+export type { Estimate, Fit, ModelName, Together } from './fit-module'
+export type { Reading } from './reader-module'
 
 /** A result with what is drawn: the samples, the curve at them, what is left. */
-export interface Result extends Omit<Fitted, 'fit' | 'swings'> {
-  readonly fit: Omit<Fit, 'residuals'>
+export interface Result extends Pick<Fitted, 'grades' | 'stands' | 'measured' | 'residual' | 'swings'> {
+  readonly fit: Fit
   readonly x: Float64Array
-  readonly measured: Float64Array
   readonly fitted: Float64Array
-  readonly residual: Float64Array
-  /** Of periods: the turning angle of each by the fit, in rad; else empty. */
-  readonly swings: Float64Array
 }
 
 /** What several records share. */
 export type Joint = Omit<FittedTogether, 'records'>
+
+/** The modules that a fit needs. */
+export interface Modules {
+  readonly reader: WebAssembly.Module
+  readonly fit: WebAssembly.Module
+}
 
 export interface AskedFile {
   readonly bytes: Uint8Array
@@ -39,7 +31,7 @@ export interface AskedFile {
 
 /** One file, or several that are fitted together, and what is stated for the fit. */
 export interface Asked {
-  readonly module: WebAssembly.Module
+  readonly modules: Modules
   readonly files: readonly AskedFile[]
   readonly stated: Statements
 }
@@ -52,34 +44,31 @@ export type Told =
   | { readonly kind: 'refused'; readonly message: string }
   | { readonly kind: 'failed'; readonly message: string }
 
-function resultOf({ fit, swings: angles, ...others }: Fitted): Result {
-  const { residuals, ...rest } = fit
+function resultOf({ t, ...found }: Fitted): Result {
   // A table of periods may have its rows in any order; a curve goes from left to right.
-  const order = residuals.t.map((_, i) => i).sort((a, b) => (residuals.t[a] as number) - (residuals.t[b] as number))
-  const sorted = (values: readonly number[]) => Float64Array.from(order, (i) => values[i] as number)
-  const [x, measured, residual] = [residuals.t, residuals.measured, residuals.residual].map(sorted) as [
-    Float64Array,
-    Float64Array,
-    Float64Array,
-  ]
+  const order = Uint32Array.from(t, (_, i) => i).sort((a, b) => (t[a] as number) - (t[b] as number))
+  const sorted = (values: Float64Array) => Float64Array.from(order, (i) => values[i] as number)
+  const [x, measured, residual] = [sorted(t), sorted(found.measured), sorted(found.residual)]
   const fitted = measured.map((each, i) => each - (residual[i] as number))
-  const swings = angles.length > 0 ? sorted(angles) : new Float64Array()
-  return { ...others, fit: rest, x, measured, fitted, residual, swings }
+  const swings = found.swings.length > 0 ? sorted(found.swings) : found.swings
+  return { ...found, x, measured, fitted, residual, swings }
 }
 
 /** Reads and fits; tells each stage as it is reached. */
-export async function measure({ module, files, stated }: Asked, tell: (told: Told) => void): Promise<void> {
+export async function measure({ modules, files, stated }: Asked, tell: (told: Told) => void): Promise<void> {
   try {
     // Every record goes through the steps, or through none.
     let steps = 0
-    const fits: FitModule = await FitModule.start(module, (step) => {
+    const fits: FitModule = await FitModule.start(modules.fit, (step) => {
       const { length } = fits.steps
       if (step === 0) steps++
       tell({ kind: 'step', step: (steps - 1) * length + step, of: files.length * length })
     })
+    const reader = await ReaderModule.start(modules.reader)
     files.forEach(({ bytes, stated: said }, i) => {
-      const { x, y, ...understood } = fits.read(bytes, i === 0 ? said : [...said, ['beside', '']])
-      tell({ kind: 'read', reading: { ...understood, x: Float64Array.from(x), y: Float64Array.from(y) } })
+      const reading = reader.read(bytes, said)
+      fits.give(reading, i === 0 ? said : [...said, ['beside', '']])
+      tell({ kind: 'read', reading })
     })
     if (files.length === 1) tell({ kind: 'fitted', results: [resultOf(fits.fit(stated))], joint: null })
     else {

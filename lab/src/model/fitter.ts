@@ -1,34 +1,45 @@
-// The page's side of the fit: the module is loaded once, when it is first asked for; one worker for each fit.
+// The page's side of the fit: each module is loaded once, when it is first asked for; one worker for each fit.
 
 import type { AskedFile, Statements, Told } from './fit-protocol'
 
 /** An address, or a response to come. */
 type ModuleSource = string | PromiseLike<Response>
 
+/** What the view Data may ask for: two modules for a file, one for a period. */
+type ModuleName = 'reader' | 'fit' | 'period'
+
 export class Fitter {
-  #module: Promise<WebAssembly.Module> | null = null
+  readonly #modules: Partial<Record<ModuleName, Promise<WebAssembly.Module>>> = {}
   #worker: Worker | null = null
-  /** Tells a fit that was cancelled while the module was loading. */
+  /** Tells a fit that was cancelled while the modules were loading. */
   #turn = 0
 
   constructor(
-    private readonly source: ModuleSource,
+    private readonly sources: Readonly<Record<ModuleName, ModuleSource>>,
     private readonly makeWorker: () => Worker,
+    /** Called when a module has come. */
+    private readonly came: () => void = () => {},
   ) {}
 
-  /** Loads the module; a second call waits for the first, after a failure it is tried again. */
-  load(): Promise<WebAssembly.Module> {
-    this.#module ??= this.#compiled().catch((error: unknown) => {
-      this.#module = null
-      throw error
-    })
-    return this.#module
+  /** Loads a module; a second call waits for the first, after a failure it is tried again. */
+  load(name: ModuleName): Promise<WebAssembly.Module> {
+    const loading = this.#modules[name] ?? this.#compiled(name)
+    this.#modules[name] = loading
+    return loading
   }
 
-  async #compiled(): Promise<WebAssembly.Module> {
-    const response = await (typeof this.source === 'string' ? fetch(this.source) : this.source)
-    if (!response.ok) throw new Error(`${response.status} ${response.statusText}`)
-    return WebAssembly.compile(await response.arrayBuffer())
+  async #compiled(name: ModuleName): Promise<WebAssembly.Module> {
+    try {
+      const source = this.sources[name]
+      const response = await (typeof source === 'string' ? fetch(source) : source)
+      if (!response.ok) throw new Error(`${response.status} ${response.statusText}`)
+      const module = await WebAssembly.compile(await response.arrayBuffer())
+      this.came()
+      return module
+    } catch (error) {
+      delete this.#modules[name]
+      throw error
+    }
   }
 
   /** Reads and fits; a fit that still runs is ended first. */
@@ -41,13 +52,13 @@ export class Fitter {
       listen(told)
     }
     try {
-      const module = await this.load()
+      const [reader, fit] = await Promise.all([this.load('reader'), this.load('fit')])
       if (turn !== this.#turn) return
       const worker = this.makeWorker()
       this.#worker = worker
       worker.addEventListener('message', ({ data }: MessageEvent<Told>) => hear(data))
       worker.addEventListener('error', (event) => hear({ kind: 'failed', message: event.message || 'worker' }))
-      worker.postMessage({ module, files, stated })
+      worker.postMessage({ modules: { reader, fit }, files, stated })
     } catch (error) {
       hear({ kind: 'failed', message: error instanceof Error ? error.message : String(error) })
     }

@@ -7,12 +7,12 @@ import { switches } from '../controls/parts'
 import { icon } from '../draw/icons'
 import { inLanguage, refusalInLanguage } from '../language/sentences'
 import { Measurement } from '../measurement'
-import { FitModule } from '../model/fit-module'
 import FitWorker from '../model/fit-worker?worker&inline'
 import { Fitter } from '../model/fitter'
+import { PeriodModule } from '../model/period-module'
 import { degrees } from '../number'
 import { keepMore } from '../second-visit'
-import { FIT } from '../sources'
+import { FIT, PERIOD, READER } from '../sources'
 import { DATA_FROM } from '../state'
 import type { Store } from '../store'
 import { Timing } from '../timing'
@@ -24,29 +24,38 @@ import { dataTogether, sharedOf } from './data-together'
 import type { Live } from './page'
 
 interface Visit {
+  readonly fitter: Fitter
   readonly measurement: Measurement
   readonly timing: Timing
 }
 
 let visit: Visit | null = null
 
-/** What is measured in this visit; the module is asked for when the view first opens. */
+/** What is measured in this visit. A module that has come is there for a second visit too. */
 function current(store: Store): Visit {
   if (visit) return visit
-  const fitter = new Fitter(FIT, () => new FitWorker())
+  const sources = { reader: READER, fit: FIT, period: PERIOD }
+  const fitter = new Fitter(
+    sources,
+    () => new FitWorker(),
+    () => void keepMore(),
+  )
   const changed = () => store.changed()
-  visit = { measurement: new Measurement(fitter, changed), timing: new Timing(changed) }
-  void loaded(fitter, visit)
+  visit = { fitter, measurement: new Measurement(fitter, changed), timing: new Timing(changed) }
   return visit
 }
 
-/** Once the module is there, a period needs no worker, and a second visit has it too. */
-async function loaded(fitter: Fitter, { timing }: Visit): Promise<void> {
+/** The module of the part that is open: the reader is there when a file comes, and a period needs no worker. */
+async function opened({ fitter, timing }: Visit, from: 'file' | 'period'): Promise<void> {
+  if (from === 'period' && !timing.waits) return
   try {
-    timing.begin(await FitModule.start(await fitter.load()))
-    await keepMore()
+    if (from === 'file') await fitter.load('reader')
+    else {
+      const module = await PeriodModule.start(await fitter.load('period'))
+      if (timing.waits) timing.begin(module)
+    }
   } catch {
-    // It is asked for again with the first file, and what is wrong is said then.
+    // It is asked for again with the first file, or with the next change, and what is wrong is said then.
   }
 }
 
@@ -88,8 +97,10 @@ function fromFile(page: Live, now: Measurement): TemplateResult {
 }
 
 function body(page: Live): TemplateResult {
-  const { measurement, timing } = current(page.store)
+  const visit = current(page.store)
+  const { measurement, timing } = visit
   const { from } = page.state
+  void opened(visit, from)
   const { data } = page.words.say
   const choice = switches(
     data.from,

@@ -1,9 +1,14 @@
-// Measures the page on this machine and prints it: what is loaded first, until when, and the script of a frame of a drag.
+// Measures the page on this machine and prints it: what is loaded first, until when, and the script of a frame of a drag; how long the
+// fit of a long record takes, and for how long the page does not answer meanwhile.
 // `npm run measure`; not part of the tests, and asserts no time.
 
 import { readFileSync } from 'node:fs'
+import { cpus } from 'node:os'
 import { basename, join } from 'node:path'
 import { gzipSync } from 'node:zlib'
+import { load, loadMotions } from 'libration'
+import { longRecord } from '../long-record'
+import { give, watched } from './data'
 import { address, expect, ready, test } from './lab'
 import { DIST } from './server'
 
@@ -103,4 +108,41 @@ test('measure', async ({ browser }) => {
   )
   console.log(`of the processor for it: median ${ms(part(processor, 0.5))}, 95 % ${ms(part(processor, 0.95))}`)
   await page.close()
+})
+
+const FITS = 3
+
+test('measure: the fit of 20,000 samples', async ({ browser }) => {
+  await load()
+  await loadMotions()
+  const text = longRecord()
+  for (let i = 0; i < FITS; i++) {
+    const { page, asked } = await watched(browser)
+    const session = await page.context().newCDPSession(page)
+    await session.send('Performance.enable', { timeDomain: 'threadTicks' })
+    await page.evaluate(() => {
+      const seen = { begun: 0, ended: 0, gap: 0 }
+      Object.assign(window, { seen })
+      let before = 0
+      const look = (now: number) => {
+        const working = document.querySelector('#data-cancel') !== null
+        if (working && seen.begun === 0) seen.begun = now
+        if (!working && seen.begun > 0 && seen.ended === 0) seen.ended = now
+        if (seen.begun > 0 && seen.ended === 0 && before > 0) seen.gap = Math.max(seen.gap, now - before)
+        before = now
+        requestAnimationFrame(look)
+      }
+      requestAnimationFrame(look)
+    })
+    await give(page, 'long.csv', text)
+    await expect(page.locator('#data-omega0')).toBeVisible({ timeout: 200_000 })
+    const { begun, ended, gap } = await page.evaluate(
+      () => (window as unknown as { seen: { begun: number; ended: number; gap: number } }).seen,
+    )
+    const modules = asked.filter((each) => each.endsWith('.wasm')).map((each) => basename(each).replace(/-[^-]*$/, ''))
+    console.log(
+      `fit of 20,000 samples: ${((ended - begun) / 1000).toFixed(2)} s, longest frame of the page ${gap.toFixed(0)} ms, ${modules.join(' and ')} loaded; ${cpus()[0]?.model}`,
+    )
+    await page.context().close()
+  }
 })

@@ -1,86 +1,52 @@
-//! The functions that JavaScript calls, and the one of JavaScript that is called. `unsafe` stands in this file only: in the
-//! attributes that give functions their names outside, and in that call. No pointer is read.
+//! The functions that JavaScript calls. `unsafe` stands here and in the files beside it only: in the attributes that give functions
+//! their names outside, and in the calls of JavaScript's functions. No pointer is read.
+
+pub mod exchange;
+pub mod number;
+pub mod steps;
 
 use crate::answer;
-use crate::period;
 use crate::stated::Stated;
+use exchange::{BYTES, left, stated, taken};
 use libration_fit::fit::{Data, FitOptions};
 use std::cell::RefCell;
 
 thread_local! {
-    /// The bytes of the file, what is stated, the answer.
-    static TEXTS: [RefCell<Vec<u8>>; 3] = const { [const { RefCell::new(Vec::new()) }; 3] };
-    /// The records that were read: one, or those that are fitted together.
+    /// The columns that were given, of the record that is being given.
+    static GIVEN: RefCell<Vec<Vec<f64>>> = const { RefCell::new(Vec::new()) };
+    /// The records: one, or those that are fitted together.
     static DATA: RefCell<Vec<Data>> = const { RefCell::new(Vec::new()) };
 }
 
-const FILE: usize = 0;
-const STATED: usize = 1;
-const ANSWER: usize = 2;
-
-#[cfg(target_arch = "wasm32")]
-#[link(wasm_import_module = "page")]
-unsafe extern "C" {
-    /// Told at the begin of each step of a fit: its number in `FitOptions::STEPS`.
-    fn step(number: usize);
-}
-
-/// Tells the page which step of a fit begins.
-fn tell(begins: &'static str) {
-    let Some(number) = FitOptions::STEPS.iter().position(|each| *each == begins) else { return };
-    #[cfg(target_arch = "wasm32")]
-    // SAFETY: the page reads one whole number.
-    unsafe {
-        step(number);
-    }
-    #[cfg(not(target_arch = "wasm32"))]
-    let _ = number;
-}
-
-/// Makes a text so many bytes long, to be written; its address. 0 is the file, 1 what is stated about it.
+/// Takes the doubles that were written as the next column of a record.
 #[unsafe(no_mangle)]
-pub extern "C" fn room(text: usize, length: usize) -> *const u8 {
-    TEXTS.with(|texts| {
-        let Some(text) = texts.get(text) else { return core::ptr::null() };
-        let mut text = text.borrow_mut();
-        text.clear();
-        text.resize(length, 0);
-        text.as_ptr()
-    })
+pub extern "C" fn give_column() {
+    let bytes = taken(BYTES);
+    let (doubles, _) = bytes.as_chunks();
+    let column = doubles.iter().map(|each| f64::from_le_bytes(*each)).collect();
+    GIVEN.with_borrow_mut(|given| given.push(column));
 }
 
-/// Address of the answer.
+/// Takes the columns that were given as a record, beside those before or instead of them. 1: they are one; 0: the refusal.
 #[unsafe(no_mangle)]
-pub extern "C" fn answer() -> *const u8 {
-    TEXTS.with(|texts| texts[ANSWER].borrow().as_ptr())
-}
-
-/// Bytes of the answer.
-#[unsafe(no_mangle)]
-pub extern "C" fn answer_length() -> usize {
-    TEXTS.with(|texts| texts[ANSWER].borrow().len())
-}
-
-/// Reads the file. 1: the answer is what was understood, in JSON; 0: the refusal. The bytes are let go.
-#[unsafe(no_mangle)]
-pub extern "C" fn read_file() -> u32 {
-    let bytes = taken(FILE);
-    left(stated().and_then(|stated| {
-        let (data, json) = answer::read(&bytes, &stated)?;
+pub extern "C" fn give_record() -> u32 {
+    let columns = GIVEN.take();
+    left(Stated::of(&stated()).and_then(|stated| {
+        let data = stated.record(columns)?;
         DATA.with_borrow_mut(|all| {
             if !stated.beside {
                 all.clear();
             }
             all.push(data);
         });
-        Ok(json)
+        Ok((String::new(), Vec::new()))
     }))
 }
 
-/// Fits what was read: one record, or several together. 1: the answer is the result, in JSON; 0: the refusal.
+/// Fits what was given: one record, or several together. 1: the answer is the result, in JSON, with its columns; 0: the refusal.
 #[unsafe(no_mangle)]
 pub extern "C" fn fit_data() -> u32 {
-    left(stated().and_then(|stated| {
+    left(Stated::of(&stated()).and_then(|stated| {
         DATA.with_borrow(|all| match &all[..] {
             [] => Err("no file was read".to_owned()),
             [data] => answer::fitted(data, &stated),
@@ -89,29 +55,8 @@ pub extern "C" fn fit_data() -> u32 {
     }))
 }
 
-/// g from a period, and that of a place (period.rs). 1: the answer is in JSON; 0: the refusal.
-#[unsafe(no_mangle)]
-pub extern "C" fn gravity() -> u32 {
-    left(period::gravity(&String::from_utf8_lossy(&taken(STATED))))
-}
-
 /// Leaves the names of the steps of a fit in the answer, each on a line.
 #[unsafe(no_mangle)]
 pub extern "C" fn steps() {
-    left(Ok(FitOptions::STEPS.join("\n")));
-}
-
-fn taken(text: usize) -> Vec<u8> {
-    TEXTS.with(|texts| texts[text].take())
-}
-
-fn stated() -> Result<Stated, String> {
-    Stated::of(&String::from_utf8_lossy(&taken(STATED)), tell)
-}
-
-fn left(answer: Result<String, String>) -> u32 {
-    let kept = u32::from(answer.is_ok());
-    let text = answer.unwrap_or_else(|refusal| refusal);
-    TEXTS.with(|texts| texts[ANSWER].replace(text.into_bytes()));
-    kept
+    left(Ok((FitOptions::STEPS.join("\n"), Vec::new())));
 }

@@ -1,11 +1,14 @@
-//! The reader of files and the fit for browsers and Node, as a plain C ABI: texts in, texts out.
+//! The fit for browsers and Node, as a plain C ABI: columns and texts in, columns and texts out.
 //!
-//! Nothing is computed here. JavaScript writes the bytes of a file and what is stated about it (stated.rs), calls a function
-//! of abi.rs, and reads the answer: JSON (answer.rs), or the one line that a refusal is on the command line.
+//! Nothing is computed here. JavaScript writes the columns that the reader has left (wasm/reader) and what is stated about them
+//! (stated.rs), calls a function of abi.rs, and reads the answer: JSON with columns (answer.rs), or the one line that a refusal is on
+//! the command line.
 
 mod abi;
 mod answer;
-mod period;
+mod json;
+mod lines;
+mod quantities;
 mod stated;
 
 /// A list of free blocks: a fit asks for a few long lists, again and again of the same lengths.

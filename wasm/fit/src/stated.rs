@@ -1,28 +1,31 @@
-//! What is stated about a file and its pendulum: lines of a name, a tab and a value.
+//! What is stated about the records and their pendulum (lines.rs).
 //!
 //! | name | value |
 //! |---|---|
 //! | `file` | its name, for messages |
-//! | `column`, `unit` | `ROLE=NAME`, `ROLE=UNIT`, as on the command line; any number of them |
-//! | `rate`, `run` | a number |
-//! | `beside` | nothing: the records that were read before stay, and are fitted together with this one |
+//! | `measured` | what the columns of a record are: `angle`, `velocity`, `acceleration` with times; `gate`, times, periods and, where they are known, times of darkness; `swings`, turning angles and periods |
+//! | `beside` | nothing: the records that were given before stay, and are fitted together with this one |
 //! | `length`, `gravity` | value and standard uncertainty with a blank between, in m and m/s^2; several lengths, one for each record |
 //! | `part` | shape of a part of a rigid pendulum, then its mass, distance and size, each as a length is given, in kg and m |
 //! | `bob`, `wire` | radius and mass of the bob; mass of the wire, in m and kg |
 //! | `model` | a rung of the ladder |
+//!
+//! `column`, `unit`, `rate` and `run` are for the reader.
 
+use crate::abi::steps::tell;
+use crate::lines::{refused, statements};
+use crate::quantities::{measure, number};
 use libration::Shape;
-use libration_fit::Options;
-use libration_fit::fit::{FitOptions, Measure, MeasuredPart, Model};
+use libration_fit::fit::{Data, FitOptions, Measure, Measured, MeasuredPart, Model};
 
 /// What is stated.
 pub struct Stated {
     /// The name of the file.
     pub file: String,
+    /// What the columns of a record are.
+    measured: String,
     /// Whether it is one of several.
     pub beside: bool,
-    /// How it is read.
-    pub reading: Options,
     /// All lengths that are stated, in their order.
     pub lengths: Vec<Measure>,
     /// What is known beside it.
@@ -30,36 +33,41 @@ pub struct Stated {
 }
 
 impl Stated {
-    /// From its lines, or a refusal of one line; a fit tells its steps to `told`.
-    pub fn of(text: &str, told: fn(&'static str)) -> Result<Stated, String> {
-        let known = FitOptions { seed: 1, told: Some(told), ..FitOptions::default() };
-        let mut stated = Stated {
-            file: String::new(),
-            beside: false,
-            reading: Options::default(),
-            lengths: Vec::new(),
-            known,
-        };
-        for line in text.lines() {
-            let (name, value) = line.split_once('\t').unwrap_or((line, ""));
+    /// From its lines, or a refusal of one line.
+    pub fn of(text: &str) -> Result<Stated, String> {
+        let known = FitOptions { seed: 1, told: Some(tell), ..FitOptions::default() };
+        let (file, measured, lengths) = (String::new(), String::new(), Vec::new());
+        let mut stated = Stated { file, measured, beside: false, lengths, known };
+        for (name, value) in statements(text) {
             stated.add(name, value)?;
         }
         Ok(stated)
     }
 
+    /// A record of these columns.
+    pub fn record(&self, columns: Vec<Vec<f64>>) -> Result<Data, String> {
+        let mut columns = columns.into_iter();
+        let (Some(first), Some(second), third) = (columns.next(), columns.next(), columns.next()) else {
+            return Err(refused("measured", &self.measured));
+        };
+        let measured = match self.measured.as_str() {
+            "angle" => Measured::Angle,
+            "velocity" => Measured::Velocity,
+            "acceleration" => Measured::Acceleration,
+            "gate" => return Ok(Data::Gate { t: first, periods: second, transits: third }),
+            "swings" => return Ok(Data::Table { swings: first, periods: second }),
+            other => return Err(refused("measured", other)),
+        };
+        Ok(Data::Record { measured, t: first, values: second })
+    }
+
     fn add(&mut self, name: &str, value: &str) -> Result<(), String> {
-        let reading = self.reading.clone();
         match name {
             "file" => value.clone_into(&mut self.file),
+            "measured" => value.clone_into(&mut self.measured),
             "beside" => self.beside = true,
-            "column" => self.reading = reading.column(value).map_err(|refusal| refusal.to_string())?,
-            "unit" => self.reading = reading.unit(value).map_err(|refusal| refusal.to_string())?,
-            "rate" => self.reading.rate = Some(number(name, value)?),
-            "run" => self.reading.run = Some(value.parse().map_err(|_| refused(name, value))?),
             "length" => {
                 let length = measure(name, value)?;
-                // A track on a short arc needs it to be read.
-                self.reading.length = Some(length.value);
                 self.known.length = Some(length);
                 self.lengths.push(length);
             }
@@ -75,6 +83,7 @@ impl Stated {
                 let found = Model::LADDER.into_iter().find(|model| model.name() == value);
                 self.known.model = Some(found.ok_or_else(|| refused(name, value))?);
             }
+            "column" | "unit" | "rate" | "run" => {}
             _ => return Err(refused("name", name)),
         }
         Ok(())
@@ -100,17 +109,4 @@ fn part(text: &str) -> Result<MeasuredPart, String> {
 fn numbers<const N: usize>(name: &str, text: &str) -> Result<[f64; N], String> {
     let all: Vec<f64> = text.split(' ').map(|each| number(name, each)).collect::<Result<_, _>>()?;
     all.try_into().map_err(|_| refused(name, text))
-}
-
-pub(crate) fn measure(name: &str, text: &str) -> Result<Measure, String> {
-    let (value, u) = text.split_once(' ').unwrap_or((text, "0"));
-    Ok(Measure { value: number(name, value)?, u: number(name, u)? })
-}
-
-pub(crate) fn number(name: &str, text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| refused(name, text))
-}
-
-pub(crate) fn refused(name: &str, text: &str) -> String {
-    format!("{name} = {text:?}: is not understood")
 }

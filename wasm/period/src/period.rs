@@ -5,7 +5,9 @@
 //! | `period`, `length`, `swing`, `end` | value and standard uncertainty with a blank between, in s, m and rad: `end` is the swing at the end of the count, where it decays |
 //! | `latitude`, `height` | a number, in rad and m |
 
-use crate::stated::{measure, number, refused};
+use crate::json::json;
+use crate::lines::{refused, statements};
+use crate::quantities::{measure, number};
 use libration_fit::fit::Measure;
 use libration_fit::{PeriodGravity, gravity_of_decay, gravity_of_period, normal_gravity};
 use serde::Serialize;
@@ -31,8 +33,7 @@ struct Answer {
 /// The answer in JSON to what is stated, or a refusal of one line.
 pub fn gravity(text: &str) -> Result<String, String> {
     let mut timed = Timed::default();
-    for line in text.lines() {
-        let (name, value) = line.split_once('\t').unwrap_or((line, ""));
+    for (name, value) in statements(text) {
         match name {
             "period" => timed.period = Some(measure(name, value)?),
             "length" => timed.length = Some(measure(name, value)?),
@@ -53,5 +54,5 @@ pub fn gravity(text: &str) -> Result<String, String> {
         found: found.transpose().map_err(|refusal| refusal.to_string())?,
         normal: normal.transpose().map_err(|refusal| refusal.to_string())?,
     };
-    Ok(serde_json::to_string(&answer).unwrap_or_default())
+    Ok(json(&answer))
 }
