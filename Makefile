@@ -276,7 +276,7 @@ test/pages: $(TOOLS) $(VENV)/.built
 
 # Every link and anchor of the site, every name that its reference shows, and every message of the pages that are translated.
 test/site: $(TOOLS) $(VENV)/.built
-	$(call step,$(SITE) -d target/pages docs target/site && sphinx-build --quiet -b gettext -d target/pages docs target/messages && \
+	$(call step,$(SITE) docs target/site && sphinx-build --quiet -b gettext docs target/messages && \
 	  $(PY) docs/languages.py target/messages)
 
 test/bench: $(TOOLS) $(VENV)/.built
