@@ -1,7 +1,7 @@
-//! The springs u'' + p u + q u^3 = 0 and u'' + alpha u + beta u^3 + gamma u^5 = 0 from any start, in every regime.
+//! The springs u'' + p u + q u^3 = 0 and u'' + p u + q u^3 + s u^5 = 0 from any start, in every regime.
 //!
-//! One theory: v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = 2E v^3 - alpha v^2 - beta v/2 - gamma/3, whose exact roots tell the
-//! regime and the functions. [`Duffing`] is the case gamma = 0, with the twelve forms ([`DuffingForm`]) of its solution and its
+//! One theory: v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = 2E v^3 - p v^2 - q v/2 - s/3, whose exact roots tell the
+//! regime and the functions. [`Duffing`] is the case s = 0, with the twelve forms ([`DuffingForm`]) of its solution and its
 //! relation to the pendulum ([`Companion`]).
 
 mod addition_theorem;
@@ -9,20 +9,28 @@ pub mod batch;
 mod clock;
 pub mod companion;
 pub mod cubic_quintic;
+mod curve;
 pub mod duffing;
 mod elementary;
 mod energy;
+mod even_motion;
+mod even_passages;
+mod even_powers;
 pub mod glaisher_forms;
 mod hyperbolic_lanes;
 mod interpolant;
+mod mean;
 pub mod motion;
 mod nonzero_energy;
 pub mod passages;
 mod pq_elementary;
 mod pq_quotient;
+mod product;
 mod quadratic;
+mod quartic;
 mod quotient_factors;
 pub mod regime;
+mod riccati;
 mod root_quotient;
 mod roots;
 mod scaled_theta;
