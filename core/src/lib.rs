@@ -54,7 +54,7 @@ pub use elliptic::{
     parameter_of_nome,
 };
 pub use lanes::InstructionSet;
-pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
+pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorFourier, OscillatorRegime};
 pub use pendulum::frequency::STANDARD_GRAVITY;
 pub use pendulum::{
     Extremes, Fourier, Frequency, Hessians, Jacobian, Orbit, OrbitStart, Regime, Sensitivity, StartAngle,

@@ -108,6 +108,11 @@ impl Curve {
         matches!(self.gaps, Gaps::Three(_))
     }
 
+    /// The theta functions, unless they degenerate.
+    pub fn neville(&self) -> Option<&NevilleTheta> {
+        if let Family::Theta(neville) = &self.family { Some(neville) } else { None }
+    }
+
     /// The least t > 0 with wp(t) = X, or for a point of the oval the t >= 0 with wp(t + i omega') = X.
     pub fn time(&self, Point { x, product, pairs }: Point, on_oval: bool) -> Scaled {
         match self.gaps {

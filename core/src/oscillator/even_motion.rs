@@ -1,8 +1,11 @@
 //! Samples of a motion with even powers, and what an orbit is asked for.
 
-use super::even_powers::EvenPowers;
+use super::even_lanes::{MeanFormula, ProductFormula};
+use super::even_powers::{EvenLanes, EvenPowers, Solution};
 use super::regime::OscillatorRegime;
 use crate::float::scaled::Scaled;
+use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, Second, WIDEST};
+use crate::motion::samples::FromStart;
 
 impl EvenPowers {
     pub fn regime(&self) -> OscillatorRegime {
@@ -26,19 +29,57 @@ impl EvenPowers {
     pub fn velocity0(&self) -> f64 {
         self.velocity0
     }
-    pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
-        for (t, u) in t.iter().zip(u) {
-            *u = self.motion(*t).0;
+
+    /// The evaluation of the formula that serves this orbit.
+    fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
+        let start = [self.u0, self.velocity0];
+        match (&self.lanes, &self.solution) {
+            (Some(EvenLanes::Mean(lanes)), Solution::Mean(mean)) => match mean.curve.neville() {
+                Some(neville) if neville.by_hyperbolic() => {
+                    evaluation.of(&FromStart { formula: MeanFormula::<true>(lanes, neville), start })
+                }
+                Some(neville) => evaluation.of(&FromStart { formula: MeanFormula::<false>(lanes, neville), start }),
+                None => evaluation.of(&Careful(self)),
+            },
+            (Some(EvenLanes::Product(lanes)), Solution::Product(product)) => match product.curve.neville() {
+                Some(neville) if neville.hyperbolic() => {
+                    evaluation.of(&FromStart { formula: ProductFormula::<true>(lanes, neville), start })
+                }
+                Some(neville) => {
+                    evaluation.of(&FromStart { formula: ProductFormula::<false>(lanes, neville), start })
+                }
+                None => evaluation.of(&Careful(self)),
+            },
+            _ => evaluation.of(&Careful(self)),
         }
+    }
+
+    pub fn motion(&self, t: f64) -> (f64, f64) {
+        self.evaluate(Once([t])).into()
+    }
+    pub fn u_into(&self, t: &[f64], u: &mut [f64]) {
+        self.evaluate(Columns::new([t], [u]));
     }
     pub fn velocity_into(&self, t: &[f64], velocity: &mut [f64]) {
-        for (t, velocity) in t.iter().zip(velocity) {
-            *velocity = self.motion(*t).1;
-        }
+        self.evaluate(Second(Columns::new([t], [velocity])));
     }
     pub fn motion_into(&self, t: &[f64], u: &mut [f64], velocity: &mut [f64]) {
-        for ((t, u), velocity) in t.iter().zip(u).zip(velocity) {
-            (*u, *velocity) = self.motion(*t);
+        self.evaluate(Columns::new([t], [u, velocity]));
+    }
+}
+
+/// One sample after the other.
+struct Careful<'a>(&'a EvenPowers);
+
+impl Formula<1, 2> for Careful<'_> {
+    type Place = Self;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [t]: [L; 1]) -> [L; 2] {
+        let (mut u, mut velocity) = ([0.0; WIDEST], [0.0; WIDEST]);
+        t.store(&mut u);
+        for i in 0..L::WIDTH {
+            (u[i], velocity[i]) = self.0.careful_motion(u[i]);
         }
+        [L::load(&u), L::load(&velocity)]
     }
 }

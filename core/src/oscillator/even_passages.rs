@@ -65,10 +65,9 @@ impl EvenPowers {
 
     /// The times of an escape.
     fn of_product(&self, product: &Product, u: f64) -> Vec<f64> {
-        let Some(turn) = self.turn(product) else { return self.once(u, &|t| product.at(t)) };
+        let Some(turn) = product.turn() else { return self.once(u, &|t| product.at(t)) };
         if u == self.u0 {
-            let again = product.turned.value();
-            return if again == 0.0 { vec![0.0] } else { vec![0.0, again] };
+            return if self.velocity0 == 0.0 { vec![0.0] } else { vec![0.0, turn.shift(1).value()] };
         }
         let up = self.range[1].value() == f64::INFINITY;
         let base = if up { self.range[0] } else { self.range[1] };
@@ -85,14 +84,6 @@ impl EvenPowers {
         let distance = (cosine / sine).square() + slope / way.shift(2);
         let away = product.curve.time_of_distance(distance);
         vec![(turn + away).value(), (turn - away).value()]
-    }
-
-    /// When an escape turns, if it does.
-    fn turn(&self, product: &Product) -> Option<Scaled> {
-        let [behind, ahead] = product.escapes;
-        let at = product.turned.shift(-1);
-        let inside = (at - behind).is_positive() && (ahead - at).is_positive();
-        (!product.passes && inside).then_some(at)
     }
 
     /// The time of a motion that goes one way.

@@ -5,6 +5,7 @@
 //! and where the force is linear, functions are elementary (riccati.rs).
 
 use super::curve::{Curve, Family};
+use super::even_lanes::{MeanLanes, ProductLanes};
 use super::mean::{Mean, polished};
 use super::product::Product;
 use super::quartic::Quartic;
@@ -37,6 +38,14 @@ pub(super) struct EvenPowers {
     pub period: Scaled,
     pub range: [Scaled; 2],
     pub escapes: [Scaled; 2],
+    pub lanes: Option<EvenLanes>,
+}
+
+/// The motion over lanes, where its factors are of ordinary size.
+#[derive(Clone, Debug)]
+pub(super) enum EvenLanes {
+    Mean(Box<MeanLanes>),
+    Product(Box<ProductLanes>),
 }
 
 const NEVER: [Scaled; 2] = [Scaled::MINUS_INFINITY, Scaled::INFINITY];
@@ -47,7 +56,8 @@ impl EvenPowers {
         let quartic = Quartic::new(u0, velocity0, force);
         let (solution, regime, period, escapes) = solved(&quartic);
         let range = range(&quartic, &solution, escapes);
-        EvenPowers { u0, velocity0, force, quartic, solution, regime, period, range, escapes }
+        let lanes = lanes(&solution, u0);
+        EvenPowers { u0, velocity0, force, quartic, solution, regime, period, range, escapes, lanes }
     }
 
     /// u'^2/2 + p u^2/2 + r u^3/3 + q u^4/4 - c u, from a sum without rounding.
@@ -59,8 +69,8 @@ impl EvenPowers {
         (twelve.to_scaled() / Scaled::from(12.0)).value()
     }
 
-    /// u and u' at t.
-    pub fn motion(&self, t: f64) -> (f64, f64) {
+    /// u and u' at t, in double-doubles of any range.
+    pub fn careful_motion(&self, t: f64) -> (f64, f64) {
         if t.is_nan() {
             return (t, t);
         }
@@ -93,6 +103,20 @@ impl EvenPowers {
 
 /// 2^53 periods of the curve: beyond, doubles are further apart than a motion repeats.
 const LAST_PERIOD: f64 = 9_007_199_254_740_992.0;
+
+fn lanes(solution: &Solution, u0: f64) -> Option<EvenLanes> {
+    match solution {
+        Solution::Mean(mean) => {
+            let lanes = MeanLanes::new(mean, mean.curve.neville()?)?;
+            Some(EvenLanes::Mean(Box::new(lanes)))
+        }
+        Solution::Product(product) => {
+            let lanes = ProductLanes::new(product, product.curve.neville()?, u0)?;
+            Some(EvenLanes::Product(Box::new(lanes)))
+        }
+        _ => None,
+    }
+}
 
 /// The functions, the regime, the period and the escapes.
 fn solved(quartic: &Quartic) -> (Solution, OscillatorRegime, Scaled, [Scaled; 2]) {
@@ -180,9 +204,7 @@ fn range(quartic: &Quartic, solution: &Solution, [behind, ahead]: [Scaled; 2]) -
             }
         }
         Solution::Product(product) => {
-            let at = product.turned.shift(-1);
-            let turns = !product.passes && (at - behind).is_positive() && (ahead - at).is_positive();
-            if turns {
+            if let Some(at) = product.turn() {
                 let x = product.at(at)[0];
                 let end = polished(quartic, u0 + x, size(x), false);
                 let slope = quartic.values(end.value())[1].to_scaled();

@@ -98,8 +98,7 @@ fn weight(quartic: &Quartic, curve: &Curve, upper: bool) -> Scaled {
     if q.is_negative() {
         return if (g > 0) == upper { g12 * (r1 + r3) / (r1 + r2) } else { g13 * (r1 + r2) / (r1 + r3) };
     }
-    let [above, _] = quartic.roots_beside();
-    let right = if quartic.velocity0.sign() == 0 { above <= 1 } else { above == 1 };
+    let right = quartic.right();
     let plus = if right { g > 0 } else { g < 0 };
     let (wide, narrow) = ((r1 + r3), g13 * lead / (r1 + r3));
     if upper == right {
@@ -110,7 +109,7 @@ fn weight(quartic: &Quartic, curve: &Curve, upper: bool) -> Scaled {
 }
 
 /// X - e1, X - e2 and X - e3 where three roots are real, from X and the product: below all, or above all.
-fn distances(curve: &Curve, x: Scaled, product: Scaled) -> [Scaled; 3] {
+pub(super) fn distances(curve: &Curve, x: Scaled, product: Scaled) -> [Scaled; 3] {
     let Gaps::Three([g12, g23, _]) = curve.gaps else { return [Scaled::NAN; 3] };
     let small = |rest: Scaled, gap: Scaled| {
         let sum = gap + (gap.square() + rest.shift(2)).sqrt();

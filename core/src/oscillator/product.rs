@@ -13,7 +13,6 @@ use crate::float::scaled::Scaled;
 #[derive(Clone, Debug)]
 pub(super) struct Product {
     pub curve: Curve,
-    pub u0: Scaled,
     /// u0'; and f/2 for a start from rest.
     pub lead: Scaled,
     pub moves: bool,
@@ -50,7 +49,6 @@ impl Product {
         }
         let mut product = Product {
             curve,
-            u0: quartic.u0.to_scaled(),
             lead: if moves { quartic.velocity0.to_scaled() } else { quartic.force.to_scaled().shift(-1) },
             moves,
             passes,
@@ -68,6 +66,29 @@ impl Product {
     /// T.
     fn other(&self, t: Scaled) -> Scaled {
         if self.passes { self.curve.values(t).n } else { self.curve.sine(t) }
+    }
+
+    /// The factors of u - u0 and of u' beside functions of the argument: W S and n, or W S alone.
+    pub fn leads(&self) -> [Scaled; 2] {
+        let rate = self.curve.rate;
+        let lead = self.lead * self.at_poles / self.at_start;
+        let powers = if self.passes { rate.square() } else { rate.square() * rate };
+        [lead, lead * self.at_poles * powers]
+    }
+
+    /// When it turns, if it does: between two escapes, at half the time z, or half a period from there.
+    pub fn turn(&self) -> Option<Scaled> {
+        let [behind, ahead] = self.escapes;
+        if self.passes || !behind.is_finite() || !ahead.is_finite() {
+            return None;
+        }
+        let at = self.turned.shift(-1);
+        let half = self.curve.period.shift(-1);
+        if !half.is_finite() {
+            return Some(at);
+        }
+        let count = (((behind + ahead).shift(-1) - at) / half).value().round();
+        Some(at + half * count)
     }
 
     /// u - u0 and u' at a time; NaN at the escapes and beyond.

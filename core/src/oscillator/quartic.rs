@@ -113,6 +113,12 @@ impl Quartic {
         [changes(false), changes(true)]
     }
 
+    /// With q > 0 and four real roots: whether the start is between the upper two.
+    pub fn right(&self) -> bool {
+        let [above, _] = self.roots_beside();
+        if self.velocity0.sign() == 0 { above <= 1 } else { above == 1 }
+    }
+
     /// The point whose time is that from the start to the same u with the other velocity: the start's, for a velocity that is not 0.
     /// Whether it is on the oval of a curve with two parts, and the sign of its Y times that of the velocity.
     pub fn start(&self) -> (Point, bool, i32) {

@@ -6,9 +6,9 @@
 //! sinh, a sine or a straight line of the time to one.
 //! Source: Riccati's equation; elementary.
 
+use super::harmonics;
 use super::quartic::Quartic;
 use crate::float::scaled::Scaled;
-use crate::float::series::long_sin_cos;
 use crate::float::PI;
 use crate::elliptic::integrals::carlson::{artanh, rf_of_roots};
 
@@ -105,6 +105,14 @@ impl Riccati {
         found
     }
 
+    /// When a motion between two equilibria is in the middle, and its rate.
+    pub fn middle(&self) -> (Scaled, Scaled) {
+        let Denominator::Sum([minus, plus]) = self.denominator else { return (Scaled::NAN, Scaled::NAN) };
+        // Where both exponentials are equal.
+        let at = Scaled::from((minus / plus).minus_ln()).shift(-1) / self.rate;
+        (at, self.rate)
+    }
+
     /// u - u0 and u' at a time; NaN at the escapes and beyond.
     pub fn at(&self, t: Scaled) -> [Scaled; 2] {
         let [behind, ahead] = self.escapes;
@@ -143,13 +151,7 @@ fn exact_product(quartic: &Quartic) -> Scaled {
 
 /// The sine of an angle in (-pi, pi).
 fn sine(angle: Scaled) -> Scaled {
-    if angle.power() < -200 {
-        return angle;
-    }
-    let size = angle.abs().to_dd();
-    let near = if size.hi > 1.6 { PI - size } else { size };
-    // Between 0 and pi/2 from the nearer end.
-    Scaled::from(long_sin_cos(near).0).signed(angle.sign())
+    if angle.power() < -200 { angle } else { Scaled::from(harmonics::sine(angle.to_dd())) }
 }
 
 /// The angle in (0, pi) with that cotangent.
