@@ -1,4 +1,4 @@
-//! The springs u'' + p u + q u^3 = 0 and u'' + p u + q u^3 + s u^5 = 0 from any start, in every regime.
+//! The springs u'' + p u + r u^2 + q u^3 = c and u'' + p u + q u^3 + s u^5 = 0 from any start, in every regime.
 //!
 //! One theory: v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = 2E v^3 - p v^2 - q v/2 - s/3, whose exact roots tell the
 //! regime and the functions. [`Duffing`] is the case s = 0, with the twelve forms ([`DuffingForm`]) of its solution and its
@@ -44,7 +44,7 @@ mod theta_motion;
 mod variational;
 mod zero_energy;
 
-pub use batch::duffing_motion_into;
+pub use batch::{duffing_motion_into, duffing_rows_into};
 pub use companion::Companion;
 pub use cubic_quintic::CubicQuintic;
 pub use duffing::{Duffing, OscillatorFourier};
