@@ -17,7 +17,7 @@ from libration import CubicQuintic, Duffing, DuffingForm, Pendulum, approx, elli
 T = np.array([[0.1, 0.25, 0.3], [0.45, 0.6, 0.7]])
 PENDULUM = Pendulum(1.0, 0.2)
 DUFFING = Duffing(1.0, p=1.0, q=1.0)
-QUINTIC = CubicQuintic(1.0, alpha=1.0, beta=-0.5, gamma=0.1)
+QUINTIC = CubicQuintic(1.0, p=1.0, q=-0.5, s=0.1)
 FORM = DuffingForm("cn", 1.0, p=1.0, q=1.0)
 ANGLE = approx.angle("harmonic")
 APPROXIMATION = ANGLE.of(PENDULUM)

@@ -324,7 +324,7 @@ MADE = [
     libration.Torque(constant=0.5, samples=([0.0, 1.0], [0.5, 1.0])),
     libration.DampedPendulum(1.0, omega2=2.0, friction=libration.Friction(dry=0.1)),
     libration.Duffing(1.0, p=1.0, q=1.0),
-    libration.CubicQuintic(1.0, alpha=1.0, beta=0.0, gamma=1.0),
+    libration.CubicQuintic(1.0, p=1.0, q=0.0, s=1.0),
     libration.DuffingForm("cn", 1.0, 0.5, p=1.0, q=1.0),
     libration.approx.angle("fourier:3"),
     libration.approx.angle("fourier:3").of(Pendulum(1.0)),
