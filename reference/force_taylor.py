@@ -9,14 +9,15 @@ from fractions import Fraction
 from operator import mul
 
 import mpmath as mp
-from taylor import converged, fixed, from_square, product, reciprocal, to_square
+from mpmath.libmp import MPZ
+from taylor import fixed, from_square, product, reciprocal, to_square
 
 
 def shifted(x, places):
     return x >> places if places >= 0 else x << -places
 
 
-def power_series(x, force, columns, forcing, step, bits, limit):
+def power_series(x, force, columns, forcing, step, bits, limit, column_bits):
     """Coefficients times powers of 2^-step of u (from u, u') and of every column; None if limit is too few.
 
     forcing: for every column the derivatives of the force's coefficients by its input."""
@@ -39,24 +40,32 @@ def power_series(x, force, columns, forcing, step, bits, limit):
         for d, forced in zip(D, forcing, strict=True):
             total = sum(map(mul, d, K[k::-1])) + sum(g * powers[j][k] for j, g in enumerate(forced) if g)
             d.append(shifted(-(total >> bits), 2 * step) // below)
-        if k > 6 and converged(X, D, bits):
+        if k > 6 and converged(X, D, bits, column_bits):
             return X, D
     return None
 
 
-class Sweep:
+def converged(X, D, bits, column_bits):
+    """Whether the state is complete to the last bit and the columns to as many as they need."""
+    if not all(-2 <= c <= 2 for c in X[-5:]):
+        return False
+    return all(max(map(abs, d[-5:])) <= max(abs(d[0]), abs(d[1]), 1 << bits) >> column_bits for d in D)
+
+
+class ForceSweep:
     """One pass over an orbit in units where |u| is 1 at the largest feature and no rate exceeds 16.
 
     start: (u0, u0') rational or mpf; force: rational f0 to f5; by: for every column (du0, du0', df) at the start;
     pace: the most terms of a series are bits / pace (steps shrink), the least half of that (steps grow)."""
 
-    def __init__(self, start, force, by, unbounded, pace, bits):
+    def __init__(self, start, force, by, unbounded, pace, bits, column_bits=100):
         u0, v0 = start
+        self.column_bits = column_bits
         self.bits, self.step = bits, 5
         self.most = int(bits / pace)
 
         def of(value):
-            return fixed(value, bits)
+            return MPZ(fixed(value, bits))  # gmpy2's integers where it is installed
 
         f = list(force) + [0] * (6 - len(force))
         self.charts = {"u": (list(map(of, f)), [list(map(of, df)) for _, _, df in by])}
@@ -108,7 +117,7 @@ class Sweep:
             state, self.chart = self.in_u(self.state, self.chart), "u"
         else:
             return
-        self.state = [(fixed(a, self.bits), fixed(b, self.bits)) for a, b in state]
+        self.state = [(MPZ(fixed(a, self.bits)), MPZ(fixed(b, self.bits))) for a, b in state]
 
     def run(self, targets, escapes=False):
         """States in u at the ascending times (mpf or rational); escapes: the last one is raw, in its chart."""
@@ -118,9 +127,13 @@ class Sweep:
         while len(found) < len(times):
             force, forcing = self.charts[self.chart]
             while (
-                result := power_series(self.state[0], force, self.state[1:], forcing, self.step, bits, self.most)
+                result := power_series(
+                    self.state[0], force, self.state[1:], forcing, self.step, bits, self.most, self.column_bits
+                )
             ) is None:
                 self.step += 1
+                if self.step > bits:
+                    raise ArithmeticError("no step is short enough: too few bits have led to a pole")
             X, D = result
             step = self.step
             length = 1 << (bits - step)

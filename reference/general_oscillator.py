@@ -10,8 +10,8 @@ import mpmath as mp
 from energy import middle, power_of_two, scaled, sign
 from exact import agreement, decimal, hi_lo, mpf, real
 from flint import ctx
-from force_taylor import Sweep
-from potential import Orbit
+from force_taylor import ForceSweep
+from potential import PotentialOrbit
 
 AGREEMENT = mpf(10) ** -50
 LETTERS = "prqcs"
@@ -56,12 +56,12 @@ def length_of(orbit, times):
     return max(sizes, default=0)
 
 
-class Scaled:
+class ScaledOrbit:
     """The orbit in units 2^length and 2^-rate, where its features are of order 1."""
 
     def __init__(self, start, coefficients, times):
         force = force_of(coefficients)
-        unscaled = Orbit(start, force)
+        unscaled = PotentialOrbit(start, force)
         u0, v0 = start
         self.length = length = length_of(unscaled, times)
         rates = [scaled(WEIGHT[k] * abs(f), (k - 1) * length) for k, f in enumerate(force) if f]
@@ -77,7 +77,7 @@ class Scaled:
         }
         self.force = force_of(self.coefficients)
         self.times = [scaled(t, self.rate) for t in times]
-        self.orbit = Orbit(self.start, self.force)
+        self.orbit = PotentialOrbit(self.start, self.force)
         if self.orbit.regime != unscaled.regime:
             raise ArithmeticError("the regime depends on the units")
         self.u_unit, self.t_unit = mp.ldexp(mpf(1), length), mp.ldexp(mpf(1), -self.rate)
@@ -93,10 +93,11 @@ def columns_of(letters):
     return found
 
 
-class Ephemeris:
+class OrbitStates:
     """States and columns of a scaled orbit at its times, from sweeps forward and backward."""
 
-    def __init__(self, orbit, times, by, pace, bits, closing=True):
+    def __init__(self, orbit, times, by, pace, bits, closing=True, column_bits=100):
+        self.column_bits = column_bits
         self.orbit, self.by, self.pace, self.bits, self.closing = orbit, by, pace, bits, closing
         self.unbounded = orbit.regime == "escape"
         self.T = orbit.period(bits) if orbit.periodic() else None
@@ -152,7 +153,9 @@ class Ephemeris:
     def run(self, direction, targets, escapes):
         orbit = self.orbit
         start = orbit.u0, direction * orbit.v0
-        return Sweep(start, orbit.force, self.by, self.unbounded, self.pace, self.bits).run(targets, escapes)
+        return ForceSweep(start, orbit.force, self.by, self.unbounded, self.pace, self.bits, self.column_bits).run(
+            targets, escapes
+        )
 
     def sweep(self, backward, times):
         direction = -1 if backward else 1
@@ -185,18 +188,18 @@ class Ephemeris:
 
 
 def agreed_ephemeris(orbit, times, by):
-    """An Ephemeris that agrees with a shorter one, by other steps, to 50 digits; and one with columns, to fewer."""
+    """OrbitStates that agrees with a shorter one, by other steps, to 50 digits; and one with columns, to fewer."""
     bits = 200
     for _ in range(14):
         with mp.workprec(bits + 150):
             try:
-                rough = Ephemeris(orbit, times, [], 2.2, bits, closing=False)
-                fine = Ephemeris(orbit, times, [], 1.8, bits + 50)
+                rough = OrbitStates(orbit, times, [], 2.2, bits, closing=False)
+                fine = OrbitStates(orbit, times, [], 1.8, bits + 50)
                 pairs = [(rough.states[t][0][k], fine.states[t][0][k]) for t in fine.states for k in (0, 1)]
                 if all(agreement(a, b) < AGREEMENT for a, b in pairs):
-                    return fine, Ephemeris(orbit, times, by, 1.9, max(160, bits - 60))
-            except ZeroDivisionError:
-                pass
+                    return fine, OrbitStates(orbit, times, by, 1.9, max(160, bits - 60))
+            except ArithmeticError:
+                pass  # the integration misses the quadrature, or divides by a state that has no digits: too few bits
         bits += bits // 2
     raise ArithmeticError("two precisions do not agree")
 
@@ -237,7 +240,7 @@ def outputs(u0, velocity0, coefficients, times):
     """The OUTPUTS columns for each of the times; all inputs are doubles, coefficients by their letters."""
     start = Fraction(u0), Fraction(velocity0)
     exact_times = list(dict.fromkeys(map(Fraction, times)))
-    whole = Scaled(start, coefficients, exact_times)
+    whole = ScaledOrbit(start, coefficients, exact_times)
     orbit = whole.orbit
     letters = [letter for letter, x in whole.coefficients.items() if x]
     with mp.workprec(400):
@@ -302,7 +305,7 @@ def outputs(u0, velocity0, coefficients, times):
 
 def clock(u0, velocity0, coefficients):
     """(period, escape, backward escape, unit of time) good enough to choose instants; inf where there is none."""
-    whole = Scaled((Fraction(u0), Fraction(velocity0)), coefficients, [])
+    whole = ScaledOrbit((Fraction(u0), Fraction(velocity0)), coefficients, [])
     orbit, unit = whole.orbit, whole.t_unit
     with mp.workprec(120):
         return (
@@ -314,4 +317,4 @@ def clock(u0, velocity0, coefficients):
 
 
 def regime(u0, velocity0, coefficients):
-    return Orbit((Fraction(u0), Fraction(velocity0)), force_of(coefficients)).regime
+    return PotentialOrbit((Fraction(u0), Fraction(velocity0)), force_of(coefficients)).regime

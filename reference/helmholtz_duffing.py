@@ -6,6 +6,7 @@ Run: python helmholtz_duffing.py
 from concurrent.futures import ProcessPoolExecutor
 from itertools import groupby
 
+import double_roots
 import exact
 import general_oscillator
 import helmholtz_duffing_inputs as starts
@@ -31,19 +32,19 @@ STRATA = [
     (starts.over_one_barrier, 3, "escape"),
     (starts.over_both, 3, "escape"),
     (starts.open_force, 3, "libration well escape"),
-    (starts.homoclinic, 4, "homoclinic"),
-    (starts.heteroclinic, 4, "heteroclinic"),
-    (starts.double_elsewhere, 3, "libration well"),
-    (starts.double_escape, 3, "escape"),
-    (starts.triple, 4, "homoclinic escape"),
-    (starts.coth, 3, "escape"),
-    (starts.tangent, 3, "escape"),
-    (starts.quadruple, 3, "escape"),
-    (starts.last_double, 2, MOVING),
+    (double_roots.homoclinic, 4, "homoclinic"),
+    (double_roots.heteroclinic, 4, "heteroclinic"),
+    (double_roots.double_elsewhere, 3, "libration well"),
+    (double_roots.double_escape, 3, "escape"),
+    (double_roots.triple, 4, "homoclinic escape"),
+    (double_roots.coth, 3, "escape"),
+    (double_roots.tangent, 3, "escape"),
+    (double_roots.quadruple, 3, "escape"),
+    (double_roots.last_double, 2, MOVING),
     (starts.quadratic_bounded, 3, "libration well"),
     (starts.quadratic_near_separatrix, 3, "libration well escape"),
     (starts.quadratic_escape, 3, "libration well escape"),
-    (starts.quadratic_separatrix, 4, "homoclinic escape"),
+    (double_roots.quadratic_separatrix, 4, "homoclinic escape"),
     (starts.only_even, 3, MOVING),
     (starts.zeros, 2, MOVING),
     (starts.linear, 4, "linear"),
@@ -64,7 +65,7 @@ STRATA = [
 
 
 def clock(orbit):
-    return general_oscillator.clock(*orbit[:2], starts.letters(orbit))
+    return general_oscillator.clock(*orbit[:2], double_roots.letters(orbit))
 
 
 def instants(draw, orbit, count, longest=20):
@@ -81,7 +82,7 @@ def instants(draw, orbit, count, longest=20):
         elif mp.isfinite(period):
             found.append(product(period, draw.sign() * (part * longest)))
         else:
-            found.append(product(unit, (-64 if k % 2 else 64) * part))
+            found.append(product(unit, (-24 if k % 2 else 24) * part))
     return found
 
 
@@ -91,26 +92,39 @@ def inputs():
     rows = []
     for generator, count, regimes in STRATA:
         for orbit in generator(draw):
-            if starts.regime_of(orbit) not in regimes.split():
-                raise ArithmeticError(f"{generator.__name__}: {orbit} is {starts.regime_of(orbit)}")
+            if double_roots.regime_of(orbit) not in regimes.split():
+                raise ArithmeticError(f"{generator.__name__}: {orbit} is {double_roots.regime_of(orbit)}")
             rows.extend((generator.__name__, *orbit, t) for t in instants(draw, orbit, count))
     bounded = [starts.single_well, starts.left_well, starts.right_well, starts.above_barrier, starts.softening]
-    for generator in [*bounded, starts.quadratic_bounded, starts.double_elsewhere]:
+    for generator in [*bounded, starts.quadratic_bounded, double_roots.double_elsewhere]:
         for orbit in first(generator(draw), 2):
             period = clock(orbit)[0]
             for turns in (1e3, 1e6, 1e9):
                 rows.append(("long", *orbit, product(period, draw.sign() * turns * (1 + draw.part()))))
     before, beyond = [], []
-    unbounded = [starts.outside, starts.over_one_barrier, starts.over_both, starts.coth, starts.double_escape]
-    for generator in [*unbounded, starts.quadratic_separatrix, starts.only_even, starts.quadratic_escape]:
-        for orbit in first((o for o in generator(draw) if starts.regime_of(o) == "escape"), 2):
+    unbounded = [
+        starts.outside,
+        starts.over_one_barrier,
+        starts.over_both,
+        double_roots.coth,
+        double_roots.double_escape,
+    ]
+    for generator in [*unbounded, double_roots.quadratic_separatrix, starts.only_even, starts.quadratic_escape]:
+        for orbit in first((o for o in generator(draw) if double_roots.regime_of(o) == "escape"), 2):
             _, ahead, behind, _ = clock(orbit)
             ends = [end for end in (ahead, behind) if abs(end) < 1e300]
             before += [("before_escape", *orbit, product(end, 1 - part)) for part in (1e-3, 1e-6, 1e-9) for end in ends]
             beyond += [("beyond_escape", *orbit, product(end, part)) for part in (1 + 1e-9, 2.0) for end in ends]
     rows += before + beyond
-    early = [starts.left_well, starts.softening, starts.over_both, starts.homoclinic, starts.only_even, starts.linear]
-    for generator in [*early, starts.triple, starts.rest]:
+    early = [
+        starts.left_well,
+        starts.softening,
+        starts.over_both,
+        double_roots.homoclinic,
+        starts.only_even,
+        starts.linear,
+    ]
+    for generator in [*early, double_roots.triple, starts.rest]:
         orbit = first(generator(draw), 3)[2]
         rows.append(("t_zero", *orbit, 0.0))
         rows.append(("t_tiny", *orbit, draw.sign() * 2.0**-60 * draw.number()))

@@ -1,14 +1,14 @@
 """Starts and coefficients of helmholtz_duffing.py: every class of quartic u'^2 = P(u), by strata.
 
-An orbit is (u0, velocity0, p, r, q, c). Exact double roots are made of short numbers, so that every product is a double.
+An orbit is (u0, velocity0, p, r, q, c). Those with double roots are in double_roots.py.
 """
 
-import math
 from fractions import Fraction
 from itertools import product as pairs
 
-from general_oscillator import PLACE, regime
-from oscillator_inputs import first, root
+from double_roots import exact_double
+from general_oscillator import PLACE
+from oscillator_inputs import root
 
 NEAR = [1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14]
 
@@ -22,21 +22,6 @@ def potential(u, force):
 def through(draw, u0, force, level):
     """The orbit through u0 with 2E = level."""
     return u0, draw.sign() * root(level - potential(u0, force)), *force
-
-
-def letters(orbit):
-    return dict(zip("prqc", orbit[2:], strict=True))
-
-
-def regime_of(orbit):
-    return regime(*orbit[:2], letters(orbit))
-
-
-def exact_double(x):
-    value = float(x)
-    if Fraction(value) != x:
-        raise ArithmeticError("not a double")
-    return value
 
 
 def equilibria(draw, q, places):
@@ -55,7 +40,12 @@ def spread(draw):
 def single_well(draw):
     """q > 0 and one equilibrium: the force is (u - a) times a positive square."""
     for _ in range(16):
-        a, b, gap, q = draw.sign() * draw.number(-2, 1), draw.sign() * draw.number(-2, 1), draw.number(-2, 2), draw.number()
+        a, b, gap, q = (
+            draw.sign() * draw.number(-2, 1),
+            draw.sign() * draw.number(-2, 1),
+            draw.number(-2, 2),
+            draw.number(),
+        )
         square = b * b + gap
         force = q * (square + 2 * a * b), -q * (a + 2 * b), q, q * a * square
         yield draw.sign() * draw.number(), draw.sign() * draw.number(), *force
@@ -175,108 +165,6 @@ def open_force(draw):
         yield draw.sign() * draw.number(-3, 2), draw.sign() * draw.number(-3, 2), *force
 
 
-def double(draw, q=None, kind=None):
-    """P = (u - d)^2 R(u) with R(u0) = rho^2, all short: double roots of every kind, or triple ones."""
-    while True:
-        d, rho = draw.sign() * draw.short(2), draw.short(2)
-        u0 = d + draw.sign() * draw.short(2)
-        a = -(draw.sign() * draw.short(1) if q is None else q) / 2
-        if kind == "triple":
-            # R(d) = 0
-            step = Fraction(u0) - Fraction(d)
-            b = (Fraction(rho) ** 2 - Fraction(a) * (Fraction(u0) ** 2 - Fraction(d) ** 2)) / step
-            g = -Fraction(a) * Fraction(d) ** 2 - b * Fraction(d)
-        else:
-            b = Fraction(draw.sign() * draw.short(2))
-            g = Fraction(rho) ** 2 - Fraction(a) * Fraction(u0) ** 2 - b * Fraction(u0)
-        a, D = Fraction(a), Fraction(d)
-        P = [g * D**2, b * D**2 - 2 * g * D, a * D**2 - 2 * b * D + g, b - 2 * a * D, a]
-        try:
-            # r = -3/2 of a cubic coefficient
-            force = exact_double(-P[2]), exact_double(-3 * P[3] / 2), exact_double(-2 * P[4]), exact_double(P[1] / 2)
-            yield u0, draw.sign() * exact_double((Fraction(u0) - D) * Fraction(rho)), *force
-        except ArithmeticError:
-            continue
-
-
-def chosen(draw, source, regimes, count):
-    """The first orbits of a generator in one of the regimes; at most three of the same pattern of ends."""
-    found = []
-    for orbit in source:
-        if regime_of(orbit) in regimes.split():
-            found.append(orbit)
-            if len(found) == count:
-                return found
-    return found
-
-
-def homoclinic(draw):
-    yield from chosen(draw, double(draw, 1.0), "homoclinic", 5)
-    yield from chosen(draw, double(draw), "homoclinic", 7)
-
-
-def double_elsewhere(draw):
-    """A double root that the bounded motion does not reach: trigonometric motions."""
-    yield from chosen(draw, double(draw, 1.0), "libration well", 5)
-    yield from chosen(draw, double(draw, 0.5), "libration well", 3)
-
-
-def double_escape(draw):
-    """Escapes from or beside a double root: hyperbolic and trigonometric ones."""
-    yield from chosen(draw, double(draw, -1.0), "escape", 6)
-    yield from chosen(draw, double(draw, -0.5), "escape", 6)
-
-
-def triple(draw):
-    yield from chosen(draw, double(draw, 1.0, "triple"), "homoclinic", 4)
-    yield from chosen(draw, double(draw, -1.0, "triple"), "homoclinic escape", 4)
-
-
-def two_double(draw):
-    """P = s^2 ((u - m)^2 - w)^2: heteroclinic between, coth outside, w < 0 tan, w = 0 a quadruple root."""
-    while True:
-        s, m, u0 = draw.short(1), draw.sign() * draw.short(2), draw.sign() * draw.short(2)
-        w = draw.short(2) * draw.short(2) if draw.getrandbits(2) else 0.0
-        w *= draw.sign()
-        S, M, W, x = (*map(Fraction, (s, m, w)), Fraction(u0) - Fraction(m))
-        square = [(M * M - W) ** 2, -4 * M * (M * M - W), 6 * M * M - 2 * W, -4 * M, Fraction(1)]
-        P = [S * S * g for g in square]
-        v0 = S * (x * x - W)
-        if v0:
-            force = exact_double(-P[2]), exact_double(-3 * P[3] / 2), exact_double(-2 * P[4]), exact_double(P[1] / 2)
-            yield u0, draw.sign() * exact_double(v0), *force, w
-
-
-def heteroclinic(draw):
-    source = (orbit[:-1] for orbit in two_double(draw) if orbit[-1] > 0)
-    yield from chosen(draw, source, "heteroclinic", 8)
-
-
-def coth(draw):
-    source = (orbit[:-1] for orbit in two_double(draw) if orbit[-1] > 0)
-    yield from chosen(draw, source, "escape", 6)
-
-
-def tangent(draw):
-    yield from first((orbit[:-1] for orbit in two_double(draw) if orbit[-1] < 0), 5)
-
-
-def quadruple(draw):
-    yield from first((orbit[:-1] for orbit in two_double(draw) if orbit[-1] == 0), 4)
-
-
-def last_double(draw):
-    """Exact double roots with one input moved to the next double, either way."""
-    for source in (homoclinic, heteroclinic, triple, double_elsewhere, double_escape, coth, tangent, quadratic_separatrix):
-        for orbit in list(source(draw))[:5]:
-            for side in (-math.inf, math.inf):
-                places = [k for k, x in enumerate(orbit) if x and (k != 4 or source is not quadratic_separatrix)]
-                k = places[draw.getrandbits(16) % len(places)]
-                moved = list(orbit)
-                moved[k] = math.nextafter(orbit[k], side)
-                yield tuple(moved)
-
-
 def quadratic_bounded(draw):
     """q = 0: Helmholtz's oscillator in its well."""
     for _ in range(12):
@@ -306,24 +194,6 @@ def quadratic_escape(draw):
         force = draw.sign() * draw.number(), draw.sign() * draw.number(), 0.0, draw.sign() * draw.number()
         v0 = draw.sign() * draw.number(-3, 2) if k % 4 else 0.0
         yield draw.sign() * draw.number(-3, 3), v0, *force
-
-
-def quadratic_separatrix(draw):
-    """q = 0 and P = a (u - d)^2 (u - b), exactly: sech^2, csch^2, sec^2, or 1/t^2."""
-    for k in range(12):
-        d, rho, step = draw.sign() * draw.short(2), draw.short(2), draw.sign() * draw.short(2)
-        u0, a = d + step, draw.sign() * draw.short(1)
-        A, D, U, rho2 = Fraction(a), Fraction(d), Fraction(u0), Fraction(rho) ** 2
-        # R(u) = A u + g with R(u0) = rho^2; a triple root where R(d) = 0
-        if k % 4 == 3:
-            A = rho2 / (U - D)
-        g = rho2 - A * U
-        P = [g * D * D, A * D * D - 2 * g * D, g - 2 * A * D, A]
-        try:
-            force = exact_double(-P[2]), exact_double(-3 * P[3] / 2), 0.0, exact_double(P[1] / 2)
-        except ArithmeticError:
-            continue
-        yield u0, draw.sign() * exact_double((U - D) * Fraction(rho)), *force
 
 
 def only_even(draw):
@@ -359,7 +229,12 @@ def linear(draw):
 def rest(draw):
     """Stable, unstable and flat equilibria, exactly."""
     for k in range(16):
-        u0, p, r, q = draw.sign() * draw.short(2), draw.sign() * draw.short(2), draw.sign() * draw.short(2), draw.sign() * draw.short(2)
+        u0, p, r, q = (
+            draw.sign() * draw.short(2),
+            draw.sign() * draw.short(2),
+            draw.sign() * draw.short(2),
+            draw.sign() * draw.short(2),
+        )
         if k % 4 == 1:
             q = 0.0
         if k % 4 == 2:
@@ -424,7 +299,9 @@ def equal_roots(draw):
                 e1 = [Fraction(x) for x in (a, a + g, b, b + h)]
                 sums = [Fraction(1)]
                 for x in e1:
-                    sums = [(sums[k] if k < len(sums) else 0) - (x * sums[k - 1] if k else 0) for k in range(len(sums) + 1)]
+                    sums = [
+                        (sums[k] if k < len(sums) else 0) - (x * sums[k - 1] if k else 0) for k in range(len(sums) + 1)
+                    ]
                 # coefficients of u^4 down to 1
                 half = -Fraction(q) / 2
                 P = [half * x for x in sums]
@@ -449,7 +326,12 @@ def start_zero(draw):
 def no_force(draw):
     """A start where the force is 0, exactly, with a velocity."""
     for _ in range(8):
-        u0, p, r, q = draw.sign() * draw.short(1), draw.sign() * draw.short(1), draw.sign() * draw.short(1), draw.sign() * draw.short(1)
+        u0, p, r, q = (
+            draw.sign() * draw.short(1),
+            draw.sign() * draw.short(1),
+            draw.sign() * draw.short(1),
+            draw.sign() * draw.short(1),
+        )
         c = exact_double(Fraction(p) * Fraction(u0) + Fraction(r) * Fraction(u0) ** 2 + Fraction(q) * Fraction(u0) ** 3)
         yield u0, draw.sign() * draw.number(-3, 2), p, r, q, c
 
@@ -468,14 +350,27 @@ def weak(draw):
     for tiny in (1e-8, 1e-16, 1e-40, 1e-250):
         for q in (1, -1):
             u0, v0 = draw.sign() * draw.number(-3, -1), draw.sign() * draw.number(-3, -1)
-            yield u0, v0, draw.number(0, 2), draw.sign() * tiny * draw.number(), q * draw.number(), draw.sign() * tiny * draw.number()
+            yield (
+                u0,
+                v0,
+                draw.number(0, 2),
+                draw.sign() * tiny * draw.number(),
+                q * draw.number(),
+                draw.sign() * tiny * draw.number(),
+            )
         u0, v0 = draw.sign() * draw.number(-3, -1), draw.sign() * draw.number(-3, -1)
         yield u0, v0, draw.number(0, 2), draw.sign() * draw.number(-2, 0), draw.sign() * tiny * draw.number(), 0.0
 
 
 def disparate(draw):
     """One term of the force far larger than the others."""
-    for sizes in ((1, 1e-9, 1e-20, 1e-5), (1e-12, 1, 1e-6, 1e-12), (1e-9, 1e-9, 1, 1e-9), (1, 1e6, 1e12, 1e-6), (1e-6, 1e-3, 1, 1e3)):
+    for sizes in (
+        (1, 1e-9, 1e-20, 1e-5),
+        (1e-12, 1, 1e-6, 1e-12),
+        (1e-9, 1e-9, 1, 1e-9),
+        (1, 1e6, 1e12, 1e-6),
+        (1e-6, 1e-3, 1, 1e3),
+    ):
         for _ in range(3):
             force = [draw.sign() * size * draw.number() for size in sizes]
             yield draw.sign() * draw.number(), draw.sign() * draw.number(), *force

@@ -13,14 +13,16 @@ import exact
 import mpmath as mp
 import oscillator_action_inputs
 from exact import agreement, decimal, hi_lo, mpf, real
-from force_taylor import Sweep
-from general_oscillator import PLACE, Scaled, columns_of, rest_period_slopes, total
+from force_taylor import ForceSweep
+from general_oscillator import PLACE, ScaledOrbit, columns_of, rest_period_slopes, total
 
 NAME = "oscillator_action.csv"
 LETTERS = "prqsc"
 INPUTS = ["u0", "velocity0", *LETTERS, "t"]
-HARMONICS = (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 24)
+HARMONICS = (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 24)
 OUTPUTS = ["action", "frequency", "phase", "mean", *(f"amplitude_{j}" for j in HARMONICS), "distortion"]
+# amplitudes below this share of the first are left out
+SMALL = mpf(10) ** -60
 HEADER = ["id", "stratum", *INPUTS, "regime", *(f"{name}_{part}" for name in OUTPUTS for part in ("hi", "lo"))]
 HEADER += [f"cond_{name}" for name in OUTPUTS]
 
@@ -36,7 +38,7 @@ class Samples:
         self.start_phase = -2 * mp.pi * ahead / T if orbit.v0 > 0 else 2 * mp.pi * gap / T
         targets = [ahead + j * T / number for j in range(number)]
         places = sorted([(t, j) for j, t in enumerate(targets)] + [(T, -1)])
-        run = Sweep((orbit.u0, orbit.v0), orbit.force, by, False, pace, bits).run([t for t, _ in places])
+        run = ForceSweep((orbit.u0, orbit.v0), orbit.force, by, False, pace, bits).run([t for t, _ in places])
         states = {j: state for (_, j), state in zip(places, run, strict=True)}
         (u, v), *columns = states.pop(-1)
         room = mpf(2) ** (-3 * bits // 5)
@@ -73,27 +75,32 @@ def coefficient(values, j):
     return sum(u * cosines[j * k % number] for k, u in enumerate(values)) * (2 if j else 1) / number
 
 
-def series(values, vanishing):
-    """mean, amplitudes and distortion of samples from the highest point on; the vanishing ones exactly 0."""
-    mean = sum(values) / len(values)
+def without_first(values, mean, first):
+    number = len(values)
+    angle = 2 * mp.pi / number
+    return [u - mean - first * mp.cos(angle * k) for k, u in enumerate(values)]
+
+
+def series(values, vanishing, centre):
+    """mean, amplitudes and distortion of samples from the highest point on; what vanishes is exactly 0, what is too small NaN."""
+    mean = sum(values) / len(values) if centre is None else centre
     found = [mpf(0) if vanishing(j) else coefficient(values, j) for j in HARMONICS]
     if vanishing(3):
         return [mean, *found, mpf(0)]
-    power = 2 * sum((u - mean) ** 2 for u in values) / len(values)
-    return [mean, *found, mp.sqrt(power / found[0] ** 2 - 1)]
+    rest = mp.sqrt(2 * sum(w * w for w in without_first(values, mean, found[0])) / len(values)) / found[0]
+    return [mean, *(mp.nan if a and abs(a) < SMALL * found[0] else a for a in found), rest if rest > SMALL else mp.nan]
 
 
 def by_series(values, moved, lead):
     """Derivatives of series() by one input."""
     mean, first, rest = lead[0], lead[1], lead[-1]
     by_mean = sum(moved) / len(moved)
-    found = [coefficient(moved, j) for j in HARMONICS]
-    if rest == 0:
+    found = [coefficient(moved, j) if a == a else mpf(0) for j, a in zip(HARMONICS, lead[1:-1], strict=True)]
+    if not rest > 0:
         return [by_mean, *found, mpf(0)]
-    power = 2 * sum((u - mean) ** 2 for u in values) / len(values)
-    by_power = 4 * sum((u - mean) * d for u, d in zip(values, moved, strict=True)) / len(values)
-    ratio = by_power / first**2 - 2 * power * found[0] / first**3
-    return [by_mean, *found, ratio / (2 * rest)]
+    left = without_first(values, mean, first)
+    by_power = 2 * sum(w * d for w, d in zip(left, moved, strict=True)) / len(values)
+    return [by_mean, *found, by_power / (rest * first**2) - rest * found[0] / first]
 
 
 def enough(values):
@@ -109,48 +116,43 @@ def enough(values):
 def vanishing_of(orbit):
     if orbit.linear:
         return lambda j: j > 1
-    return (lambda j: j % 2 == 0) if orbit.symmetric() else (lambda j: False)
+    return (lambda j: j % 2 == 0) if orbit.centre() is not None else (lambda j: False)
 
 
 def periodic(whole, letters):
-    """(start phase, period, series) and their derivatives by every input, in scaled units."""
+    """Fine samples with their series; derivatives of the series by every input; samples with columns, and those of the phase."""
     orbit = whole.orbit
-    vanishing = vanishing_of(orbit)
-    number, bits = 128, 400
-    while True:
+    vanishing, centre = vanishing_of(orbit), orbit.centre()
+    number, bits = 128, 360
+    while bits < 3000:
         with mp.workprec(bits + 150):
+            middle = None if centre is None else real(centre)
             rough = Samples(orbit, [], number, 2.2, bits)
-            values = rough.values()
-            if not enough(values):
+            if not enough(rough.values()):
                 number *= 2
                 continue
-            fine = Samples(orbit, [], number, 1.8, bits + 60)
-            leads = [series(samples.values(), vanishing) for samples in (rough, fine)]
-            smallest = mp.ldexp(mpf(1), -1100) / whole.u_unit
-            same = all(
-                agreement(a, b) < mpf(10) ** -36 or max(abs(a), abs(b)) < smallest for a, b in zip(*leads, strict=True)
-            )
+            fine = Samples(orbit, [], number, 1.8, bits + 50)
+            leads = [series(samples.values(), vanishing, middle) for samples in (rough, fine)]
+            same = all(agreement(a, b) < mpf(10) ** -36 for a, b in zip(*leads, strict=True))
             if not same or agreement(rough.start_phase, fine.start_phase) > mpf(10) ** -50:
                 bits += bits // 2
-                if bits > 6000:
-                    raise ArithmeticError("two precisions do not agree")
                 continue
-            moved = Samples(orbit, columns_of(letters), number, 1.9, max(200, bits - 100))
+            moved = Samples(orbit, columns_of(letters), number, 1.9, bits - 100)
             values = moved.values()
-            lead = series(values, vanishing)
-            slopes = [by_series(values, moved.moved(k), lead) for k in range(2 + len(letters))]
+            slopes = [by_series(values, moved.moved(k), leads[1]) for k in range(2 + len(letters))]
             T = moved.T
             by_phase = [
                 -2 * mp.pi * (d / T - moved.ahead * dT / T**2)
                 for d, dT in zip(moved.by_top, moved.by_period, strict=True)
             ]
-            return fine, leads[1], slopes, moved.by_period, by_phase, moved
+            return fine, leads[1], slopes, moved, by_phase
+    raise ArithmeticError("two precisions do not agree")
 
 
 def outputs(u0, velocity0, coefficients, t):
     """regime, the OUTPUTS and their conditions; all inputs are doubles, coefficients by their letters."""
     start = Fraction(u0), Fraction(velocity0)
-    whole = Scaled(start, coefficients, [Fraction(t)])
+    whole = ScaledOrbit(start, coefficients, [Fraction(t)])
     orbit = whole.orbit
     letters = [letter for letter, x in whole.coefficients.items() if x]
     inputs = [real(orbit.u0), real(orbit.v0), *(real(whole.coefficients[letter]) for letter in letters)]
@@ -169,14 +171,14 @@ def outputs(u0, velocity0, coefficients, t):
         return orbit.regime, leads, conds
     if not orbit.periodic():
         return orbit.regime, [action, mpf(0), mp.nan, *[mp.nan] * (count + 2)], none
-    fine, lead, slopes, by_period, by_phase, moved = periodic(whole, letters)
+    fine, lead, slopes, moved, by_phase = periodic(whole, letters)
     T = fine.T
     rate = 2 * mp.pi / T
     # J = (the integral of u'^2 dt) / 2 pi
     summed = sum(state[0][1] ** 2 for state in fine.states) / fine.number * T / (2 * mp.pi)
     if agreement(summed, orbit.action(200)) > mpf(10) ** -36:
         raise ArithmeticError("the action of the samples is not that of the quadrature")
-    by_rate = [-rate * d / T for d in by_period]
+    by_rate = [-rate * d / T for d in moved.by_period]
     # dJ = (dE - <dV at fixed u>) / frequency
     mean_powers = {letter: mean_power(moved, PLACE[letter][0] + 1) for letter in letters}
     by_energy = [-real(orbit.acceleration), real(orbit.v0)]
@@ -191,10 +193,6 @@ def outputs(u0, velocity0, coefficients, t):
     conds.append(total(inputs, phase_slopes) + abs(time * rate))
     columns = [total(inputs, column) for column in zip(*slopes, strict=True)]
     conds += [x * unit for x in columns[:-1]] + [columns[-1]]
-    vanishing = vanishing_of(orbit)
-    for k, j in enumerate(HARMONICS):
-        if vanishing(j) and orbit.linear:
-            conds[4 + k] = mpf(0)
     return orbit.regime, leads, conds
 
 

@@ -7,9 +7,10 @@ substitutions u = a + (b - a) sin^2, u = b + tan^2 and u = tan remove the singul
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 
 import mpmath as mp
-from energy import ball, middle, narrow, plus, power, sign, times, trimmed, value
+from energy import ball, narrow, plus, power, sign, times, trimmed, value
 from exact import mpf, real
 from flint import acb, acb_poly, arb, ctx, fmpz_poly
 
@@ -80,7 +81,7 @@ def ordered(roots):
     while bits < 1 << 17:
         with ctx.workprec(bits):
             keyed = sorted(((root.u(), root) for root in roots), key=lambda pair: pair[0].mid())
-            if all(a[0] < b[0] for a, b in zip(keyed, keyed[1:], strict=False)):
+            if all(a[0] < b[0] for a, b in pairwise(keyed)):
                 return [root for _, root in keyed]
         bits *= 2
     raise ArithmeticError("two roots do not part")
@@ -158,7 +159,7 @@ def half_pi():
     return arb.pi() / 2
 
 
-class Orbit:
+class PotentialOrbit:
     """The orbit with u'^2 = P(u) through start = (u0, velocity0); force = (f0, ..., f5), rationals."""
 
     def __init__(self, start, force):
@@ -261,6 +262,14 @@ class Orbit:
 
         return self.over_period(evaluate, goal)
 
+    def mean_power(self, power, goal):
+        """The mean of u^power over a period."""
+
+        def evaluate(H, a, wide):
+            return 4 * integral(H, 0, half_pi(), goal, lambda phi: (a + wide * phi.sin() ** 2) ** power)
+
+        return self.over_period(evaluate, goal) / self.period(goal)
+
     def since_top(self, goal):
         """The time between the start and the highest u next to it, either way, of a periodic motion."""
         if self.v0 == 0:
@@ -273,17 +282,17 @@ class Orbit:
 
         return self.over_period(evaluate, goal)
 
-    def symmetric(self):
-        """Whether the motion is symmetric about the middle of its range, exactly."""
+    def centre(self):
+        """The rational middle of the range if the motion is symmetric about it, exactly; else None."""
         top = len(self.P) - 1
         middle_of = -self.P[-2] / (top * self.P[-1])
         if value(self.P, middle_of) <= 0 or self.lower.above(middle_of) or not self.upper.above(middle_of):
-            return False
+            return None
         moved = [Fraction(0)]
         for g in self.P[::-1]:
             moved = plus_exact([Fraction(0), *moved], [middle_of * x for x in moved])
             moved[0] += g
-        return not any(moved[1::2])
+        return None if any(moved[1::2]) else middle_of
 
     def escape_time(self, backward, goal):
         """Time to infinity, positive, or inf."""
