@@ -40,8 +40,7 @@ impl CubicQuintic {
     /// # Errors
     /// A [`Domain`] that names the argument which is not finite.
     pub fn new(u0: f64, velocity0: f64, p: f64, q: f64, s: f64) -> Result<CubicQuintic, Domain> {
-        let named =
-            [("u0", u0), ("velocity0", velocity0), ("p", p), ("q", q), ("s", s)];
+        let named = [("u0", u0), ("velocity0", velocity0), ("p", p), ("q", q), ("s", s)];
         for (name, value) in named {
             Domain::check(name, value, value.is_finite(), "finite")?;
         }

@@ -53,7 +53,7 @@ pub(super) struct Curve {
 
 /// Neville's functions, s with the unit of the argument.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Values {
+pub(super) struct NevilleFunctions {
     pub s: Scaled,
     pub c: Scaled,
     pub d: Scaled,
@@ -72,7 +72,8 @@ impl Curve {
         let root = quartic.discriminant.to_scaled().abs().sqrt().shift(-2);
         let sixth = |x: Scaled| x / Scaled::from(6.0);
         let none = Scaled::ZERO;
-        let found = if quartic.discriminant.sign() >= 0 { three(-i, -j, root, false) } else { one(-i, -j, root) };
+        let found =
+            if quartic.discriminant.sign() >= 0 { three(-i, -j, root, false) } else { one(-i, -j, root) };
         let (gaps, roots, square, m, mc) = match found {
             Roots::Three { z, gaps } => {
                 let gaps = gaps.map(sixth);
@@ -158,12 +159,10 @@ impl Curve {
         let Gaps::Pair { q, w } = self.gaps else { return Scaled::NAN };
         let h = self.square;
         let sum = d1 + h;
-        let cosine = if q.is_negative() {
-            (leg * (d1 - q) - w.square()) / sum.square()
-        } else {
-            (d1 - h) / sum
-        };
-        let near = (d1 * h).sqrt().shift(1) / sum * rf_of_roots([cosine.abs(), pair.sqrt() / sum, Scaled::ONE]);
+        let cosine =
+            if q.is_negative() { (leg * (d1 - q) - w.square()) / sum.square() } else { (d1 - h) / sum };
+        let near =
+            (d1 * h).sqrt().shift(1) / sum * rf_of_roots([cosine.abs(), pair.sqrt() / sum, Scaled::ONE]);
         let argument = if cosine.is_negative() { self.half - near } else { near };
         argument / self.rate.shift(1)
     }
@@ -185,25 +184,25 @@ impl Curve {
     }
 
     /// Neville's functions at a time.
-    pub fn values(&self, t: Scaled) -> Values {
+    pub fn values(&self, t: Scaled) -> NevilleFunctions {
         let one = Scaled::ONE;
         match &self.family {
-            Family::Power => Values { s: t, c: one, d: one, n: one },
+            Family::Power => NevilleFunctions { s: t, c: one, d: one, n: one },
             Family::Hyperbolic => {
                 let x = t * self.rate;
                 let x = if x.abs().value() < FAR { x } else { Scaled::from(FAR).signed(x.sign()) };
                 let (s, n) = x.sinh_cosh();
-                Values { s, c: one, d: one, n }
+                NevilleFunctions { s, c: one, d: one, n }
             }
             Family::Theta(neville) => self.thetas(neville, t),
         }
     }
 
-    fn thetas(&self, neville: &NevilleTheta, t: Scaled) -> Values {
+    fn thetas(&self, neville: &NevilleTheta, t: Scaled) -> NevilleFunctions {
         let one = Scaled::ONE;
         let f = t / self.period;
         if f.power() < -150 || f.is_zero() {
-            return Values { s: t * self.rate, c: one, d: one, n: one };
+            return NevilleFunctions { s: t * self.rate, c: one, d: one, n: one };
         }
         let count = f.value().round();
         let rest = (f - Scaled::from(count)).to_dd();
@@ -215,25 +214,25 @@ impl Curve {
         let gauss = if hyperbolic { Scaled::exp(-(v.square() * neville.angle)) } else { one };
         let near = if hyperbolic && self.kc.power() < NOTHING {
             let (s, n) = (Scaled::from(v) * self.half).sinh_cosh();
-            Values { s: s * gauss, c: gauss, d: gauss, n: n * gauss }
+            NevilleFunctions { s: s * gauss, c: gauss, d: gauss, n: n * gauss }
         } else {
             let Thetas { theta: [s, c, d, n], .. } = neville.long_thetas(v);
             let [s, c, d, n] = [s * neville.theta1_factor, c, d, n].map(|x| Scaled::from(x) * gauss);
-            Values { s, c, d, n }
+            NevilleFunctions { s, c, d, n }
         };
-        let Values { s, c, d, n } = near;
+        let NevilleFunctions { s, c, d, n } = near;
         let values = if folded {
             let root = self.kc.sqrt();
-            Values { s: c / root, c: s * root, d: n * root, n: d / root }
+            NevilleFunctions { s: c / root, c: s * root, d: n * root, n: d / root }
         } else {
             near
         };
-        Values { s: values.s.signed(sign * parity), c: values.c.signed(parity), ..values }
+        NevilleFunctions { s: values.s.signed(sign * parity), c: values.c.signed(parity), ..values }
     }
 
     /// S(t), C(t) and S'(t) C(t) - S(t) C'(t).
     pub fn pair(&self, t: Scaled) -> [Scaled; 3] {
-        let Values { s, c, d, n } = self.values(t);
+        let NevilleFunctions { s, c, d, n } = self.values(t);
         if self.three() {
             return [s / self.rate, c, d * n];
         }

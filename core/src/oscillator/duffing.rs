@@ -222,9 +222,7 @@ impl Duffing {
     fn even(&self) -> Cow<'_, EvenPowers> {
         match &self.0 {
             Powers::Even(orbit) => Cow::Borrowed(orbit),
-            Powers::Odd(_) => {
-                Cow::Owned(EvenPowers::new(self.u0(), self.velocity0(), self.coefficients()))
-            }
+            Powers::Odd(_) => Cow::Owned(EvenPowers::new(self.u0(), self.velocity0(), self.coefficients())),
         }
     }
 
@@ -277,7 +275,8 @@ impl Duffing {
         let orbit = self.even();
         let frequency = orbit.frequency();
         let (mean, u) = orbit.harmonics(n as usize);
-        let velocity = u.iter().enumerate().map(|(k, a)| (-frequency * ((k + 1) as f64 * a)).value()).collect();
+        let velocity =
+            u.iter().enumerate().map(|(k, a)| (-frequency * ((k + 1) as f64 * a)).value()).collect();
         Ok(OscillatorFourier { mean, u, velocity })
     }
     /// The root of the sum of u_n^2 over n >= 2, over |u_1|: 0 at rest, NaN where the motion does not repeat.

@@ -1,7 +1,7 @@
 //! Samples of a motion with even powers, and what an orbit is asked for.
 
 use super::even_lanes::{MeanFormula, ProductFormula};
-use super::even_powers::{EvenLanes, EvenPowers, Solution};
+use super::even_powers::{EvenLanes, EvenPowers, EvenSolution};
 use super::regime::OscillatorRegime;
 use crate::float::scaled::Scaled;
 use crate::lanes::{Columns, Evaluation, Formula, Lane, Once, Second, WIDEST};
@@ -34,22 +34,26 @@ impl EvenPowers {
     fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
         let start = [self.u0, self.velocity0];
         match (&self.lanes, &self.solution) {
-            (Some(EvenLanes::Mean(lanes)), Solution::Mean(mean)) => match mean.curve.neville() {
+            (Some(EvenLanes::Mean(lanes)), EvenSolution::Mean(mean)) => match mean.curve.neville() {
                 Some(neville) if neville.by_hyperbolic() => {
                     evaluation.of(&FromStart { formula: MeanFormula::<true>(lanes, neville), start })
                 }
-                Some(neville) => evaluation.of(&FromStart { formula: MeanFormula::<false>(lanes, neville), start }),
-                None => evaluation.of(&Careful(self)),
-            },
-            (Some(EvenLanes::Product(lanes)), Solution::Product(product)) => match product.curve.neville() {
-                Some(neville) if neville.hyperbolic() => {
-                    evaluation.of(&FromStart { formula: ProductFormula::<true>(lanes, neville), start })
-                }
                 Some(neville) => {
-                    evaluation.of(&FromStart { formula: ProductFormula::<false>(lanes, neville), start })
+                    evaluation.of(&FromStart { formula: MeanFormula::<false>(lanes, neville), start })
                 }
                 None => evaluation.of(&Careful(self)),
             },
+            (Some(EvenLanes::Product(lanes)), EvenSolution::Product(product)) => {
+                match product.curve.neville() {
+                    Some(neville) if neville.hyperbolic() => {
+                        evaluation.of(&FromStart { formula: ProductFormula::<true>(lanes, neville), start })
+                    }
+                    Some(neville) => {
+                        evaluation.of(&FromStart { formula: ProductFormula::<false>(lanes, neville), start })
+                    }
+                    None => evaluation.of(&Careful(self)),
+                }
+            }
             _ => evaluation.of(&Careful(self)),
         }
     }

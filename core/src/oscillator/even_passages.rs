@@ -1,7 +1,7 @@
 //! When a motion with even powers passes a value: by the curve from a turning point, and where there is none from the start by
 //! Newton's steps on the way since then, which keeps its digits.
 
-use super::even_powers::{EvenPowers, Solution};
+use super::even_powers::{EvenPowers, EvenSolution};
 use super::mean::Mean;
 use super::product::Product;
 use crate::domain::Domain;
@@ -24,8 +24,8 @@ impl EvenPowers {
         Domain::check("u", u, u.is_finite(), "finite")?;
         let interval = Interval::new(start, stop, ended)?;
         let mut times = match &self.solution {
-            Solution::Rest => Vec::new(),
-            Solution::Mean(mean) => {
+            EvenSolution::Rest => Vec::new(),
+            EvenSolution::Mean(mean) => {
                 let Some(at) = self.from_base(mean, u) else { return Ok(Vec::new()) };
                 let phases = at.iter();
                 if !mean.curve.period.is_finite() {
@@ -36,9 +36,9 @@ impl EvenPowers {
                     return interval.repeated(rate, scale, &phases, 1.0);
                 }
             }
-            Solution::Product(product) => self.of_product(product, u),
-            Solution::Square(riccati) => self.once(u, &|t| riccati.at(t)),
-            Solution::Linear(unbounded) => self.of_linear(u, &|t| unbounded.at(t)),
+            EvenSolution::Product(product) => self.of_product(product, u),
+            EvenSolution::Square(riccati) => self.once(u, &|t| riccati.at(t)),
+            EvenSolution::Linear(unbounded) => self.of_linear(u, &|t| unbounded.at(t)),
         };
         times.retain(|t| t.is_finite() && interval.holds(*t));
         sort_numbers(&mut times);
@@ -50,7 +50,11 @@ impl EvenPowers {
     fn from_base(&self, mean: &Mean, u: f64) -> Option<Vec<Scaled>> {
         let base = mean.at_base;
         if u == self.u0 {
-            return Some(if self.velocity0 == 0.0 { vec![Scaled::ZERO] } else { vec![Scaled::ZERO, base.shift(1)] });
+            return Some(if self.velocity0 == 0.0 {
+                vec![Scaled::ZERO]
+            } else {
+                vec![Scaled::ZERO, base.shift(1)]
+            });
         }
         if u == mean.base.value() {
             return Some(vec![base]);
@@ -99,7 +103,11 @@ impl EvenPowers {
         let ahead = way.is_negative() == (self.velocity0 < 0.0);
         let end = self.escapes[usize::from(ahead)].value().abs();
         let sign = if ahead { 1.0 } else { -1.0 };
-        vec![sign * monotone(way, end, (way / Scaled::from(self.velocity0)).value().abs(), &|t| motion(Scaled::from(sign * t)))]
+        vec![
+            sign * monotone(way, end, (way / Scaled::from(self.velocity0)).value().abs(), &|t| {
+                motion(Scaled::from(sign * t))
+            }),
+        ]
     }
 
     /// Of a linear force without an equilibrium that holds: on both sides of the turn, if there is one.
@@ -107,7 +115,10 @@ impl EvenPowers {
         let (v, f) = (Scaled::from(self.velocity0), self.quartic.force.to_scaled());
         let rate = (-self.quartic.sigma.to_scaled()).sqrt();
         let [low, high] = self.range.map(Scaled::value);
-        if low == f64::NEG_INFINITY && high == f64::INFINITY || f.is_zero() || (v * rate).abs().value() == f.abs().value() {
+        if low == f64::NEG_INFINITY && high == f64::INFINITY
+            || f.is_zero()
+            || (v * rate).abs().value() == f.abs().value()
+        {
             return self.once(u, motion);
         }
         let up = high == f64::INFINITY;
@@ -142,7 +153,13 @@ impl EvenPowers {
 /// The time in (0, end) at which a way that grows from 0 has a value.
 fn monotone(way: Scaled, end: f64, guess: f64, motion: &dyn Fn(f64) -> [Scaled; 2]) -> f64 {
     let (mut low, mut high) = (0.0, end);
-    let mut t = if guess > 0.0 && guess < end { guess } else if end.is_finite() { 0.5 * end } else { 1.0 };
+    let mut t = if guess > 0.0 && guess < end {
+        guess
+    } else if end.is_finite() {
+        0.5 * end
+    } else {
+        1.0
+    };
     for _ in 0..STEPS {
         let [x, velocity] = motion(t);
         let rest = way.abs() - x.abs();

@@ -17,7 +17,7 @@ use crate::float::scaled::Scaled;
 
 /// The functions that describe the motion.
 #[derive(Clone, Debug)]
-pub(super) enum Solution {
+pub(super) enum EvenSolution {
     Rest,
     Mean(Box<Mean>),
     Product(Box<Product>),
@@ -33,7 +33,7 @@ pub(super) struct EvenPowers {
     /// p, q, r and c.
     pub force: [f64; 4],
     pub quartic: Quartic,
-    pub solution: Solution,
+    pub solution: EvenSolution,
     pub regime: OscillatorRegime,
     pub period: Scaled,
     pub range: [Scaled; 2],
@@ -64,8 +64,8 @@ impl EvenPowers {
     pub fn energy(&self) -> f64 {
         let [p, q, r, c] = self.force.map(Dyadic::from);
         let u = &self.quartic.u0;
-        let twelve = &self.quartic.speed2 * 6.0
-            + u * (u * (p * 6.0 + u * (r * 4.0 + u * q * 3.0)) - c * 12.0);
+        let twelve =
+            &self.quartic.speed2 * 6.0 + u * (u * (p * 6.0 + u * (r * 4.0 + u * q * 3.0)) - c * 12.0);
         (twelve.to_scaled() / Scaled::from(12.0)).value()
     }
 
@@ -78,12 +78,10 @@ impl EvenPowers {
             return (self.u0, self.velocity0);
         }
         let time = Scaled::from(t);
-        let moved = |[x, velocity]: [Scaled; 2]| {
-            ((Scaled::from(self.u0) + x).value(), velocity.value())
-        };
+        let moved = |[x, velocity]: [Scaled; 2]| ((Scaled::from(self.u0) + x).value(), velocity.value());
         match &self.solution {
-            Solution::Rest => (self.u0, 0.0),
-            Solution::Mean(mean) => {
+            EvenSolution::Rest => (self.u0, 0.0),
+            EvenSolution::Mean(mean) => {
                 let periodic = mean.curve.period.is_finite();
                 if periodic && !((time / mean.curve.period).abs().value() < LAST_PERIOD) {
                     return (f64::NAN, f64::NAN);
@@ -94,9 +92,9 @@ impl EvenPowers {
                 let [u, velocity] = mean.at(time - mean.at_base);
                 (u.value(), velocity.value())
             }
-            Solution::Product(product) => moved(product.at(time)),
-            Solution::Square(riccati) => moved(riccati.at(time)),
-            Solution::Linear(unbounded) => moved(unbounded.at(time)),
+            EvenSolution::Product(product) => moved(product.at(time)),
+            EvenSolution::Square(riccati) => moved(riccati.at(time)),
+            EvenSolution::Linear(unbounded) => moved(unbounded.at(time)),
         }
     }
 }
@@ -104,13 +102,13 @@ impl EvenPowers {
 /// 2^53 periods of the curve: beyond, doubles are further apart than a motion repeats.
 const LAST_PERIOD: f64 = 9_007_199_254_740_992.0;
 
-fn lanes(solution: &Solution, u0: f64) -> Option<EvenLanes> {
+fn lanes(solution: &EvenSolution, u0: f64) -> Option<EvenLanes> {
     match solution {
-        Solution::Mean(mean) => {
+        EvenSolution::Mean(mean) => {
             let lanes = MeanLanes::new(mean, mean.curve.neville()?)?;
             Some(EvenLanes::Mean(Box::new(lanes)))
         }
-        Solution::Product(product) => {
+        EvenSolution::Product(product) => {
             let lanes = ProductLanes::new(product, product.curve.neville()?, u0)?;
             Some(EvenLanes::Product(Box::new(lanes)))
         }
@@ -119,24 +117,29 @@ fn lanes(solution: &Solution, u0: f64) -> Option<EvenLanes> {
 }
 
 /// The functions, the regime, the period and the escapes.
-fn solved(quartic: &Quartic) -> (Solution, OscillatorRegime, Scaled, [Scaled; 2]) {
+fn solved(quartic: &Quartic) -> (EvenSolution, OscillatorRegime, Scaled, [Scaled; 2]) {
     if quartic.at_rest() {
         let stiffness = quartic.sigma.to_scaled();
         let period =
             if stiffness.is_positive() { Scaled::from(TWO_PI) / stiffness.sqrt() } else { Scaled::INFINITY };
-        return (Solution::Rest, OscillatorRegime::Rest, period, NEVER);
+        return (EvenSolution::Rest, OscillatorRegime::Rest, period, NEVER);
     }
     let linear = quartic.linear();
     if linear && quartic.sigma.sign() <= 0 {
         let unbounded = Unbounded::new(quartic);
-        return (Solution::Linear(Box::new(unbounded)), OscillatorRegime::Linear, Scaled::INFINITY, NEVER);
+        return (
+            EvenSolution::Linear(Box::new(unbounded)),
+            OscillatorRegime::Linear,
+            Scaled::INFINITY,
+            NEVER,
+        );
     }
     if let (false, Some(sign)) = (linear, quartic.square()) {
         let riccati = Riccati::new(quartic, sign);
         let escapes = riccati.escapes;
         let ends = escapes.iter().any(|t| t.is_finite());
         let regime = if ends { OscillatorRegime::Escape } else { OscillatorRegime::Heteroclinic };
-        return (Solution::Square(Box::new(riccati)), regime, Scaled::INFINITY, escapes);
+        return (EvenSolution::Square(Box::new(riccati)), regime, Scaled::INFINITY, escapes);
     }
     let curve = Curve::new(quartic);
     let (turned, passes) = if quartic.velocity0.sign() == 0 {
@@ -159,7 +162,12 @@ fn solved(quartic: &Quartic) -> (Solution, OscillatorRegime, Scaled, [Scaled; 2]
     if !bounded {
         let product = Product::new(quartic, curve, turned, passes);
         let escapes = product.escapes;
-        return (Solution::Product(Box::new(product)), OscillatorRegime::Escape, Scaled::INFINITY, escapes);
+        return (
+            EvenSolution::Product(Box::new(product)),
+            OscillatorRegime::Escape,
+            Scaled::INFINITY,
+            escapes,
+        );
     }
     let period = curve.period;
     let regime = if linear {
@@ -171,29 +179,30 @@ fn solved(quartic: &Quartic) -> (Solution, OscillatorRegime, Scaled, [Scaled; 2]
     } else {
         OscillatorRegime::Libration
     };
-    (Solution::Mean(Box::new(Mean::new(quartic, curve, turned))), regime, period, NEVER)
+    (EvenSolution::Mean(Box::new(Mean::new(quartic, curve, turned))), regime, period, NEVER)
 }
 
 /// Lowest and highest u.
-fn range(quartic: &Quartic, solution: &Solution, [behind, ahead]: [Scaled; 2]) -> [Scaled; 2] {
+fn range(quartic: &Quartic, solution: &EvenSolution, [behind, ahead]: [Scaled; 2]) -> [Scaled; 2] {
     let u0 = quartic.u0.to_scaled();
     let sorted = |a: Scaled, b: Scaled| if (b - a).is_negative() { [b, a] } else { [a, b] };
     let everything = [Scaled::MINUS_INFINITY, Scaled::INFINITY];
     let rising = quartic.velocity0.sign() > 0;
     // From an end to infinity, upwards or downwards.
-    let beyond = |end: Scaled, up: bool| if up { [end, Scaled::INFINITY] } else { [Scaled::MINUS_INFINITY, end] };
+    let beyond =
+        |end: Scaled, up: bool| if up { [end, Scaled::INFINITY] } else { [Scaled::MINUS_INFINITY, end] };
     let size = |x: Scaled| x.abs() + u0.abs();
     match solution {
-        Solution::Rest => [u0, u0],
-        Solution::Mean(mean) => sorted(mean.base, mean.other),
-        Solution::Linear(unbounded) => match unbounded.ends(quartic) {
+        EvenSolution::Rest => [u0, u0],
+        EvenSolution::Mean(mean) => sorted(mean.base, mean.other),
+        EvenSolution::Linear(unbounded) => match unbounded.ends(quartic) {
             None => everything,
             Some(x) => {
                 let up = if quartic.force.sign() == 0 { rising } else { quartic.force.sign() > 0 };
                 beyond(polished(quartic, u0 + x, size(x), true), up)
             }
         },
-        Solution::Square(riccati) => {
+        EvenSolution::Square(riccati) => {
             let [past, future] = riccati.limits;
             let limit = |x: Scaled| polished(quartic, u0 + x, size(x), true);
             match (behind.is_finite(), ahead.is_finite()) {
@@ -203,7 +212,7 @@ fn range(quartic: &Quartic, solution: &Solution, [behind, ahead]: [Scaled; 2]) -
                 (false, true) => beyond(limit(past), rising),
             }
         }
-        Solution::Product(product) => {
+        EvenSolution::Product(product) => {
             if let Some(at) = product.turn() {
                 let x = product.at(at)[0];
                 let end = polished(quartic, u0 + x, size(x), false);

@@ -10,13 +10,12 @@
 //! Source: residues on a period's parallelogram; DLMF 22.11 has the cases without even powers.
 
 use super::curve::{Curve, Gaps};
-use super::even_powers::{EvenPowers, Solution};
+use super::even_powers::{EvenPowers, EvenSolution};
 use super::mean::{Mean, distances};
 use crate::elliptic::integrals::carlson::rf_of_roots;
 use crate::elliptic::nome::minus_log_nome;
 use crate::float::scaled::Scaled;
-use crate::float::series::quarter_turn;
-use crate::float::triple_double::Td;
+use crate::float::series::long_sine;
 use crate::float::{Dd, HALF_PI, TWO_PI};
 
 /// How the amplitudes fall.
@@ -46,14 +45,6 @@ pub(super) struct Harmonics {
     pub omega: Scaled,
 }
 
-/// Sine of an angle in [-pi, pi].
-pub(super) fn sine(angle: Dd) -> Dd {
-    let size = angle.abs();
-    let near = if size.hi > HALF_PI.hi { HALF_PI.scale(2.0) - size } else { size };
-    let (sine, _) = quarter_turn(Td::from(near), Td::from(HALF_PI - near));
-    if angle.hi < 0.0 { -sine.to_dd() } else { sine.to_dd() }
-}
-
 /// 1 - e^(-2 y).
 fn less_than_one(y: Scaled) -> Scaled {
     if y.value() > 60.0 {
@@ -69,7 +60,7 @@ fn exp(y: Scaled) -> Scaled {
 impl Harmonics {
     /// Of an orbit that repeats.
     pub fn new(orbit: &EvenPowers) -> Option<Harmonics> {
-        let Solution::Mean(mean) = &orbit.solution else { return None };
+        let EvenSolution::Mean(mean) = &orbit.solution else { return None };
         let Mean { curve, way, .. } = &**mean;
         if !curve.period.is_finite() {
             return None;
@@ -115,8 +106,11 @@ impl Harmonics {
                 let rest = if whole.is_finite() { whole - away } else { whole };
                 let right = quartic.right();
                 let plus = if right { g > 0 } else { g < 0 };
-                let fall =
-                    if plus || !whole.is_finite() { Fall::Sinh { away, rest } } else { Fall::Sinh { away: rest, rest: away } };
+                let fall = if plus || !whole.is_finite() {
+                    Fall::Sinh { away, rest }
+                } else {
+                    Fall::Sinh { away: rest, rest: away }
+                };
                 (fall, upper == right)
             }
             Gaps::Pair { q: half, w } => {
@@ -132,14 +126,18 @@ impl Harmonics {
     }
 
     /// a_n, n >= 1.
-    pub fn amplitude(&self, n: u64) -> Scaled {
+    pub fn of_order(&self, n: u64) -> Scaled {
         if self.odd_only && n % 2 == 0 {
             return Scaled::ZERO;
         }
         let order = Scaled::from(n as f64);
         let value = match self.fall {
             Fall::Single => {
-                if n == 1 { Scaled::ONE } else { Scaled::ZERO }
+                if n == 1 {
+                    Scaled::ONE
+                } else {
+                    Scaled::ZERO
+                }
             }
             Fall::Sinh { away, rest } => {
                 let whole = order * (away + rest);
@@ -157,7 +155,7 @@ impl Harmonics {
             Fall::Sine { part, whole } => {
                 let turns = part * order.value();
                 let rest = turns - Dd::from(turns.hi.round());
-                let above = Scaled::from(sine(TWO_PI * rest));
+                let above = Scaled::from(long_sine(TWO_PI * rest));
                 (above * exp(-(order * whole))).shift(1) / less_than_one(order * whole)
             }
             Fall::Double { whole } => (order * exp(-(order * whole))).shift(1) / less_than_one(order * whole),
@@ -172,7 +170,7 @@ impl Harmonics {
         let mut quiet = 0;
         let mut n = first;
         while quiet < 6 && n < MOST {
-            let amplitude = self.amplitude(n);
+            let amplitude = self.of_order(n);
             let term = if weighted { (amplitude * n as f64).square() } else { amplitude.square() };
             sum = sum + term;
             let small = term.is_zero() && self.skips(n) || (term.abs() - sum.shift(-75)).is_negative();
@@ -194,11 +192,16 @@ impl Harmonics {
 const MOST: u64 = 1_000_000;
 
 /// The time on the imaginary axis of a point below e1, with a complex pair: that of [`Curve::time`] for the complement.
-fn height_of_pair(curve: &Curve, [d1, pair, leg]: [Scaled; 3], q: Scaled, w: Scaled, whole: Scaled) -> Scaled {
+fn height_of_pair(
+    curve: &Curve,
+    [d1, pair, leg]: [Scaled; 3],
+    q: Scaled,
+    w: Scaled,
+    whole: Scaled,
+) -> Scaled {
     let h = curve.square;
     let sum = d1 + h;
-    let cosine =
-        if q.is_negative() { (leg * (d1 - q) - w.square()) / sum.square() } else { (d1 - h) / sum };
+    let cosine = if q.is_negative() { (leg * (d1 - q) - w.square()) / sum.square() } else { (d1 - h) / sum };
     let near = (d1 * h).sqrt().shift(1) / sum * rf_of_roots([cosine.abs(), pair.sqrt() / sum, Scaled::ONE]);
     // 2 K' = 2 K whole/pi.
     let half = curve.half * whole / Scaled::from(HALF_PI.scale(2.0));

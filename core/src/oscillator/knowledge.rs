@@ -3,7 +3,7 @@
 //! On a separatrix the action is the integral of u'^2 over all times, by the trapezoidal rule, which for such a function converges
 //! like e^(-2 pi y/h), y the height of its nearest pole; its terms are all positive.
 
-use super::even_powers::{EvenPowers, Solution};
+use super::even_powers::{EvenPowers, EvenSolution};
 use super::harmonics::Harmonics;
 use super::regime::OscillatorRegime;
 use crate::elliptic::phase::Phase;
@@ -23,12 +23,14 @@ impl EvenPowers {
     /// (1/2 pi) closed integral of u' du.
     pub fn action(&self) -> Scaled {
         match &self.solution {
-            Solution::Rest => Scaled::ZERO,
-            Solution::Mean(_) => match Harmonics::new(self) {
+            EvenSolution::Rest => Scaled::ZERO,
+            EvenSolution::Mean(_) => match Harmonics::new(self) {
                 Some(series) => (series.omega * series.sum_of_squares(1, true)).shift(-1),
                 None => self.trapezoidal(),
             },
-            Solution::Square(_) if self.regime == OscillatorRegime::Heteroclinic => self.trapezoidal().shift(1),
+            EvenSolution::Square(_) if self.regime == OscillatorRegime::Heteroclinic => {
+                self.trapezoidal().shift(1)
+            }
             _ => Scaled::NAN,
         }
     }
@@ -82,7 +84,8 @@ impl EvenPowers {
         };
         let sum = |count: i32| {
             let step = 5.0 / f64::from(count);
-            let all = (-count..=count).map(|k| term(step * f64::from(k))).fold(Scaled::ZERO, |sum, x| sum + x);
+            let all =
+                (-count..=count).map(|k| term(step * f64::from(k))).fold(Scaled::ZERO, |sum, x| sum + x);
             all * step
         };
         sum(320) / rate / Scaled::from(TWO_PI)
@@ -91,8 +94,8 @@ impl EvenPowers {
     /// u' by the careful formula.
     fn velocity_at(&self, t: Scaled) -> Scaled {
         match &self.solution {
-            Solution::Mean(mean) => mean.at(t - mean.at_base)[1],
-            Solution::Square(riccati) => riccati.at(t)[1],
+            EvenSolution::Mean(mean) => mean.at(t - mean.at_base)[1],
+            EvenSolution::Square(riccati) => riccati.at(t)[1],
             _ => Scaled::NAN,
         }
     }
@@ -100,12 +103,12 @@ impl EvenPowers {
     /// The middle of a separatrix, a rate, and whether it falls exponentially.
     fn middle(&self) -> Option<(Scaled, Scaled, bool)> {
         match &self.solution {
-            Solution::Mean(mean) => {
+            EvenSolution::Mean(mean) => {
                 let power = mean.curve.square.is_zero();
                 let rate = if power { mean.weight.sqrt() } else { mean.curve.rate };
                 Some((mean.at_base, rate, !power))
             }
-            Solution::Square(riccati) => {
+            EvenSolution::Square(riccati) => {
                 let (at, rate) = riccati.middle();
                 Some((at, rate, true))
             }
@@ -116,14 +119,14 @@ impl EvenPowers {
     /// The phase in turns at t = 0 in (-1/2, 1/2], and turns per time: 0 at the highest point.
     pub fn phase_turns(&self) -> Option<Phase> {
         match &self.solution {
-            Solution::Mean(mean) if mean.curve.period.is_finite() => {
+            EvenSolution::Mean(mean) if mean.curve.period.is_finite() => {
                 let start = -(mean.at_base / mean.curve.period).to_dd();
                 let start = if mean.way.is_negative() { start } else { start + Dd::from(0.5) };
                 let start = start - Dd::from(start.hi.round());
                 let start = if start.hi <= -0.5 { start + Dd::ONE } else { start };
                 Some(Phase { rate: (Scaled::ONE / mean.curve.period).to_dd(), start })
             }
-            Solution::Rest if self.period.is_finite() => {
+            EvenSolution::Rest if self.period.is_finite() => {
                 Some(Phase { rate: (Scaled::ONE / self.period).to_dd(), start: Dd::ZERO })
             }
             _ => None,
@@ -138,19 +141,20 @@ impl EvenPowers {
 
     /// The mean of u, and its first n harmonics from the highest point; NaN where it does not repeat.
     pub fn harmonics(&self, n: usize) -> (f64, Vec<f64>) {
-        if matches!(self.solution, Solution::Rest) {
+        if matches!(self.solution, EvenSolution::Rest) {
             return (self.u0, vec![0.0; n]);
         }
         let Some(series) = Harmonics::new(self) else { return (f64::NAN, vec![f64::NAN; n]) };
-        let amplitudes: Vec<f64> = (1..=n as u64).map(|k| series.amplitude(k).value()).collect();
+        let amplitudes: Vec<f64> = (1..=n as u64).map(|k| series.of_order(k).value()).collect();
         // The highest point is the sum of all.
         let mut mean = self.range[1];
         let mut quiet = 0;
         let mut k = 1;
         while quiet < 6 && k < 1_000_000 {
-            let amplitude = series.amplitude(k);
+            let amplitude = series.of_order(k);
             mean = mean - amplitude;
-            let small = (amplitude.abs() - (self.range[1].abs() + self.range[0].abs()).shift(-75)).is_negative();
+            let small =
+                (amplitude.abs() - (self.range[1].abs() + self.range[0].abs()).shift(-75)).is_negative();
             quiet = if small { quiet + 1 } else { 0 };
             k += 1;
         }
@@ -159,10 +163,10 @@ impl EvenPowers {
 
     /// The root of the sum of a_n^2 over n >= 2, over |a_1|.
     pub fn distortion(&self) -> f64 {
-        if matches!(self.solution, Solution::Rest) {
+        if matches!(self.solution, EvenSolution::Rest) {
             return 0.0;
         }
         let Some(series) = Harmonics::new(self) else { return f64::NAN };
-        (series.sum_of_squares(2, false).sqrt() / series.amplitude(1).abs()).value()
+        (series.sum_of_squares(2, false).sqrt() / series.of_order(1).abs()).value()
     }
 }

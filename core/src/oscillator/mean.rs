@@ -36,7 +36,8 @@ impl Mean {
         let weight = if quartic.linear() { curve.square } else { weight(quartic, &curve, upper) };
         let [sine, cosine, _] = curve.pair(at_base);
         let sum = cosine.square() + weight * sine.square();
-        let (u0, v0, force) = (quartic.u0.to_scaled(), quartic.velocity0.to_scaled(), quartic.force.to_scaled());
+        let (u0, v0, force) =
+            (quartic.u0.to_scaled(), quartic.velocity0.to_scaled(), quartic.force.to_scaled());
         let (base, way) = if moves {
             let there = v0 / curve.sine(turned);
             (u0 + there * sine.square() * sum, -(there * sum.square()) / weight)
@@ -44,7 +45,8 @@ impl Mean {
             (u0, force / weight.shift(1))
         };
         let other = base + way;
-        let [base, other] = [base, other].map(|u| polished(quartic, u, way.abs() + base.abs(), curve.mc.is_zero()));
+        let [base, other] =
+            [base, other].map(|u| polished(quartic, u, way.abs() + base.abs(), curve.mc.is_zero()));
         Mean { curve, at_base, base, other, way, weight }
     }
 
@@ -64,7 +66,8 @@ impl Mean {
 
     /// The time from the base, up to the other end, at which u is passed; none outside.
     pub fn time_of(&self, u: Scaled) -> Option<Scaled> {
-        let (from_base, to_other) = ((u - self.base).signed(self.way.sign()), (self.other - u).signed(self.way.sign()));
+        let (from_base, to_other) =
+            ((u - self.base).signed(self.way.sign()), (self.other - u).signed(self.way.sign()));
         if from_base.is_negative() || to_other.is_negative() {
             return None;
         }
@@ -121,7 +124,10 @@ pub(super) fn distances(curve: &Curve, x: Scaled, product: Scaled) -> [Scaled; 3
         return [-p1, -(p3 + g23), -p3];
     }
     let above = x - curve.roots[0];
-    if above.is_negative() && (x - curve.roots[2]).is_positive() && !(x - curve.roots[1] - above.abs()).is_positive() {
+    if above.is_negative()
+        && (x - curve.roots[2]).is_positive()
+        && !(x - curve.roots[1] - above.abs()).is_positive()
+    {
         // On the oval.
         let (mut p2, mut p3) = (curve.roots[1] - x, x - curve.roots[2]);
         if (p3 - p2).is_positive() {

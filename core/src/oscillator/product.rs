@@ -36,7 +36,9 @@ impl Product {
             turned = poles[0] + poles[1];
         }
         let period = curve.period;
-        let shifted = |by: f64| move |p: Scaled| if period.is_finite() { p + period * by } else { Scaled::INFINITY * by };
+        let shifted = |by: f64| {
+            move |p: Scaled| if period.is_finite() { p + period * by } else { Scaled::INFINITY * by }
+        };
         let real = if passes { &poles[..1] } else { &poles[..] };
         let ahead = real.iter().map(|p| if p.is_positive() { *p } else { shifted(1.0)(*p) });
         let behind = real.iter().map(|p| if p.is_negative() { *p } else { shifted(-1.0)(*p) });
@@ -124,8 +126,10 @@ fn poles(quartic: &Quartic, curve: &Curve, turned: Scaled, passes: bool) -> [Sca
     let first = -(v * rho) / Scaled::from(6.0);
     let second = (root * force).shift(-1).signed(if rising { 1.0 } else { -1.0 });
     // The products of the X and of the Y, exactly.
-    let x_product = (quartic.sigma.square() + &quartic.q * &quartic.speed2 * 18.0).to_scaled() / Scaled::from(144.0);
-    let y_product = (quartic.rho.square() * &quartic.speed2 * 2.0 + &quartic.q * quartic.force.square() * 9.0)
+    let x_product =
+        (quartic.sigma.square() + &quartic.q * &quartic.speed2 * 18.0).to_scaled() / Scaled::from(144.0);
+    let y_product = (quartic.rho.square() * &quartic.speed2 * 2.0
+        + &quartic.q * quartic.force.square() * 9.0)
         .to_scaled()
         / Scaled::from(72.0);
     let over = |a: Scaled, b: Scaled| if b.is_zero() { Scaled::ZERO } else { a / b };
@@ -153,7 +157,8 @@ fn poles(quartic: &Quartic, curve: &Curve, turned: Scaled, passes: bool) -> [Sca
     let half = curve.period.shift(-1);
     [0, 1].map(|k| {
         let oval = passes && k == 1;
-        let time = curve.time(Point { x: x[k], product: y[k].square().shift(-2), pairs: pairs(curve, x[k]) }, oval);
+        let time =
+            curve.time(Point { x: x[k], product: y[k].square().shift(-2), pairs: pairs(curve, x[k]) }, oval);
         let before = y[k].is_positive() != oval;
         let direct = if before { -time } else { time };
         let near = (x[k] - curve.roots[0] - curve.square.shift(1)).is_positive();

@@ -90,13 +90,8 @@ impl Quartic {
     /// Real roots of P above the start and below it, with those that coincide counted apart, as far as Descartes' rule tells: their
     /// parity, and whether there are any where all roots are real. A turning point at the start is left out.
     pub fn roots_beside(&self) -> [usize; 2] {
-        let signs = [
-            self.speed2.sign(),
-            self.force.sign(),
-            -self.sigma.sign(),
-            -self.rho.sign(),
-            -self.q.sign(),
-        ];
+        let signs =
+            [self.speed2.sign(), self.force.sign(), -self.sigma.sign(), -self.rho.sign(), -self.q.sign()];
         let first = usize::from(signs[0] == 0);
         let changes = |below: bool| {
             let mut last = 0;
@@ -153,8 +148,10 @@ impl Quartic {
         let x = Dyadic::from(u) - &self.u0;
         // P = v^2 + 2 f x - sigma x^2 - 2 rho x^3/3 - q x^4/2, times 6.
         let value = &self.speed2 * 6.0
-            + &x * (&self.force * 12.0 - &x * (&self.sigma * 6.0 + &x * (&self.rho * 4.0 + &x * &self.q * 3.0)));
-        let slope = &self.force * 12.0 - &x * (&self.sigma * 12.0 + &x * (&self.rho * 12.0 + &x * &self.q * 12.0));
+            + &x * (&self.force * 12.0
+                - &x * (&self.sigma * 6.0 + &x * (&self.rho * 4.0 + &x * &self.q * 3.0)));
+        let slope =
+            &self.force * 12.0 - &x * (&self.sigma * 12.0 + &x * (&self.rho * 12.0 + &x * &self.q * 12.0));
         let bend = -(&self.sigma * 12.0 + &x * (&self.rho * 24.0 + &x * &self.q * 36.0));
         [value, slope, bend]
     }

@@ -6,11 +6,11 @@
 //! sinh, a sine or a straight line of the time to one.
 //! Source: Riccati's equation; elementary.
 
-use super::harmonics;
 use super::quartic::Quartic;
-use crate::float::scaled::Scaled;
-use crate::float::PI;
 use crate::elliptic::integrals::carlson::{artanh, rf_of_roots};
+use crate::float::PI;
+use crate::float::scaled::Scaled;
+use crate::float::series::long_sine;
 
 /// What D is.
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +120,8 @@ impl Riccati {
             return [Scaled::NAN; 2];
         }
         let argument = t * self.rate;
-        let far = !(argument.abs().value() < FAR) && !matches!(self.denominator, Denominator::Line | Denominator::Sine);
+        let far = !(argument.abs().value() < FAR)
+            && !matches!(self.denominator, Denominator::Line | Denominator::Sine);
         let argument = if far { Scaled::from(FAR).signed(argument.sign()) } else { argument };
         let (sine, below) = match self.denominator {
             Denominator::Line => (t, (self.pole - t) / self.pole),
@@ -135,7 +136,8 @@ impl Riccati {
             }
             Denominator::Sine => {
                 let from = |pole: Scaled| sine((pole - t) * self.rate);
-                let to_pole = if (ahead - t - (t - behind)).is_negative() { from(ahead) } else { -from(behind) };
+                let to_pole =
+                    if (ahead - t - (t - behind)).is_negative() { from(ahead) } else { -from(behind) };
                 (sine(argument) / self.rate, to_pole / sine(self.pole * self.rate))
             }
         };
@@ -151,7 +153,7 @@ fn exact_product(quartic: &Quartic) -> Scaled {
 
 /// The sine of an angle in (-pi, pi).
 fn sine(angle: Scaled) -> Scaled {
-    if angle.power() < -200 { angle } else { Scaled::from(harmonics::sine(angle.to_dd())) }
+    if angle.power() < -200 { angle } else { Scaled::from(long_sine(angle.to_dd())) }
 }
 
 /// The angle in (0, pi) with that cotangent.
@@ -183,10 +185,7 @@ impl Unbounded {
         let (sinh, cosh) = argument.shift(-1).sinh_cosh();
         let (whole_sinh, whole_cosh) = argument.sinh_cosh();
         let over = force / rate;
-        [
-            (sinh * (velocity * cosh + over * sinh)).shift(1) / rate,
-            velocity * whole_cosh + over * whole_sinh,
-        ]
+        [(sinh * (velocity * cosh + over * sinh)).shift(1) / rate, velocity * whole_cosh + over * whole_sinh]
     }
 
     /// x where it turns, if it does; and whether it comes from a limit or goes to one, which is then x.

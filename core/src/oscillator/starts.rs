@@ -101,7 +101,8 @@ impl Duffing {
         let [p, q, r, c] = force.map(Dyadic::from);
         let u = Dyadic::from(u0);
         // 6 v^2 = 12 E - 6 p u^2 - 4 r u^3 - 3 q u^4 + 12 c u.
-        let six = Dyadic::from(energy) * 12.0 - &u * (&u * (p * 6.0 + &u * (r * 4.0 + &u * q * 3.0)) - c * 12.0);
+        let six =
+            Dyadic::from(energy) * 12.0 - &u * (&u * (p * 6.0 + &u * (r * 4.0 + &u * q * 3.0)) - c * 12.0);
         if six.sign() < 0 {
             let allowed = format!("at least the potential at u0, {}", shown(rest.energy()));
             return Err(Domain::new("energy", shown(energy), allowed));
@@ -151,7 +152,11 @@ impl Duffing {
         for _ in 0..STEPS {
             let found = orbit.action().value();
             // Beyond every separatrix a motion has no action.
-            if found < action { low = velocity } else { high = velocity }
+            if found < action {
+                low = velocity
+            } else {
+                high = velocity
+            }
             let next = velocity + (action - found) * orbit.frequency().value() / velocity;
             if (next - velocity).abs() <= 1e-16 * velocity || found == action {
                 break;
@@ -171,7 +176,12 @@ impl Duffing {
         let found = orbit.action().value();
         if !((found - action).abs() <= 1e-10 * action) {
             let below = at(low).action().value();
-            let allowed = format!("that of a motion about the equilibrium {}: none between {} and {}", shown(equilibrium), shown(below), shown(at(high).action().value()));
+            let allowed = format!(
+                "that of a motion about the equilibrium {}: none between {} and {}",
+                shown(equilibrium),
+                shown(below),
+                shown(at(high).action().value())
+            );
             return Err(Domain::new("action", shown(action), allowed));
         }
         let Some(turns) = orbit.phase_turns() else {
@@ -193,7 +203,11 @@ fn equilibrium(about: Option<f64>, force: [f64; 4]) -> Result<f64, Domain> {
     let all = stable_equilibria(force);
     let places = all.iter().map(|u| shown(*u)).collect::<Vec<_>>().join(" or ");
     match (&all[..], about) {
-        ([], _) => Err(Domain::new("p, q, r, c", force.map(shown).join(", "), "of a force with a stable equilibrium")),
+        ([], _) => Err(Domain::new(
+            "p, q, r, c",
+            force.map(shown).join(", "),
+            "of a force with a stable equilibrium",
+        )),
         ([only], None) => Ok(*only),
         (_, None) => Err(Domain::new("about", "None".to_string(), format!("given: next to {places}"))),
         (_, Some(about)) => {

@@ -101,9 +101,8 @@ impl Equation {
         for (column, [w, speed]) in columns.iter_mut().zip(states) {
             (column[0], column[1]) = (*w, *speed);
         }
-        let convolution = |a: &Series, b: &Series, k: usize| {
-            (0..=k).fold(Dd::ZERO, |sum, i| sum + a[i] * b[k - i])
-        };
+        let convolution =
+            |a: &Series, b: &Series, k: usize| (0..=k).fold(Dd::ZERO, |sum, i| sum + a[i] * b[k - i]);
         for k in 0..TERMS - 2 {
             square[k] = convolution(&u, &u, k);
             cube[k] = convolution(&square, &u, k);
@@ -160,8 +159,7 @@ impl Equation {
     fn derivatives(&self, state: &State) -> Derivatives {
         let (length, time) = (self.length, self.time);
         // By u0, u0', p, q, r, c: the powers of two of u over each.
-        let powers =
-            [0, time, length + 2 * time, 3 * length + 2 * time, 2 * length + 2 * time, 2 * time];
+        let powers = [0, time, length + 2 * time, 3 * length + 2 * time, 2 * length + 2 * time, 2 * time];
         let of = |order: usize| {
             let mut row = [0.0; COLUMNS];
             for (k, value) in row.iter_mut().enumerate() {
@@ -195,7 +193,9 @@ impl Step {
 
 /// The state at a time among steps that reach it.
 fn found(steps: &[Step], t: Dd) -> Option<State> {
-    let place = steps.partition_point(|step| (step.start - t).hi.abs() != 0.0 && (t.hi - step.start.hi) * step.length.signum() >= 0.0);
+    let place = steps.partition_point(|step| {
+        (step.start - t).hi.abs() != 0.0 && (t.hi - step.start.hi) * step.length.signum() >= 0.0
+    });
     let step = steps.get(place.saturating_sub(1))?;
     Some(step.at(t - step.start))
 }
@@ -208,17 +208,24 @@ impl EvenPowers {
         let in_units = |t: f64| Dd::from(ldexp(t, -equation.time));
         let [behind, ahead] = self.escapes.map(Scaled::value);
         let inside = |t: f64| t.is_finite() && behind < t && t < ahead;
-        if self.period.is_finite() && self.velocity0 != 0.0 || self.period.is_finite() && self.quartic.force.sign() != 0 {
+        if self.period.is_finite() && self.velocity0 != 0.0
+            || self.period.is_finite() && self.quartic.force.sign() != 0
+        {
             let period = self.period.shift(-equation.time).to_dd();
             let steps = equation.sweep(self, period);
             let Some(end) = found(&steps, period) else { return };
             let start = equation.start(self);
-            let force = ldexp(ldexp(self.quartic.force.to_scaled().value(), -equation.length), 2 * equation.time);
+            let force =
+                ldexp(ldexp(self.quartic.force.to_scaled().value(), -equation.length), 2 * equation.time);
             let by_velocity = start.u[1].hi.abs() > force.abs();
             let mut slopes = [Dd::ZERO; COLUMNS];
             for (k, slope) in slopes.iter_mut().enumerate() {
-                let [[w0, v0], [w, v]] = [start.columns[k], end.columns[k]];
-                *slope = if by_velocity { (w0 - w) / start.u[1] } else { (v0 - v) / Dd::from(force) };
+                let [before, after] = [start.columns[k], end.columns[k]];
+                *slope = if by_velocity {
+                    (before[0] - after[0]) / start.u[1]
+                } else {
+                    (before[1] - after[1]) / Dd::from(force)
+                };
             }
             for (i, t) in times.iter().enumerate() {
                 let turns = in_units(*t) / period;
@@ -230,7 +237,8 @@ impl EvenPowers {
                 let rest = in_units(*t) - period * count;
                 let Some(mut state) = found(&steps, rest) else { continue };
                 let [u, velocity] = state.u;
-                let acceleration = -(u * (u * (u * equation.q + Dd::from(equation.r)) + Dd::from(equation.p)))
+                let acceleration = -(u
+                    * (u * (u * equation.q + Dd::from(equation.r)) + Dd::from(equation.p)))
                     + Dd::from(equation.c);
                 for (column, slope) in state.columns.iter_mut().zip(slopes) {
                     column[0] = column[0] - velocity * slope * count;
@@ -240,7 +248,8 @@ impl EvenPowers {
             }
             return;
         }
-        let furthest = |side: f64| times.iter().filter(|t| inside(**t)).fold(0.0, |far, t| f64::max(far, side * t));
+        let furthest =
+            |side: f64| times.iter().filter(|t| inside(**t)).fold(0.0, |far, t| f64::max(far, side * t));
         let [back, forward] = [-furthest(-1.0), furthest(1.0)].map(|t| equation.sweep(self, in_units(t)));
         for (i, t) in times.iter().enumerate() {
             let steps = if *t < 0.0 { &back } else { &forward };

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._scalars import shown
 from ..oscillator._oscillator import Oscillator
-from ._axes import named
+from ._axes import given_or_new, named
 from ._language import ENGLISH, Language
 from ._potential import FAR, barriers, coefficients, equilibria, potential, reach, scaled
 from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, part_of, quiet, save
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 def plot_oscillator(
@@ -73,6 +76,28 @@ def plot_oscillator(
         lambda axes: draw_portrait(axes, oscillator, say),
     )
     save(path, form, headline(oscillator, say) if title is None else title, *panels, dpi=dpi)
+
+
+def motion_axes(oscillator: Oscillator, t: Any, ax: Axes | None, lang: str) -> Axes:
+    """u(t) in axes: two periods from t = 0, or what there is of the motion, if no instants are given."""
+    say = Language(lang)
+    axes, new = given_or_new(ax)
+    if t is None:
+        swings = 2 * oscillator.period if math.isfinite(oscillator.period) else 10 / scaled(oscillator, reach(oscillator))[1]
+        start = 0.0 if math.isfinite(oscillator.period) else max(oscillator.escape_time_backward, -swings)
+        t = np.array([start, min(oscillator.escape_time, swings)])
+    fine, u = seen(oscillator, *extremes(finite(t)))
+    axes.plot(fine, u, color=EXACT if new else None, lw=2)
+    axes.set_xlabel("t [s]")
+    axes.set_ylabel("u")
+    say.ticks(axes)
+    return axes
+
+
+def extremes(t: np.ndarray) -> tuple[float, float]:
+    """The first and the last instant; from 0 where there is one only."""
+    first, last = float(t.min()), float(t.max())
+    return (first, last) if first < last else (min(0.0, first), max(0.0, first))
 
 
 def headline(oscillator: Oscillator, say: Language = ENGLISH) -> str:
