@@ -145,7 +145,11 @@ def test_identity():
 
 
 def test_pictures():
-    for each in (Duffing(1.0, p=1.0, q=0.2, r=0.5), Duffing(1.0, p=1.0, q=0.0, r=-1.5), CubicQuintic(1.0, p=1.0, q=1.0, s=1.0)):
+    for each in (
+        Duffing(1.0, p=1.0, q=0.2, r=0.5),
+        Duffing(1.0, p=1.0, q=0.0, r=-1.5),
+        CubicQuintic(1.0, p=1.0, q=1.0, s=1.0),
+    ):
         assert np.isfinite(each.plot(ax=Figure().subplots()).lines[0].get_ydata()).any()
     ax = plot_backbone(np.linspace(0.0, 2.0, 10_000), p=1.0, q=0.2, r=0.5, ax=Figure().subplots())
     assert len(ax.lines[0].get_xdata()) == 10_000

@@ -91,6 +91,11 @@ def solve(
     given = {name: plain(f"--{name}", text) for name, text in typed.items() if text is not None}
     given |= {name: plain(f"--{name}", text) for name in more if (text := getattr(options, name)) is not None}
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
+    show(options, kind, given)
+
+
+def show(options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]", given: dict[str, float]) -> None:
+    """Solve the motion that the numbers give, write the files, print the summary."""
     check_instants(options)
     check_targets(options)
     style, look = number_style(options), picture_look(options, options.plot)

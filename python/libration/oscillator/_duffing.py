@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
-import numpy as np
-
 from .. import _core
 from .._arrays import Floats
 from .._dispatch import apply, tensor, unindexed
@@ -96,9 +94,7 @@ class Duffing(Oscillator):
     _kernels = (_core.duffing_u, _core.duffing_velocity, _core.duffing_motion)
 
     @explained
-    def __new__(
-        cls, u0: float, velocity0: float = 0.0, *, p: float, q: float, r: float = 0.0, c: float = 0.0
-    ) -> Self:
+    def __new__(cls, u0: float, velocity0: float = 0.0, *, p: float, q: float, r: float = 0.0, c: float = 0.0) -> Self:
         force = real("p", p), real("q", q), real("r", r), real("c", c)
         return cls._made(_core.Duffing(real("u0", u0), real("velocity0", velocity0), *force))
 

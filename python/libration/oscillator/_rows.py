@@ -308,9 +308,7 @@ def duffing_regime(u0: Any, velocity0: Any = 0.0, *, p: Any, q: Any, r: Any = 0.
 
 
 @explained
-def duffing_escape_times(
-    u0: Any, velocity0: Any = 0.0, *, p: Any, q: Any, r: Any = 0.0, c: Any = 0.0
-) -> Any:
+def duffing_escape_times(u0: Any, velocity0: Any = 0.0, *, p: Any, q: Any, r: Any = 0.0, c: Any = 0.0) -> Any:
     """When Duffing oscillators come from infinity and escape to it, element by element: ``(backward, ahead)``.
 
     Parameters

@@ -9,7 +9,7 @@ import numpy as np
 from ..oscillator import duffing_frequency
 from ._axes import given_or_new
 from ._language import Language
-from ._style import EXACT
+from ._style import EXACT, head, quiet, save_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,8 +55,27 @@ def plot_backbone(
     say = Language(lang)
     axes, new = given_or_new(ax)
     amplitudes = np.asarray(u0, dtype=float)
-    axes.plot(duffing_frequency(amplitudes, p=p, q=q, r=r, c=c), amplitudes, color=EXACT if new else None, lw=2)
+    frequency = duffing_frequency(amplitudes, p=p, q=q, r=r, c=c)
+    axes.plot(frequency, amplitudes, color=EXACT if new else None, lw=2)
     axes.set_xlabel(r"$\Omega$ [rad/s]")
     axes.set_ylabel("u(0)")
     say.ticks(axes)
     return axes
+
+
+def save_backbone(
+    u0: np.ndarray, frequency: np.ndarray, unit: str, path: Any, *, form: str, title: str | None, dpi: float, lang: str
+) -> None:
+    """Save the picture of displacements over frequencies in Hz."""
+    say = Language(lang)
+
+    def draw(figure: Any) -> None:
+        axes = figure.subplots()
+        axes.plot(frequency, u0, color=EXACT, lw=2)
+        axes.set_xlabel(r"$\Omega/2\pi$ [Hz]")
+        axes.set_ylabel(f"u(0) [{unit}]" if unit else "u(0)")
+        quiet(axes)
+        say.ticks(axes)
+        head(figure, title or "")
+
+    save_figure({form: path}, (7, 5), draw, dpi=dpi)

@@ -83,7 +83,9 @@ def motion_axes(oscillator: Oscillator, t: Any, ax: Axes | None, lang: str) -> A
     say = Language(lang)
     axes, new = given_or_new(ax)
     if t is None:
-        swings = 2 * oscillator.period if math.isfinite(oscillator.period) else 10 / scaled(oscillator, reach(oscillator))[1]
+        swings = (
+            2 * oscillator.period if math.isfinite(oscillator.period) else 10 / scaled(oscillator, reach(oscillator))[1]
+        )
         start = 0.0 if math.isfinite(oscillator.period) else max(oscillator.escape_time_backward, -swings)
         t = np.array([start, min(oscillator.escape_time, swings)])
     fine, u = seen(oscillator, *extremes(finite(t)))
