@@ -24,7 +24,7 @@ pub struct Duffing(Powers);
 /// Without even powers and with them.
 #[derive(Clone, Debug)]
 enum Powers {
-    Odd(CubicQuintic),
+    Odd(Box<CubicQuintic>),
     Even(Box<EvenPowers>),
 }
 
@@ -77,7 +77,8 @@ impl Duffing {
             Domain::check(name, value, value.is_finite(), "finite")?;
         }
         if r == 0.0 && c == 0.0 {
-            return Ok(Duffing(Powers::Odd(CubicQuintic::new(u0, velocity0, p, q, 0.0)?)));
+            let orbit = CubicQuintic::new(u0, velocity0, p, q, 0.0)?;
+            return Ok(Duffing(Powers::Odd(Box::new(orbit))));
         }
         Ok(Duffing(Powers::Even(Box::new(EvenPowers::new(u0, velocity0, [p, q, r, c])))))
     }
