@@ -146,8 +146,8 @@ def range_wrong(row, numbers, force, low, high, still):
             found.append(name)
         at = [value(P, x) for x in (inner, outer)]
         simple = (at[0] > 0 or inner == end) and at[1] < 0
-        slopes = [value(derivative(P), x) for x in (inner, outer)]
-        multiple = slopes[0] * slopes[1] <= 0 and repeated(P)
+        sides = [value(multiple_roots(P), x) for x in (inner, outer)]
+        multiple = sides[0] * sides[1] <= 0
         if not simple and not multiple:
             found.append(name)
         kinds.append("limit" if multiple else "turn")
@@ -167,12 +167,24 @@ def between(P, a, b):
     return roots_between(P, a, b) if value(P, a) and value(P, b) else 0
 
 
-def repeated(P):
-    """Whether P has a root more than once."""
-    a, b = trimmed(P), derivative(trimmed(P))
+def common(a, b):
+    """The greatest common divisor of two polynomials."""
     while any(b):
         a, b = b, remainder(a, b)
-    return len(a) > 1
+    return a
+
+
+def multiple_roots(P):
+    """A polynomial with the multiple roots of P, each once."""
+    shared = common(trimmed(P), derivative(trimmed(P)))
+    again = common(shared, derivative(shared))
+    quotient, left = [], list(shared)
+    while len(left) >= len(again):
+        factor = left[-1] / again[-1]
+        quotient.insert(0, factor)
+        shift = len(left) - len(again)
+        left = [x - (factor * again[k - shift] if k >= shift else 0) for k, x in enumerate(left)][:-1]
+    return quotient
 
 
 def scales_wrong(row, numbers, force):
@@ -188,6 +200,8 @@ def scales_wrong(row, numbers, force):
         known = [x if isinstance(x, Fraction) else 0 for x in (u, v)]
         ranges = [(max(abs(x), abs(y)), 10**-15) for x, y in zip(known, numbers, strict=False)]
     names = zip(("scale_u", "scale_velocity"), told, ranges, strict=True)
+    # velocities may be too small for a double
+    names = [item for item in names if item[1] > Fraction(1, 2**1000) or item[1] == 0]
     return [name for name, x, (y, room) in names if abs(x - y) > Fraction(room) * x]
 
 

@@ -8,6 +8,7 @@ Taylor series (force_taylor.py), which converge geometrically. Run: python oscil
 
 from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
+from functools import lru_cache
 
 import exact
 import mpmath as mp
@@ -68,17 +69,21 @@ class Samples:
         return found
 
 
+@lru_cache(maxsize=8)
+def cosines(number, precision):
+    """cos(2 pi k / number) at the working precision."""
+    return [mp.cos(2 * mp.pi * k / number) for k in range(number)]
+
+
 def coefficient(values, j):
     number = len(values)
-    angle = 2 * mp.pi / number
-    cosines = [mp.cos(angle * k) for k in range(number)]
-    return sum(u * cosines[j * k % number] for k, u in enumerate(values)) * (2 if j else 1) / number
+    known = cosines(number, mp.mp.prec)
+    return sum(u * known[j * k % number] for k, u in enumerate(values)) * (2 if j else 1) / number
 
 
 def without_first(values, mean, first):
-    number = len(values)
-    angle = 2 * mp.pi / number
-    return [u - mean - first * mp.cos(angle * k) for k, u in enumerate(values)]
+    known = cosines(len(values), mp.mp.prec)
+    return [u - mean - first * c for u, c in zip(values, known, strict=True)]
 
 
 def series(values, vanishing, centre):

@@ -5,7 +5,6 @@ there is no fifth power; with one, the action by that of u^2. Derivatives: centr
 and phase of the start by samples of a Taylor series. Some rows are derived again; mutated rows must fail.
 """
 
-import math
 from fractions import Fraction
 
 import curve
@@ -18,7 +17,7 @@ import oscillator_states
 from energy import middle
 from exact import mpf, real
 from flint import arb, ctx
-from general_oscillator import ScaledOrbit
+from general_oscillator import PLACE, ScaledOrbit
 from table import counted, fail
 
 FILES = {
@@ -114,8 +113,14 @@ def steady(row):
     """Whether 256 samples are enough: the amplitudes fall fast."""
     if row["regime"] not in MOVING:
         return False
-    last = float.fromhex(row["amplitude_24_hi"])
-    return math.isnan(last) or abs(last) < 1e-9 * abs(float.fromhex(row["amplitude_1_hi"]))
+    first, *late = (abs(float.fromhex(row[f"amplitude_{j}_hi"])) for j in (1, 9, 10))
+    return not any(x > 1e-4 * first for x in late)
+
+
+def differences(numbers, k, step, t, bits):
+    """motion() on both sides of input k and there."""
+    with ctx.workprec(bits):
+        return [motion([*numbers[:k], numbers[k] + side * step, *numbers[k + 1 :]], t) for side in (1, -1, 0)]
 
 
 def slopes_wrong(row):
@@ -124,13 +129,19 @@ def slopes_wrong(row):
     found = []
     if row["regime"] == "rest":
         return found
+    whole = ScaledOrbit(tuple(numbers[:2]), dict(zip(oscillator_slopes.LETTERS, numbers[2:], strict=True)), [t])
+    length, rate = Fraction(2) ** whole.length, Fraction(2) ** whole.rate
+    units = {"u0": length, "velocity0": length * rate}
+    units |= {x: length ** (1 - PLACE[x][0]) * rate**2 for x in oscillator_slopes.LETTERS}
     for k, x in enumerate(oscillator_slopes.BY):
         if row[f"du_d{x}"] == "nan":
             continue
-        step = max(abs(numbers[k]), Fraction(1, 2**60)) / 2**200
-        with ctx.workprec(2200):
-            ends = [motion([*numbers[:k], numbers[k] + side * step, *numbers[k + 1 :]], t) for side in (1, -1)]
-            here = motion(numbers, t)
+        step = (abs(numbers[k]) or units[x]) / 2**200
+        bits = 2200
+        while None in (ends := differences(numbers, k, step, t, bits)):
+            bits *= 2
+        with ctx.workprec(bits):
+            *ends, here = ends
             by = [(a - b) / ball(2 * step) for a, b in zip(*ends, strict=True)]
             if numbers[5] != 0:
                 # u^2 is known: u = +-root, and du as its sign

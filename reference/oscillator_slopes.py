@@ -8,7 +8,6 @@ without fourth power, which is infinite. Run: python oscillator_slopes.py
 
 from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
-from itertools import chain
 
 import exact
 import mpmath as mp
@@ -43,7 +42,7 @@ def slopes(orbit, time, letters):
                 bits += bits // 2  # too few for the integration to meet the quadrature
                 continue
             found = [all_slopes(way, time, len(by)) for way in (rough, fine)]
-            if all(agreement(a, b) < mpf(10) ** -28 for a, b in zip(*(chain(*f) for f in found), strict=True)):
+            if all(same(a, b) for a, b in zip(*found, strict=True)):
                 u, v, period, *escapes = found[1]
                 break
         bits += bits // 2
@@ -64,6 +63,19 @@ def slopes(orbit, time, letters):
     return [u, v, period, action, *escapes]
 
 
+def same(rough, fine):
+    """Whether two lists of derivatives agree; what is nothing beside the others becomes 0 in the second."""
+    sizes = [abs(d) for d in fine if mp.isfinite(d)]
+    least = max(sizes, default=mpf(0)) * mpf(10) ** -45
+    agreeing = True
+    for k, (a, b) in enumerate(zip(rough, fine, strict=True)):
+        if abs(a) < least and abs(b) < least:
+            fine[k] = mpf(0)
+        elif agreement(a, b) > mpf(10) ** -28:
+            agreeing = False
+    return agreeing
+
+
 def all_slopes(fine, time, count):
     columns = fine.states[time][1:]
     none = [mp.nan] * count
@@ -71,8 +83,8 @@ def all_slopes(fine, time, count):
     return [
         [d for d, _ in columns],
         [d for _, d in columns],
-        fine.by_period or none,
-        forward or none,
+        list(fine.by_period or none),
+        list(forward or none),
         [-d for d in backward] if backward else none,
     ]
 

@@ -264,6 +264,8 @@ class PotentialOrbit:
 
     def mean_power(self, power, goal):
         """The mean of u^power over a period."""
+        if power % 2 and self.centre() == 0:
+            return mpf(0)
 
         def evaluate(H, a, wide):
             return 4 * integral(H, 0, half_pi(), goal, lambda phi: (a + wide * phi.sin() ** 2) ** power)
