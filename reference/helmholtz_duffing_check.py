@@ -18,7 +18,7 @@ from potential import kinetic
 from table import counted, fail, mutated
 
 FILES = (helmholtz_duffing.NAME,)
-SAMPLE, AGAIN, SLOPES = 90, 4, 10
+SAMPLE, AGAIN, SLOPES = 60, 2, 4
 NUMBERS = helmholtz_duffing.INPUTS
 
 
