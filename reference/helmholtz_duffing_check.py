@@ -229,6 +229,13 @@ def slopes_wrong(row):
         P = quartic([curve_ball(x) for x in values[:-1]])[0]
         return (value(P, curve_ball(values[-1])),)
 
+    def energy(values):
+        return (quartic([curve_ball(x) for x in values])[0][0] / 2,)
+
+    if abs(curve.stored(row, "energy")) < math.inf and not curve.near(
+        curve.total(energy, numbers)[0], row["cond_energy"]
+    ):
+        found.append("cond_energy")
     if row["regime"] != "rest":
         for name, function in (
             ("period", returned),
