@@ -95,6 +95,8 @@ def letters(orbit):
     return dict(zip("prqsc", orbit[2:], strict=True))
 
 
+# rows of the derivatives that would take minutes: many hundreds of rates after the start on a separatrix, or nearly symmetric
+SLOW = ("os-0056", "os-0074")
 ESCAPES = [
     (even.outside, 5),
     (even.over_one_barrier, 5),
@@ -128,7 +130,7 @@ def slope_rows(prefix, names):
                 period if mp.isfinite(period) else 32 * unit, draw.sign() * draw.part() * (100 if k % 5 == 3 else 2)
             )
         found.append((stratum, *orbit, t))
-    return list(numbered(prefix, names, found))
+    return [row for row in numbered(prefix, names, found) if row["id"] not in SLOW]
 
 
 STATES = [
