@@ -35,6 +35,7 @@ mod vectors_elliptic;
 mod vectors_elliptic_complex;
 mod vectors_elliptic_family;
 mod vectors_helmholtz_duffing;
+mod vectors_oscillator_action;
 mod vectors_own_parameters;
 mod vectors_pendulum;
 mod vectors_second;

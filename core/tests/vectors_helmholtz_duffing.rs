@@ -7,7 +7,7 @@ use libration::oscillator::duffing_rows_into;
 use std::collections::BTreeMap;
 
 const VECTORS: &str = include_str!("../../reference/vectors/helmholtz_duffing.csv");
-const ROWS: usize = 861;
+const ROWS: usize = 1929;
 const STRATA: usize = 46;
 const NAMES: [&str; 8] = ["u", "velocity", "period", "low", "high", "energy", "escape", "escape_backward"];
 
