@@ -22,7 +22,7 @@ pub(super) struct Product {
     pub poles: [Scaled; 2],
     /// Backward and forward.
     pub escapes: [Scaled; 2],
-    /// T(-z), and S(p1) T(p2).
+    /// T(-z), or 1 for a start from rest, and S(p1) T(p2).
     at_start: Scaled,
     at_poles: Scaled,
 }
@@ -60,7 +60,9 @@ impl Product {
             at_start: Scaled::ONE,
             at_poles: Scaled::ONE,
         };
-        product.at_start = product.other(-turned);
+        if moves {
+            product.at_start = product.other(-turned);
+        }
         product.at_poles = product.curve.sine(poles[0]) * product.other(poles[1]);
         product
     }
