@@ -82,7 +82,7 @@ impl EvenPowers {
         if way.is_negative() == up {
             return Vec::new();
         }
-        let slope = self.quartic.values(base.value())[1].to_scaled() / Scaled::from(6.0);
+        let slope = self.quartic.slope(base);
         let pole = if (product.poles[0] - turn).is_zero() { product.poles[1] } else { product.poles[0] };
         let [sine, cosine, _] = product.curve.pair(pole - turn);
         let distance = (cosine / sine).square() + slope / way.shift(2);
@@ -173,7 +173,9 @@ fn monotone(way: Scaled, end: f64, guess: f64, motion: &dyn Fn(f64) -> [Scaled; 
             return t;
         }
         let next = t + step;
-        t = if next > low && next < high {
+        // Far beyond, the way grows like an exponential or has a pole: halving is faster.
+        let far = x.is_nan() || (x.abs() - way.abs().shift(1)).is_positive();
+        t = if !far && next > low && next < high {
             next
         } else if high.is_finite() {
             let middle = if low > 0.0 && high > 4.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };

@@ -216,7 +216,7 @@ fn range(quartic: &Quartic, solution: &EvenSolution, [behind, ahead]: [Scaled; 2
             if let Some(at) = product.turn() {
                 let x = product.at(at)[0];
                 let end = polished(quartic, u0 + x, size(x), false);
-                let slope = quartic.values(end.value())[1].to_scaled();
+                let slope = quartic.slope(end);
                 return beyond(end, slope.is_positive());
             }
             if behind.is_finite() && ahead.is_finite() {

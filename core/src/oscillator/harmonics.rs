@@ -81,7 +81,9 @@ impl Harmonics {
         let q = quartic.q.to_scaled();
         let lead = q.abs().shift(-1);
         let g = quartic.g.sign();
-        let odd_only = g == 0 && !q.is_zero();
+        // Symmetric about the middle, but for a motion beside it.
+        let aside = curve.three() && q.is_positive();
+        let odd_only = g == 0 && !q.is_zero() && !aside;
         if q.is_zero() {
             let rho = quartic.rho.to_scaled();
             let factor = omega.square() * Scaled::from(6.0) / rho.abs();

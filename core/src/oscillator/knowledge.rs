@@ -11,10 +11,11 @@ use crate::float::scaled::Scaled;
 use crate::float::{Dd, TWO_PI};
 
 impl EvenPowers {
-    /// 2 pi over the period; 0 on a separatrix, NaN for a motion that does not stay.
+    /// 2 pi over the period; 0 on a separatrix and on an unstable equilibrium, NaN for a motion that does not stay.
     pub fn frequency(&self) -> Scaled {
         match self.regime {
             OscillatorRegime::Homoclinic | OscillatorRegime::Heteroclinic => Scaled::ZERO,
+            OscillatorRegime::Rest if !self.period.is_finite() => Scaled::ZERO,
             _ if self.period.is_finite() => Scaled::from(TWO_PI) / self.period,
             _ => Scaled::NAN,
         }
@@ -135,6 +136,9 @@ impl EvenPowers {
 
     /// Phase in rad at t.
     pub fn phase(&self, t: f64) -> f64 {
+        if self.regime == OscillatorRegime::Rest && !self.period.is_finite() {
+            return 0.0 * t;
+        }
         let Some(turns) = self.phase_turns() else { return f64::NAN };
         (turns.counted(t) * TWO_PI).value()
     }

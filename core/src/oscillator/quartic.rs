@@ -143,7 +143,14 @@ impl Quartic {
         }
     }
 
-    /// P, P' and P'' at a double, exactly: rounded once.
+    /// P' at a root known beyond a double: next to a double root it is a difference.
+    pub fn slope(&self, u: Scaled) -> Scaled {
+        let near = u.value();
+        let [_, slope, bend] = self.values(near).map(|x| x.to_scaled());
+        (slope + bend * (u - Scaled::from(near))) / Scaled::from(6.0)
+    }
+
+    /// 6 P, 6 P' and 6 P'' at a double, exactly.
     pub fn values(&self, u: f64) -> [Dyadic; 3] {
         let x = Dyadic::from(u) - &self.u0;
         // P = v^2 + 2 f x - sigma x^2 - 2 rho x^3/3 - q x^4/2, times 6.

@@ -56,8 +56,8 @@ pub(super) fn stable_equilibria(force: [f64; 4]) -> Vec<f64> {
     for to in turns {
         if force_sign(force, from) >= 0 && force_sign(force, to) <= 0 {
             let (mut low, mut high) = (ordered(from), ordered(to));
-            while high - 1 > low {
-                let middle = low + (high - low) / 2;
+            while high.saturating_sub(low) > 1 {
+                let middle = (low >> 1) + (high >> 1) + (low & high & 1);
                 match force_sign(force, double(middle)) {
                     0 => (low, high) = (middle, middle),
                     1 => low = middle,

@@ -215,16 +215,15 @@ impl EvenPowers {
             let steps = equation.sweep(self, period);
             let Some(end) = found(&steps, period) else { return };
             let start = equation.start(self);
-            let force =
-                ldexp(ldexp(self.quartic.force.to_scaled().value(), -equation.length), 2 * equation.time);
-            let by_velocity = start.u[1].hi.abs() > force.abs();
+            let force = self.quartic.force.to_scaled().shift(2 * equation.time - equation.length).to_dd();
+            let by_velocity = start.u[1].hi.abs() > force.hi.abs();
             let mut slopes = [Dd::ZERO; COLUMNS];
             for (k, slope) in slopes.iter_mut().enumerate() {
                 let [before, after] = [start.columns[k], end.columns[k]];
                 *slope = if by_velocity {
                     (before[0] - after[0]) / start.u[1]
                 } else {
-                    (before[1] - after[1]) / Dd::from(force)
+                    (before[1] - after[1]) / force
                 };
             }
             for (i, t) in times.iter().enumerate() {

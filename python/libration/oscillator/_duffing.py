@@ -378,7 +378,8 @@ class Duffing(Oscillator):
 
         Notes
         -----
-        Error promised, in each row: 1e-12 of the largest change. Source: the variational equations by Taylor series.
+        Error promised, in each row: 1e-12 of the largest change, while a disturbance grows by less than 1e10 on the way; next to a
+        separatrix fewer digits are left. Source: the variational equations by Taylor series.
 
         Examples
         --------

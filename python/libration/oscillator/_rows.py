@@ -161,7 +161,7 @@ def cubic_quintic_motion(t: Any, u0: Any, velocity0: Any = 0.0, *, p: Any, q: An
     --------
     >>> import libration
     >>> libration.cubic_quintic_motion(1.0, [0.5, 1.0], p=1.0, q=1.0, s=1.0)[0].round(6)
-    array([0.206932, 0.041949])
+    array([0.217924, 0.041949])
     """
     return apply(_core.cubic_quintic_motion, t, u0, velocity0, p, q, s, results=MOTION)
 
@@ -248,7 +248,7 @@ def duffing_action(u0: Any, velocity0: Any = 0.0, *, p: Any, q: Any, r: Any = 0.
     --------
     >>> import libration
     >>> libration.duffing_action([1.0, 2.0], p=1.0, q=1.0).round(6)
-    array([0.636922, 3.771951])
+    array([0.636922, 3.73264 ])
     """
     return apply(_core.duffing_action, u0, velocity0, p, q, r, c, results=(ACTION,))
 
@@ -301,7 +301,7 @@ def duffing_regime(u0: Any, velocity0: Any = 0.0, *, p: Any, q: Any, r: Any = 0.
     Examples
     --------
     >>> import libration
-    >>> print(*libration.duffing_regime([0.0, 1.4, 2.0], p=-1.0, q=1.0, r=0.1))
+    >>> print(*libration.duffing_regime([0.0, 1.2, 2.0], p=-1.0, q=1.0, r=0.1))
     rest well libration
     """
     return apply(_WORDS, u0, velocity0, p, q, r, c, results=(REGIME,))
@@ -331,6 +331,6 @@ def duffing_escape_times(u0: Any, velocity0: Any = 0.0, *, p: Any, q: Any, r: An
     --------
     >>> import libration
     >>> libration.duffing_escape_times([1.1, 0.5], p=1.0, q=-1.0)[1].round(6)
-    array([2.459136,      inf])
+    array([2.58573,     inf])
     """
     return apply(_core.duffing_escape_times, u0, velocity0, p, q, r, c, results=ESCAPES)
