@@ -168,13 +168,12 @@ fn monotone(way: Scaled, end: f64, guess: f64, motion: &dyn Fn(f64) -> [Scaled; 
         } else {
             low = t;
         }
-        let step = (rest / velocity.abs()).value();
-        if !x.is_nan() && step == 0.0 || t + step == t {
-            return t;
-        }
-        let next = t + step;
         // Far beyond, the way grows like an exponential or has a pole: halving is faster.
         let far = x.is_nan() || (x.abs() - way.abs().shift(1)).is_positive();
+        let next = t + (rest / velocity.abs()).value();
+        if !far && next == t {
+            return t;
+        }
         t = if !far && next > low && next < high {
             next
         } else if high.is_finite() {

@@ -260,7 +260,7 @@ class Oscillator(Immutable):
         >>> ax.get_xlabel()
         't [s]'
         """
-        from ..plot._springs import motion_axes
+        from ..plot._displacement import motion_axes
 
         return motion_axes(self, t, ax, lang)
 

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from .._scalars import shown
 from ..oscillator._oscillator import Oscillator
-from ._axes import given_or_new, named
+from ._axes import named
+from ._displacement import seen
 from ._language import ENGLISH, Language
-from ._potential import FAR, barriers, coefficients, equilibria, potential, reach, scaled
-from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, part_of, quiet, save
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from ._potential import barriers, coefficients, equilibria, potential, reach, scaled
+from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, part_of, quiet, save
 
 
 def plot_oscillator(
@@ -78,30 +76,6 @@ def plot_oscillator(
     save(path, form, headline(oscillator, say) if title is None else title, *panels, dpi=dpi)
 
 
-def motion_axes(oscillator: Oscillator, t: Any, ax: Axes | None, lang: str) -> Axes:
-    """u(t) in axes: two periods from t = 0, or what there is of the motion, if no instants are given."""
-    say = Language(lang)
-    axes, new = given_or_new(ax)
-    if t is None:
-        swings = (
-            2 * oscillator.period if math.isfinite(oscillator.period) else 10 / scaled(oscillator, reach(oscillator))[1]
-        )
-        start = 0.0 if math.isfinite(oscillator.period) else max(oscillator.escape_time_backward, -swings)
-        t = np.array([start, min(oscillator.escape_time, swings)])
-    fine, u = seen(oscillator, *extremes(finite(t)))
-    axes.plot(fine, u, color=EXACT if new else None, lw=2)
-    axes.set_xlabel("t [s]")
-    axes.set_ylabel("u")
-    say.ticks(axes)
-    return axes
-
-
-def extremes(t: np.ndarray) -> tuple[float, float]:
-    """The first and the last instant; from 0 where there is one only."""
-    first, last = float(t.min()), float(t.max())
-    return (first, last) if first < last else (min(0.0, first), max(0.0, first))
-
-
 def headline(oscillator: Oscillator, say: Language = ENGLISH) -> str:
     """Equation, regime and what goes with it in one line."""
     given = ", ".join(f"{letter} = {say.number(value)}" for letter, value in coefficients(oscillator))
@@ -142,28 +116,6 @@ def draw_displacement(axes: Any, oscillator: Oscillator, t: np.ndarray, say: Lan
     quiet(axes)
     say.ticks(axes)
     named(axes, new=True)
-
-
-def seen(oscillator: Oscillator, first: float, last: float) -> tuple[np.ndarray, np.ndarray]:
-    """Instants and displacements to draw: of many swings the first, of a motion that runs away what is not too far."""
-    if math.isfinite(oscillator.period):
-        last = first_swings(first, last, oscillator.period)
-    far = FAR * reach(oscillator) / 2
-    while True:
-        fine = np.linspace(first, last, 4000)
-        if first < 0 < last:
-            fine = np.sort(np.append(fine, 0.0))
-        u = oscillator.u(fine)
-        u = np.where(np.abs(u) < far, u, np.nan)
-        inside = np.flatnonzero(np.isfinite(u))
-        if not inside.size or np.ptp(inside) > fine.size / 5:
-            return fine, u
-        # Some room on both sides of what is seen, for the escape that ends it.
-        room = 2 + np.ptp(inside) // 4
-        closer = fine[max(inside[0] - room, 0)], fine[min(inside[-1] + room, fine.size - 1)]
-        if closer == (first, last):
-            return fine, u
-        first, last = closer
 
 
 def draw_portrait(axes: Any, oscillator: Oscillator, say: Language = ENGLISH) -> None:
