@@ -228,5 +228,5 @@ def test_what_is_said_of_a_spring():
         "came from infinity at t = −1.86387 s",
     ]
     well = CubicQuintic(1.0, p=1.0, q=-3.0, s=1.0)._repr_html_()
-    assert "α = 1, β = −3, γ = 1" in well
+    assert "p = 1, q = −3, s = 1" in well
     assert "period 2.7368 s, u from 1 to 1.90721" in well

@@ -296,7 +296,7 @@ Duffing(1, alpha=1)
 Duffing(1, p=1)
     TypeError: Duffing() needs q=; it takes u0, velocity0, p, q, r, c
 Duffing(1, 0, 1, 1)
-    TypeError: Duffing() takes u0, velocity0 by position and p=, q= by name; 4 are given by position
+    TypeError: Duffing() takes u0, velocity0 by position and p=, q=, r=, c= by name; 4 are given by position
 Duffing([1.0], p=1, q=1)
     ValueError: u0 = [1.0]: must be one real number, a Python or NumPy scalar; libration.duffing_motion takes arrays
 CubicQuintic(1, alpha=1, q=1)

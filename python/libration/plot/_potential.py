@@ -49,7 +49,7 @@ def equilibria(oscillator: Any) -> list[float]:
 
 def potential(force: list[float], x: Any) -> Any:
     """Energy at rest at x."""
-    return sum(c * x ** (k + 1) / (k + 1) for k, c in enumerate(force) if c)
+    return sum((c * x ** (k + 1) / (k + 1) for k, c in enumerate(force) if c), 0.0 * x)
 
 
 def barriers(force: list[float], resting: list[float]) -> list[float]:
