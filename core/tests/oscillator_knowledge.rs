@@ -63,18 +63,18 @@ fn actions_and_series() {
 /// On a separatrix the action is the limit of those beside it.
 #[test]
 fn separatrices() {
-    // sech: u = sqrt 2 sech t, the integral of u'^2 is 4/3.
-    let sech = Duffing::with_even_powers(2f64.sqrt(), 0.0, [-1.0, 1.0, 0.0, 0.0]).unwrap().action();
-    assert!((sech * core::f64::consts::TAU - 4.0 / 3.0).abs() < 1e-7, "{sech}");
+    // sech: u = sech(t/sqrt 2), the integral of u'^2 is sqrt 2/3.
+    let sech = Duffing::new(1.0, 0.0, -0.5, 1.0).unwrap();
+    assert_eq!((sech.regime().name(), sech.frequency()), ("homoclinic", 0.0));
+    assert!((sech.action() * core::f64::consts::TAU * 3.0 / 2f64.sqrt() - 1.0).abs() < 1e-14);
     // u'' + u - u^2 = 0 from the saddle's orbit: u = 1 - 1.5 sech^2(t/2), the integral is 6/5.
     let drop = Duffing::with_even_powers(-0.5, 0.0, [1.0, 0.0, -1.0, 0.0]).unwrap();
     assert_eq!((drop.regime().name(), drop.frequency()), ("homoclinic", 0.0));
     assert!((drop.action() * core::f64::consts::TAU - 1.2).abs() < 1e-14, "{}", drop.action());
-    // tanh, there and back: u = tanh(t/sqrt 2) for u'' + u - u^3 = 0.
-    let tanh = Duffing::new(0.0, 0.5f64.sqrt(), 1.0, -1.0).unwrap();
-    if tanh.regime().name() == "heteroclinic" {
-        assert!((tanh.action() * core::f64::consts::TAU - 2.0 * 8f64.sqrt() / 3.0).abs() < 1e-13);
-    }
+    // tanh, there and back: u = tanh t for u'' + 2 u - 2 u^3 = 0, the integral is 4/3 each way.
+    let tanh = Duffing::new(0.0, 1.0, 2.0, -2.0).unwrap();
+    assert_eq!(tanh.regime().name(), "heteroclinic");
+    assert!((tanh.action() * core::f64::consts::TAU * 3.0 / 8.0 - 1.0).abs() < 1e-14);
 }
 
 /// Differences of motions.
