@@ -2,7 +2,8 @@
 
 Run: python check.py [FILE ...] [--all] [--seed N]. Row counts must be those of README.md, a seeded sample of every
 file is derived again, every row must agree with another method, and mutated rows must fail: see rows_check.py,
-oscillator_check.py, approx_check.py, bunches_check.py, rings_check.py. --all takes every row as the sample and draws all inputs again.
+oscillator_check.py, helmholtz_duffing_check.py, oscillator_rows_check.py, approx_check.py, bunches_check.py, rings_check.py. --all takes
+every row as the sample and draws all inputs again.
 """
 
 import argparse
@@ -14,13 +15,17 @@ import approx_check
 import bunches_check
 import damped_check
 import exact
+import helmholtz_duffing_check
 import oscillator_check
 import rings_check
+import oscillator_rows_check
 import rows_check
 
 CHECKS = {
     # The longest ones first, so that no processor is idle at the end.
     **dict.fromkeys(oscillator_check.SAMPLES, oscillator_check.check),
+    **dict.fromkeys(helmholtz_duffing_check.FILES, helmholtz_duffing_check.check),
+    **dict.fromkeys(oscillator_rows_check.FILES, oscillator_rows_check.check),
     **dict.fromkeys(rows_check.GENERATORS, rows_check.check),
     **dict.fromkeys(approx_check.FILES, approx_check.check),
     **dict.fromkeys(damped_check.FILES, damped_check.check),

@@ -61,7 +61,11 @@ def wp(t, g2, g3):
 
 def motion(start, force, t):
     """(x, x') as balls at the working precision, all arguments rationals or balls; None if too wide."""
-    f, x0, v0 = quartic(start, force)
+    return moved(*quartic(start, force), t)
+
+
+def moved(f, x0, v0, t):
+    """The same for x'^2 = f(x), coefficients from the constant upwards."""
 
     def ball_of(x):
         return x if isinstance(x, arb) else ball(x)

@@ -34,7 +34,7 @@ def nearest(fraction):
     try:
         return fraction.numerator / fraction.denominator
     except OverflowError:
-        return math.copysign(math.inf, fraction)
+        return math.inf if fraction > 0 else -math.inf
 
 
 def hi_lo(x):

@@ -32,11 +32,11 @@ DUFFING = {  # u0, velocity0, p, q
     "linear": (1.0, 0.5, 1.0, 0.0),
     "escape": (1.0, 0.3, -1.0, -1.0),
 }
-CUBIC_QUINTIC = {  # u0, velocity0, alpha, beta, gamma
+CUBIC_QUINTIC = {  # u0, velocity0, p, q, s
     "libration": (1.0, 0.3, 1.0, 1.0, 1.0),
     "well": (1.2, 0.1, -1.0, 0.5, 1.0),
     "rising": (0.5, 0.2, 1.0, -1.0, 0.2),
-    "gamma = 0": (1.0, 0.3, 1.0, 1.0, 0.0),
+    "s = 0": (1.0, 0.3, 1.0, 1.0, 0.0),
     "escape": (1.0, 0.3, -1.0, -1.0, -1.0),
 }
 
@@ -78,7 +78,7 @@ def calls(libration) -> dict:
         found[f"Pendulum {name}: second_sensitivities"] = partial(orbit.second_sensitivities, t[: FEW // 8])
     for kind, table in {"Duffing": DUFFING, "CubicQuintic": CUBIC_QUINTIC}.items():
         for name, (a, b, *force) in table.items():
-            keywords = dict(zip(("p", "q") if kind == "Duffing" else ("alpha", "beta", "gamma"), force, strict=True))
+            keywords = dict(zip(("p", "q") if kind == "Duffing" else ("p", "q", "s"), force, strict=True))
             made, times = getattr(libration, kind), near if name == "escape" else t
             orbit = made(a, b, **keywords)
             found[f"{kind} {name}: set-up"] = partial(made, a, b, **keywords)
@@ -141,7 +141,7 @@ def attributes(libration) -> dict:
         ),
         "Duffing": ("duffing", ("u0", "velocity0"), ("p", "q"), (*ends, "range", "escape_time")),
         "CubicQuintic": (
-            *("cubic_quintic", ("u0", "velocity0"), ("alpha", "beta", "gamma")),
+            *("cubic_quintic", ("u0", "velocity0"), ("p", "q", "s")),
             (*ends, "range", "escape_time", "escape_time_backward"),
         ),
     }

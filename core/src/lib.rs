@@ -11,7 +11,7 @@
 //! | its derivatives by start and force | [`Sensitivity`] |
 //! | one state a step later | [`advance`] |
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
-//! | u'' + alpha u + beta u^3 + gamma u^5 = 0 | [`CubicQuintic`] |
+//! | u'' + p u + q u^3 + s u^5 = 0 | [`CubicQuintic`] |
 //! | friction and torque: the motion over an interval | [`DampedPendulum`], [`Friction`], [`Torque`], [`Trajectory`] |
 //! | its derivatives | [`DampedSensitivity`] |
 //! | inertia and length of a rigid pendulum, corrections of its period | [`compound`] |
@@ -54,7 +54,7 @@ pub use elliptic::{
     parameter_of_nome,
 };
 pub use lanes::InstructionSet;
-pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorRegime};
+pub use oscillator::{Companion, CubicQuintic, Duffing, DuffingForm, OscillatorFourier, OscillatorRegime};
 pub use pendulum::frequency::STANDARD_GRAVITY;
 pub use pendulum::{
     Extremes, Fourier, Frequency, Hessians, Jacobian, Orbit, OrbitStart, Regime, Sensitivity, StartAngle,

@@ -242,7 +242,7 @@ fn exact_boundaries() {
 #[test]
 fn bad_input_is_named() {
     let error = CubicQuintic::new(1.0, 0.0, 1.0, f64::NAN, 1.0).unwrap_err();
-    assert_eq!(error.to_string(), "beta = NaN: must be finite");
+    assert_eq!(error.to_string(), "q = NaN: must be finite");
     let one = orbit([1.0, 0.0, 1.0, 1.0, 1.0]);
     assert_eq!(one.times(0.5, 1.0, 0.0).unwrap_err().argument, "stop");
     assert!(one.times(2.0, 0.0, 9.0).unwrap().is_empty());

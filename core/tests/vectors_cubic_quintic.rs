@@ -119,7 +119,7 @@ fn spoiled_siblings_are_found() {
     assert!(
         spoiled(&|orbit, t, _| {
             let [u0, velocity0] = [orbit.u0(), orbit.velocity0()];
-            answers(&CubicQuintic::new(u0, velocity0, orbit.alpha(), orbit.beta(), 0.0).unwrap(), t)
+            answers(&CubicQuintic::new(u0, velocity0, orbit.p(), orbit.q(), 0.0).unwrap(), t)
         }) > 4.0
     );
 }

@@ -159,9 +159,18 @@ __all__ = [
     "ds_rows_m",
     "ds_rows_mc",
     "ds_rows_q",
+    "duffing_action",
+    "duffing_escape_times",
+    "duffing_frequency",
+    "duffing_from_action_phase",
+    "duffing_from_energy",
     "duffing_motion",
     "duffing_of_pendulum",
+    "duffing_period",
+    "duffing_phase",
+    "duffing_regime",
     "duffing_rows",
+    "duffing_sensitivities",
     "duffing_u",
     "duffing_velocity",
     "energy_ratio",
@@ -486,8 +495,15 @@ ds_complex_m: np.ufunc
 ds_complex_mc: np.ufunc
 ds_complex_q: np.ufunc
 ds_q: np.ufunc
+duffing_action: np.ufunc
+duffing_escape_times: np.ufunc
+duffing_frequency: np.ufunc
 duffing_motion: np.ufunc
+duffing_period: np.ufunc
+duffing_phase: np.ufunc
+duffing_regime: np.ufunc
 duffing_rows: np.ufunc
+duffing_sensitivities: np.ufunc
 duffing_u: np.ufunc
 duffing_velocity: np.ufunc
 energy_ratio: np.ufunc
@@ -785,7 +801,7 @@ class Orbit:
 
 @final
 class CubicQuintic:
-    def __new__(cls, u0: float, velocity0: float, alpha: float, beta: float, gamma: float) -> CubicQuintic: ...
+    def __new__(cls, u0: float, velocity0: float, p: float, q: float, s: float) -> CubicQuintic: ...
     @property
     def operands(self) -> list[float]: ...
     @property
@@ -852,7 +868,7 @@ def torque_at(
 
 @final
 class Duffing:
-    def __new__(cls, u0: float, velocity0: float, p: float, q: float) -> Duffing: ...
+    def __new__(cls, u0: float, velocity0: float, p: float, q: float, r: float, c: float) -> Duffing: ...
     @property
     def operands(self) -> list[float]: ...
     @property
@@ -871,6 +887,13 @@ class Duffing:
     def escape_time(self) -> float: ...
     @property
     def escape_time_backward(self) -> float: ...
+    @property
+    def action(self) -> float: ...
+    @property
+    def frequency(self) -> float: ...
+    @property
+    def distortion(self) -> float: ...
+    def fourier(self, /, n: int) -> tuple[float, np.ndarray, np.ndarray]: ...
     def u(self, /, t: float) -> np.float64: ...
     def velocity(self, /, t: float) -> np.float64: ...
     def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
@@ -895,6 +918,12 @@ def duffing_of_pendulum(
     length: float | None = None,
     gravity: float | None = None,
 ) -> tuple[float, float, float, float]: ...
+def duffing_from_action_phase(
+    action: float, phase: float, about: float | None, force: tuple[float, float, float, float]
+) -> tuple[float, float]: ...
+def duffing_from_energy(
+    energy: float, u0: float, direction: float, force: tuple[float, float, float, float]
+) -> tuple[float, float]: ...
 def pendulum_of_duffing(duffing: Duffing) -> tuple[float, float, float, float] | None: ...
 def schemes() -> list[tuple[str, str, str, bool]]: ...
 

@@ -53,6 +53,27 @@ class Elementwise:
         return like(argument, answers) if values.ndim else answers[()]
 
 
+class Words:
+    """The ufunc of a regime with words in the place of its numbers, with what `apply` asks of a ufunc."""
+
+    nout = 1
+
+    def __init__(self, kernel: Any, words: list[str]) -> None:
+        self.kernel = kernel
+        # The last is that of what is no number.
+        self.words = np.array([*words, ""])
+        self.types = ("d" * kernel.nin + "->U",)
+        self.dtypes = (self.words.dtype,)
+
+    def __call__(self, *operands: Any) -> Any:
+        codes = self.kernel(*operands)
+        places = np.asarray(codes)
+        words = self.words[np.where(np.isnan(places), -1, places).astype(int)]
+        if isinstance(codes, np.ma.MaskedArray):
+            return np.ma.array(words, mask=codes.mask)
+        return like(codes, words) if places.ndim else words
+
+
 def numbers(argument: Any) -> Any:
     """An argument as an array of doubles; text, None, complex numbers and quantities with units are refused, not converted."""
     if has_units(argument):

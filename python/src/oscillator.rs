@@ -1,20 +1,20 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
 use libration::oscillator::{
-    Companion, CubicQuintic as Quintic, Duffing as Cubic, DuffingForm as Form, duffing_motion_into,
+    Companion, CubicQuintic as Quintic, Duffing as Cubic, DuffingForm as Form, duffing_rows_into,
 };
-use libration::{Frequency, Glaisher};
+use libration::{Domain, Frequency, Glaisher};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::orbit::{ROWS, float64, refused};
 use crate::signals;
-use crate::ufunc::{BLOCK, add, nothing, whole};
+use crate::ufunc::{BLOCK, add, each, nothing, whole};
 
 /// The class of one oscillator: its arguments, and the core's type that answers.
 macro_rules! oscillator {
-    ($name:ident, $core:ident, $document:literal, $($coefficient:ident),+) => {
+    ($name:ident, $core:ident, $set_up:expr, $document:literal, $($coefficient:ident),+; { $($more:tt)* }) => {
         #[doc = $document]
         #[pyclass(frozen, weakref, module = "libration._core")]
         pub struct $name {
@@ -28,7 +28,7 @@ macro_rules! oscillator {
         impl $name {
             #[new]
             fn new(u0: f64, velocity0: f64, $($coefficient: f64),+) -> PyResult<Self> {
-                let oscillator = $core::new(u0, velocity0, $($coefficient),+).map_err(refused)?;
+                let oscillator = $set_up([u0, velocity0, $($coefficient),+]).map_err(refused)?;
                 Ok(Self { oscillator, u0, velocity0, $($coefficient),+ })
             }
 
@@ -115,19 +115,86 @@ macro_rules! oscillator {
             fn escape_time_backward(&self) -> f64 {
                 self.oscillator.escape_time_backward()
             }
+
+            $($more)*
         }
     };
 }
 
-oscillator!(Duffing, Cubic, "u'' + p u + q u^3 = 0: what `libration.Duffing` stands on.", p, q);
+/// A Duffing oscillator of its six numbers.
+fn duffing([u0, velocity0, force @ ..]: [f64; 6]) -> Result<Cubic, Domain> {
+    Cubic::with_even_powers(u0, velocity0, force)
+}
+
+/// A cubic-quintic oscillator of its five numbers.
+fn quintic([u0, velocity0, p, q, s]: [f64; 5]) -> Result<Quintic, Domain> {
+    Quintic::new(u0, velocity0, p, q, s)
+}
+
+oscillator!(
+    Duffing,
+    Cubic,
+    duffing,
+    "u'' + p u + r u^2 + q u^3 = c: what `libration.Duffing` stands on.",
+    p,
+    q,
+    r,
+    c;
+    {
+        /// Action, (1/2 pi) closed integral of the velocity over u.
+        #[getter]
+        fn action(&self) -> f64 {
+            self.oscillator.action()
+        }
+
+        /// Mean angular frequency.
+        #[getter]
+        fn frequency(&self) -> f64 {
+            self.oscillator.frequency()
+        }
+
+        /// Harmonic distortion.
+        #[getter]
+        fn distortion(&self) -> f64 {
+            self.oscillator.distortion()
+        }
+
+        /// Mean, and the first `n` amplitudes of displacement and velocity.
+        fn fourier<'py>(&self, py: Python<'py>, n: i64) -> PyResult<(f64, Samples<'py>, Samples<'py>)> {
+            let series = self.oscillator.fourier(n).map_err(refused)?;
+            Ok((series.mean, series.u.into_pyarray(py), series.velocity.into_pyarray(py)))
+        }
+    }
+);
 oscillator!(
     CubicQuintic,
     Quintic,
-    "u'' + alpha u + beta u^3 + gamma u^5 = 0: what `libration.CubicQuintic` stands on.",
-    alpha,
-    beta,
-    gamma
+    quintic,
+    "u'' + p u + q u^3 + s u^5 = 0: what `libration.CubicQuintic` stands on.",
+    p,
+    q,
+    s;
+    {}
 );
+
+/// The start of a Duffing oscillator by its energy: u0 and velocity0.
+#[pyfunction]
+fn duffing_from_energy(energy: f64, u0: f64, direction: f64, force: [f64; 4]) -> PyResult<(f64, f64)> {
+    let made = Cubic::from_energy(energy, u0, direction, force).map_err(refused)?;
+    Ok((made.u0(), made.velocity0()))
+}
+
+/// The start of a Duffing oscillator by its action and phase: u0 and velocity0.
+#[pyfunction]
+fn duffing_from_action_phase(
+    action: f64,
+    phase: f64,
+    about: Option<f64>,
+    force: [f64; 4],
+) -> PyResult<(f64, f64)> {
+    let made = Cubic::from_action_phase(action, phase, about, force).map_err(refused)?;
+    Ok((made.u0(), made.velocity0()))
+}
 
 /// u0, velocity0, p and q of u = tan(theta/2) for a pendulum.
 #[pyfunction]
@@ -252,9 +319,18 @@ macro_rules! kernels {
     }};
 }
 
-/// Rows of t, u0, velocity0, p and q, each a motion of its own.
-fn duffing_rows((): &(), rows: [&[f64]; 5], _: usize, columns: [&mut [f64]; 2]) {
-    duffing_motion_into(rows, columns);
+/// Rows of t, u0, velocity0, p, q, r and c, each a motion of its own.
+fn duffing_rows((): &(), rows: [&[f64]; 7], _: usize, columns: [&mut [f64]; 2]) {
+    duffing_rows_into(rows, columns);
+}
+
+/// Rows of t of one Duffing oscillator: the derivatives of u and of the velocity by u0, velocity0, p, q, r and c.
+fn sensitivities(made: &Cubic, [t]: [&[f64]; 1], _: usize, mut columns: [&mut [f64]; 12]) {
+    made.derivatives_into(t, &mut |row, derivatives| {
+        for (column, value) in columns.iter_mut().zip(derivatives.as_flattened()) {
+            column[row] = *value;
+        }
+    });
 }
 
 /// Adds the classes and the ufuncs.
@@ -265,9 +341,27 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(duffing_of_pendulum, module)?)?;
     module.add_function(wrap_pyfunction!(pendulum_of_duffing, module)?)?;
     add(module, "duffing_rows", nothing, whole::<[f64; 2], _>(duffing_rows))?;
-    kernels!(module, "duffing", Cubic, |[u0, velocity0, p, q]: [f64; 4]| Cubic::new(u0, velocity0, p, q)
-        .ok())?;
-    kernels!(module, "cubic_quintic", Quintic, |[u0, velocity0, alpha, beta, gamma]: [f64; 5]| {
-        Quintic::new(u0, velocity0, alpha, beta, gamma).ok()
-    })
+    module.add_function(wrap_pyfunction!(duffing_from_energy, module)?)?;
+    module.add_function(wrap_pyfunction!(duffing_from_action_phase, module)?)?;
+    let set_up = |given: [f64; 6]| duffing(given).ok();
+    add(module, "duffing_sensitivities", set_up, whole::<[f64; 12], _>(sensitivities))?;
+    add(module, "duffing_phase", set_up, each(|made: &Cubic, [t]: [f64; 1]| [made.phase(t)]))?;
+    add(module, "duffing_period", set_up, each(|made: &Cubic, []: [f64; 0]| [made.period()]))?;
+    add(module, "duffing_frequency", set_up, each(|made: &Cubic, []: [f64; 0]| [made.frequency()]))?;
+    add(module, "duffing_action", set_up, each(|made: &Cubic, []: [f64; 0]| [made.action()]))?;
+    add(
+        module,
+        "duffing_regime",
+        set_up,
+        each(|made: &Cubic, []: [f64; 0]| [f64::from(made.regime() as u8)]),
+    )?;
+    add(
+        module,
+        "duffing_escape_times",
+        set_up,
+        each(|made: &Cubic, []: [f64; 0]| [made.escape_time_backward(), made.escape_time()]),
+    )?;
+    kernels!(module, "duffing", Cubic, set_up)?;
+    let set_up = |given: [f64; 5]| quintic(given).ok();
+    kernels!(module, "cubic_quintic", Quintic, set_up)
 }

@@ -191,8 +191,8 @@ SPRINGS = [
     Duffing(0.0, 1.0, p=-1.0, q=0.0),
     Duffing(1e-200, p=1.0, q=1.0),
     Duffing(1e100, p=1.0, q=1.0),
-    CubicQuintic(1.0, alpha=1.0, beta=-3.0, gamma=1.0),
-    CubicQuintic(0.5, 0.1, alpha=-1.0, beta=3.0, gamma=-1.0),
+    CubicQuintic(1.0, p=1.0, q=-3.0, s=1.0),
+    CubicQuintic(0.5, 0.1, p=-1.0, q=3.0, s=-1.0),
 ]
 
 
@@ -227,6 +227,6 @@ def test_what_is_said_of_a_spring():
         "escapes to infinity at t = 1.86387 s",
         "came from infinity at t = −1.86387 s",
     ]
-    well = CubicQuintic(1.0, alpha=1.0, beta=-3.0, gamma=1.0)._repr_html_()
-    assert "α = 1, β = −3, γ = 1" in well
+    well = CubicQuintic(1.0, p=1.0, q=-3.0, s=1.0)._repr_html_()
+    assert "p = 1, q = −3, s = 1" in well
     assert "period 2.7368 s, u from 1 to 1.90721" in well

@@ -13,7 +13,7 @@ COMMANDS = {
     "period": "period --theta0 20deg,60deg",
     "compare": "compare --theta0 2 --with harmonic",
     "duffing": "duffing --p 1 --q 1 --u0 1 --samples 9",
-    "cubic-quintic": "cubic-quintic --alpha 1 --beta 1 --gamma 1 --u0 1 --samples 9",
+    "cubic-quintic": "cubic-quintic --p 1 --q 1 --s 1 --u0 1 --samples 9",
 }
 
 

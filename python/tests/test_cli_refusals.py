@@ -65,7 +65,7 @@ def said(capsys, tmp_path, monkeypatch):
         (["solve", "-o", "a.csv"], "did you mean --out?"),
         (["duffing", "--alpha", "1"], "did you mean --p?"),
         (["duffing", "--x0", "1"], "did you mean --u0?"),
-        (["cubic-quintic", "--q", "1"], "did you mean --beta?"),
+        (["cubic-quintic", "--alpha", "1"], "did you mean --p?"),
         (["period", "--", "--theta0", "1"], "unknown option '--theta0'; options stand before --"),
         (["period", "150"], "unknown word '150'; a value follows its option, and several are joined by commas"),
         (["period", "--theta0", "'150", "deg'"], "unknown word 'deg''; this shell takes double quotes, "),

@@ -17,7 +17,8 @@ from libration import CubicQuintic, Duffing, DuffingForm, Pendulum, approx, elli
 T = np.array([[0.1, 0.25, 0.3], [0.45, 0.6, 0.7]])
 PENDULUM = Pendulum(1.0, 0.2)
 DUFFING = Duffing(1.0, p=1.0, q=1.0)
-QUINTIC = CubicQuintic(1.0, alpha=1.0, beta=-0.5, gamma=0.1)
+FORCE = {"p": 1.0, "q": 0.2, "r": 0.5}
+QUINTIC = CubicQuintic(1.0, p=1.0, q=-0.5, s=0.1)
 FORM = DuffingForm("cn", 1.0, p=1.0, q=1.0)
 ANGLE = approx.angle("harmonic")
 APPROXIMATION = ANGLE.of(PENDULUM)
@@ -51,6 +52,19 @@ CALLS = {
     ),
     "harmonic_distortion": (libration.harmonic_distortion, [("harmonic_distortion", "1")]),
     "duffing_motion": (lambda t: libration.duffing_motion(t, 1.0), [("u", None), ("velocity", None)]),
+    "cubic_quintic_motion": (
+        lambda t: libration.cubic_quintic_motion(t, 1.0, p=1.0, q=-0.5, s=0.1),
+        [("u", None), ("velocity", None)],
+    ),
+    "duffing_period": (lambda u: libration.duffing_period(u, **FORCE), [("period", "s")]),
+    "duffing_frequency": (lambda u: libration.duffing_frequency(u, **FORCE), [("frequency", "rad/s")]),
+    "duffing_action": (lambda u: libration.duffing_action(u, **FORCE), [("action", None)]),
+    "duffing_phase": (lambda u: libration.duffing_phase(u, **FORCE), [("phase", "rad")]),
+    "duffing_escape_times": (
+        lambda u: libration.duffing_escape_times(u, **FORCE),
+        [("escape_time_backward", "s"), ("escape_time", "s")],
+    ),
+    "Duffing.phase": (DUFFING.phase, [("phase", "rad")]),
     "Duffing.u": (DUFFING.u, [("u", None)]),
     "Duffing.velocity": (DUFFING.velocity, [("velocity", None)]),
     "Duffing.motion": (DUFFING.motion, [("u", None), ("velocity", None)]),
@@ -98,6 +112,7 @@ for name in elliptic.__all__:
 # Public functions and methods that take no array of any length, or make a matrix of every element.
 NO_ARRAYS = {
     "regime",
+    "duffing_regime",
     "sensitivities",
     "claims",
     "errata",
@@ -129,8 +144,17 @@ OTHERS = {
         "sensitivities",
         "second_sensitivities",
     },
-    "Duffing": {"times", "of_pendulum", "to_dataframe"},
-    "CubicQuintic": {"times", "to_dataframe"},
+    "Duffing": {
+        "times",
+        "of_pendulum",
+        "plot",
+        "fourier",
+        "sensitivities",
+        "from_energy",
+        "from_action_phase",
+        "to_dataframe",
+    },
+    "CubicQuintic": {"times", "plot", "to_dataframe"},
     "DuffingForm": {"table"},
     "AngleFormula": {"of", "ranges"},
     "AngleApproximation": {"error"},

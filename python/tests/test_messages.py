@@ -296,13 +296,13 @@ elliptic.ellipj
 Duffing(1, alpha=1)
     TypeError: Duffing() got an unexpected keyword argument 'alpha': did you mean p?
 Duffing(1, p=1)
-    TypeError: Duffing() needs q=; it takes u0, velocity0, p, q
+    TypeError: Duffing() needs q=; it takes u0, velocity0, p, q, r, c
 Duffing(1, 0, 1, 1)
-    TypeError: Duffing() takes u0, velocity0 by position and p=, q= by name; 4 are given by position
+    TypeError: Duffing() takes u0, velocity0 by position and p=, q=, r=, c= by name; 4 are given by position
 Duffing([1.0], p=1, q=1)
     ValueError: u0 = [1.0]: must be one real number, a Python or NumPy scalar; libration.duffing_motion takes arrays
-CubicQuintic(1, p=1, q=1)
-    TypeError: CubicQuintic() got an unexpected keyword argument 'p': did you mean alpha?
+CubicQuintic(1, alpha=1, q=1)
+    TypeError: CubicQuintic() got an unexpected keyword argument 'alpha': did you mean p?
 DuffingForm("cn", 1.0)
     TypeError: DuffingForm() needs p= and q=; it takes form, c1, c2, p, q
 spring.u(pd.Timedelta("1s"))
@@ -391,7 +391,7 @@ def test_names_of_other_books_are_no_attributes():
     for thing, name in ((Pendulum(1.0), "amplitude"), (Duffing(1.0, p=1.0, q=1.0), "alpha")):
         assert not hasattr(thing, name)
         assert name not in dir(thing)
-    assert CubicQuintic(1.0, alpha=2.0, beta=1.0, gamma=1.0).alpha == 2.0
+    assert CubicQuintic(1.0, p=2.0, q=1.0, s=1.0).p == 2.0
 
 
 @pytest.mark.parametrize("function", [libration.theta, libration.jacobi, elliptic.sn, Pendulum.times, Pendulum.degrees])

@@ -40,8 +40,9 @@ def test_close_sees_nan_signs_and_negative_truth():
 def test_every_public_name_is_there_and_documented():
     names = [
         "CubicQuintic DampedPendulum Duffing DuffingForm Estimate Fit Fourier Friction JacobiComplexValues",
-        "JacobiValues OscillatorRegime Pendulum Regime Together Torque __version__ action advance carlson_rc",
-        "carlson_rd carlson_rf carlson_rj cite complete_e complete_k complete_pi duffing_motion energy energy_ratio",
+        "JacobiValues OscillatorFourier OscillatorRegime Pendulum Regime Together Torque __version__ action advance carlson_rc",
+        "carlson_rd carlson_rf carlson_rj cite complete_e complete_k complete_pi cubic_quintic_motion duffing_action",
+        "duffing_escape_times duffing_frequency duffing_motion duffing_period duffing_phase duffing_regime energy energy_ratio",
         "energy_ratio_c fit fit_together frequency from_action_phase from_nome gravity_of_period gravity_of_pivots",
         "harmonic_distortion heuman_lambda incomplete_e incomplete_f incomplete_pi jacobi jacobi_complex",
         "jacobi_epsilon jacobi_zeta motion next_crossing nome normal_gravity period phase regime sensitivities",
@@ -196,7 +197,11 @@ def test_turns_beyond_the_integers_have_no_answer():
 
 
 def test_motions_can_be_weakly_referenced():
-    orbits = [_core.Orbit(1.0, 0.0), _core.Duffing(1.0, 0.0, 1.0, 1.0), _core.CubicQuintic(1.0, 0.0, 1.0, 1.0, 1.0)]
+    orbits = [
+        _core.Orbit(1.0, 0.0),
+        _core.Duffing(1.0, 0.0, 1.0, 1.0, 0.0, 0.0),
+        _core.CubicQuintic(1.0, 0.0, 1.0, 1.0, 1.0),
+    ]
     for orbit in [*orbits, _core.DuffingForm("cn", 1.0, 1.0, 1.0, 0.0), _core.AngleFormula("linear")]:
         assert weakref.ref(orbit)() is orbit
 
@@ -324,7 +329,7 @@ MADE = [
     libration.Torque(constant=0.5, samples=([0.0, 1.0], [0.5, 1.0])),
     libration.DampedPendulum(1.0, omega2=2.0, friction=libration.Friction(dry=0.1)),
     libration.Duffing(1.0, p=1.0, q=1.0),
-    libration.CubicQuintic(1.0, alpha=1.0, beta=0.0, gamma=1.0),
+    libration.CubicQuintic(1.0, p=1.0, q=0.0, s=1.0),
     libration.DuffingForm("cn", 1.0, 0.5, p=1.0, q=1.0),
     libration.approx.angle("fourier:3"),
     libration.approx.angle("fourier:3").of(Pendulum(1.0)),

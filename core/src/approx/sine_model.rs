@@ -20,8 +20,8 @@ fn coefficient(orbit: &Orbit, [above, below]: [f64; 2]) -> f64 {
 impl SineModel {
     /// With these coefficients of theta^3 and theta^5.
     pub fn new(orbit: &Orbit, [cubic, quintic]: [[f64; 2]; 2]) -> Result<SineModel, Domain> {
-        let [alpha, beta, gamma] = [[1.0; 2], cubic, quintic].map(|quotient| coefficient(orbit, quotient));
-        let model = CubicQuintic::new(orbit.theta0, orbit.velocity0, alpha, beta, gamma)?;
+        let [p, q, s] = [[1.0; 2], cubic, quintic].map(|quotient| coefficient(orbit, quotient));
+        let model = CubicQuintic::new(orbit.theta0, orbit.velocity0, p, q, s)?;
         Ok(SineModel(Box::new(model)))
     }
 

@@ -32,6 +32,8 @@ impl Scaled {
 
     /// Infinity.
     pub const INFINITY: Scaled = Scaled { part: Dd::new(f64::INFINITY, 0.0), power: 0 };
+    /// Minus infinity.
+    pub const MINUS_INFINITY: Scaled = Scaled { part: Dd::new(f64::NEG_INFINITY, 0.0), power: 0 };
     /// Not a number.
     pub const NAN: Scaled = Scaled { part: Dd::new(f64::NAN, 0.0), power: 0 };
 

@@ -1,7 +1,7 @@
 //! Sine and cosine, circular and hyperbolic, to triple-double, by Taylor's series: for set-ups and for steps whose
 //! errors would add up.
 
-use super::constants::{INVERSE_LN_2, LN_2, TWO_PI_LONG};
+use super::constants::{HALF_PI, INVERSE_LN_2, LN_2, TWO_PI_LONG};
 use super::double_double::Dd;
 use super::elementary::arctangent;
 use super::triple_double::Td;
@@ -31,6 +31,14 @@ pub fn quarter_turn(angle: Td, rest: Td) -> (Td, Td) {
 pub fn long_sin_cos(z: Dd) -> (Dd, Dd) {
     let (sine, cosine) = sin_cos(z.into());
     (sine.to_dd(), cosine.to_dd())
+}
+
+/// Sine of an angle in [-pi, pi] to all digits of a double-double.
+pub fn long_sine(angle: Dd) -> Dd {
+    let size = angle.abs();
+    let near = if size.hi > HALF_PI.hi { HALF_PI.scale(2.0) - size } else { size };
+    let (sine, _) = quarter_turn(Td::from(near), Td::from(HALF_PI - near));
+    if angle.hi < 0.0 { -sine.to_dd() } else { sine.to_dd() }
 }
 
 /// Hyperbolic sine and cosine of y in [0, 700] to all digits of a double-double.

@@ -150,3 +150,44 @@ pub fn duffing_motion_into(arguments: [&[f64]; 5], [u, velocity]: [&mut [f64]; 2
         }
     }
 }
+
+/// u and u' of every row of t, u0, velocity0, p, q, r and c: [`duffing_motion_into`] where r and c are 0, bit for bit, else the
+/// motion of a [`Duffing`] of the row, set up again only where it is another one.
+///
+/// NaN and panics as there.
+///
+/// ```
+/// let (mut u, mut velocity) = ([0.0; 2], [0.0; 2]);
+/// let rows = [&[1.0, 1.0], &[1.0, 1.0], &[0.0; 2], &[1.0; 2], &[1.0, 0.2], &[0.0, 0.5], &[0.0; 2]];
+/// libration::oscillator::duffing_rows_into(rows.map(|column| column.as_slice()), [&mut u, &mut velocity]);
+/// assert_eq!(format!("{:.9} {:.9}", u[0], u[1]), "0.233691791 0.300026789");
+/// ```
+pub fn duffing_rows_into(arguments: [&[f64]; 7], [u, velocity]: [&mut [f64]; 2]) {
+    let rows = arguments[0].len();
+    let fits = arguments.iter().all(|column| column.len() == rows);
+    assert!(fits && u.len() == rows && velocity.len() == rows, "columns of different lengths");
+    let [t, u0, velocity0, p, q, r, c] = arguments;
+    let odd = |row: usize| r[row] == 0.0 && c[row] == 0.0;
+    let mut kept: Option<([u64; 6], Option<Duffing>)> = None;
+    let mut from = 0;
+    while from < rows {
+        let end = (from..rows).find(|row| odd(*row) != odd(from)).unwrap_or(rows);
+        let part = from..end;
+        if odd(from) {
+            let columns = [t, u0, velocity0, p, q].map(|column| &column[part.clone()]);
+            duffing_motion_into(columns, [&mut u[part.clone()], &mut velocity[part]]);
+        } else {
+            for row in part {
+                let start = [u0[row], velocity0[row], p[row], q[row], r[row], c[row]];
+                let key = start.map(f64::to_bits);
+                if kept.as_ref().is_none_or(|(last, _)| *last != key) {
+                    let [u0, velocity0, force @ ..] = start;
+                    kept = Some((key, Duffing::with_even_powers(u0, velocity0, force).ok()));
+                }
+                let orbit = kept.as_ref().and_then(|(_, orbit)| orbit.as_ref());
+                (u[row], velocity[row]) = orbit.map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t[row]));
+            }
+        }
+        from = end;
+    }
+}

@@ -1,6 +1,6 @@
-//! One orbit of u'' + alpha u + beta u^3 + gamma u^5 = 0, set up once: regime, period, range, energy and escapes.
+//! One orbit of u'' + p u + q u^3 + s u^5 = 0, set up once: regime, period, range, energy and escapes.
 //!
-//! With v = 1/u^2, v'^2 = 4 C(v), C(v) = 2E v^3 - alpha v^2 - beta v/2 - gamma/3: a cubic, so that every motion is an elliptic
+//! With v = 1/u^2, v'^2 = 4 C(v), C(v) = 2E v^3 - p v^2 - q v/2 - s/3: a cubic, so that every motion is an elliptic
 //! function of Legendre's kind or, where a root is double or E = 0, an elementary one; u escapes where v = 0 and passes 0
 //! where v is infinite. All signs that decide the regime are exact (float/dyadic.rs).
 //! Source: derived; Belendez et al., J. Vib. Control 22 (2016) 2914, for motions released at rest about u = 0.
@@ -11,7 +11,7 @@ use super::set_up::SetUp;
 use crate::domain::Domain;
 use crate::float::scaled::Scaled;
 
-/// One orbit of u'' + alpha u + beta u^3 + gamma u^5 = 0, set up once for many times.
+/// One orbit of u'' + p u + q u^3 + s u^5 = 0, set up once for many times.
 ///
 /// ```
 /// use libration::CubicQuintic;
@@ -35,17 +35,16 @@ impl CubicQuintic {
     /// | argument | domain |
     /// |---|---|
     /// | `u0`, `velocity0` | finite |
-    /// | `alpha`, `beta`, `gamma` | finite, of any signs |
+    /// | `p`, `q`, `s` | finite, of any signs |
     ///
     /// # Errors
     /// A [`Domain`] that names the argument which is not finite.
-    pub fn new(u0: f64, velocity0: f64, alpha: f64, beta: f64, gamma: f64) -> Result<CubicQuintic, Domain> {
-        let named =
-            [("u0", u0), ("velocity0", velocity0), ("alpha", alpha), ("beta", beta), ("gamma", gamma)];
+    pub fn new(u0: f64, velocity0: f64, p: f64, q: f64, s: f64) -> Result<CubicQuintic, Domain> {
+        let named = [("u0", u0), ("velocity0", velocity0), ("p", p), ("q", q), ("s", s)];
         for (name, value) in named {
             Domain::check(name, value, value.is_finite(), "finite")?;
         }
-        let force = [alpha, beta, gamma];
+        let force = [p, q, s];
         let energy = EnergyPolynomial::new(u0, velocity0, force);
         let set_up = SetUp::new(&energy, u0, velocity0, force);
         Ok(CubicQuintic { u0, velocity0, force, energy, set_up })
@@ -78,7 +77,7 @@ impl CubicQuintic {
     pub fn range(&self) -> (f64, f64) {
         self.set_up.range.into()
     }
-    /// Energy u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6, from a sum without rounding; infinite beyond the range of
+    /// Energy u'^2/2 + p u^2/2 + q u^4/4 + s u^6/6, from a sum without rounding; infinite beyond the range of
     /// doubles.
     #[must_use]
     pub fn energy(&self) -> f64 {
@@ -114,17 +113,17 @@ impl CubicQuintic {
     }
     /// The coefficient of u, as given.
     #[must_use]
-    pub fn alpha(&self) -> f64 {
+    pub fn p(&self) -> f64 {
         self.force[0]
     }
     /// The coefficient of u^3, as given.
     #[must_use]
-    pub fn beta(&self) -> f64 {
+    pub fn q(&self) -> f64 {
         self.force[1]
     }
     /// The coefficient of u^5, as given.
     #[must_use]
-    pub fn gamma(&self) -> f64 {
+    pub fn s(&self) -> f64 {
         self.force[2]
     }
 }

@@ -1,6 +1,6 @@
 //! The energy equation without rounding: 6 u'^2 = a + b y + c y^2 + d y^3 with y = u^2.
 //!
-//! From u'^2/2 + alpha u^2/2 + beta u^4/4 + gamma u^6/6 = E: a = 12 E, b = -6 alpha, c = -3 beta, d = -2 gamma.
+//! From u'^2/2 + p u^2/2 + q u^4/4 + s u^6/6 = E: a = 12 E, b = -6 p, c = -3 q, d = -2 s.
 
 use crate::float::dyadic::Dyadic;
 use crate::float::scaled::Scaled;
@@ -42,9 +42,9 @@ pub(super) struct Outline {
 }
 
 impl EnergyPolynomial {
-    pub fn new(u: f64, velocity: f64, [alpha, beta, gamma]: [f64; 3]) -> EnergyPolynomial {
+    pub fn new(u: f64, velocity: f64, [p, q, s]: [f64; 3]) -> EnergyPolynomial {
         let y = Dyadic::from(u).square();
-        let [b, c, d] = [(alpha, -6.0), (beta, -3.0), (gamma, -2.0)].map(|(x, k)| Dyadic::from(x) * k);
+        let [b, c, d] = [(p, -6.0), (q, -3.0), (s, -2.0)].map(|(x, k)| Dyadic::from(x) * k);
         let a = Dyadic::from(velocity).square() * 6.0 - &y * (&b + &y * (&c + &y * &d));
         EnergyPolynomial { a, b, c, d }
     }

@@ -34,7 +34,7 @@ pub(super) struct Cubic {
 
 /// The roots z of the depressed cubic.
 #[derive(Clone, Debug)]
-enum Roots {
+pub(super) enum Roots {
     /// From the largest v to the smallest; gaps between 0 and 1, 1 and 2, 0 and 2.
     Three { z: [Scaled; 3], gaps: [Scaled; 3] },
     /// z and -z/2 +- i w.
@@ -62,7 +62,7 @@ fn cube_root(x: Scaled) -> Scaled {
     Scaled::new(root, power)
 }
 
-fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Roots {
+pub(super) fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Roots {
     // z = 2R cos(...) with 3 phi' = phi = atan2(root, |q|), root = 2 R^3 sin phi.
     let r = p.abs().sqrt();
     let half = if r.is_zero() {
@@ -96,7 +96,7 @@ fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Roots {
     }
 }
 
-fn one(p: Scaled, q: Scaled, root: Scaled) -> Roots {
+pub(super) fn one(p: Scaled, q: Scaled, root: Scaled) -> Roots {
     let t = cube_root((q.abs() + root).shift(-1));
     let (square, other) = (t.square(), (p / t).square());
     let z = q.abs() / (square + p + other);

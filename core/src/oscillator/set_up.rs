@@ -71,8 +71,8 @@ impl EnergyCase {
 }
 
 fn equilibrium(u: f64, y: &Dyadic, force: [f64; 3]) -> SetUp {
-    let [alpha, beta, gamma] = force.map(Dyadic::from);
-    let stiffness = alpha + y * (beta * 3.0 + y * gamma * 5.0);
+    let [p, q, s] = force.map(Dyadic::from);
+    let stiffness = p + y * (q * 3.0 + y * s * 5.0);
     let period = if stiffness.sign() > 0 {
         (Scaled::from(TWO_PI) / stiffness.to_scaled().sqrt()).value()
     } else {

@@ -1,8 +1,8 @@
-//! The motions at E = 0, where v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = -alpha v^2 - beta v/2 - gamma/3: cosines, hyperbolic
+//! The motions at E = 0, where v = 1/u^2 obeys v'^2 = 4 C(v), C(v) = -p v^2 - q v/2 - s/3: cosines, hyperbolic
 //! functions or a square of the time.
 //!
-//! With c = -beta/4 alpha and D = 3 beta^2 - 16 alpha gamma the roots of C are c +- sqrt(D/48)/|alpha|, formed without
-//! cancellation; the time to the pole is u R_C(s^2, s^2 + alpha u^2), s = |u'| + u^3 sqrt(-gamma/3).
+//! With c = -q/4 p and D = 3 q^2 - 16 p s the roots of C are c +- sqrt(D/48)/|p|, formed without
+//! cancellation; the time to the pole is u R_C(w^2, w^2 + p u^2), w = |u'| + u^3 sqrt(-s/3).
 //! Source: elementary; DLMF 19.2(iv).
 
 use super::elementary::{Elementary, Functions, Sum};
@@ -16,7 +16,7 @@ use crate::float::scaled::Scaled;
 /// What v does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum SpeedCase {
-    /// alpha > 0: between two roots.
+    /// p > 0: between two roots.
     Cosine,
     /// Above the upper root, which is positive: u falls to 0 both ways.
     Above,
@@ -32,25 +32,25 @@ enum SpeedCase {
     BelowDouble,
     /// A negative double root.
     NegativeDouble,
-    /// alpha = beta = 0.
+    /// p = q = 0.
     Constant,
 }
 
 #[derive(Clone, Debug)]
 pub(super) struct ZeroEnergy {
     case: SpeedCase,
-    /// alpha = 0.
+    /// p = 0.
     parabola: bool,
-    /// sqrt|alpha|, or 1.
+    /// sqrt|p|, or 1.
     omega: Scaled,
     /// Lower and upper root; or c and the half gap without roots.
     roots: [Scaled; 2],
-    /// Half the gap between the roots, or |beta|/4, or the slope.
+    /// Half the gap between the roots, or |q|/4, or the slope.
     half: Scaled,
-    /// sqrt(-gamma/3): the rate at the pole.
+    /// sqrt(-s/3): the rate at the pole.
     eta: Scaled,
-    alpha: Scaled,
-    /// 4 |alpha| - beta y, at the start for the exponential; and D.
+    p: Scaled,
+    /// 4 |p| - q y, at the start for the exponential; and D.
     offset: Scaled,
     energy: EnergyPolynomial,
     delta: Scaled,
@@ -61,7 +61,7 @@ fn asinh(z: Scaled) -> Scaled {
     z * rf_of_roots([(Scaled::ONE + z.square()).sqrt(), Scaled::ONE, Scaled::ONE])
 }
 
-/// -(4 alpha + beta y), from b = -6 alpha and c = -3 beta: six times it.
+/// -(4 p + q y), from b = -6 p and c = -3 q: six times it.
 fn above_centre(energy: &EnergyPolynomial, y: &Dyadic) -> Dyadic {
     &energy.b * 4.0 + &energy.c * y * 2.0
 }
@@ -75,36 +75,36 @@ impl ZeroEnergy {
     /// Of an orbit through u^2 = y.
     pub fn new(energy: &EnergyPolynomial, y: &Dyadic) -> ZeroEnergy {
         let sixth = |x: &Dyadic, k: f64| x.to_scaled() / Scaled::from(k);
-        let (alpha, beta, gamma) = (sixth(&energy.b, -6.0), sixth(&energy.c, -3.0), sixth(&energy.d, -2.0));
+        let (p, q, s) = (sixth(&energy.b, -6.0), sixth(&energy.c, -3.0), sixth(&energy.d, -2.0));
         // 3 D.
         let delta = energy.c.square() - &energy.b * &energy.d * 4.0;
         let sign = delta.sign();
         let delta = delta.to_scaled() / Scaled::from(3.0);
-        let eta = if gamma.is_negative() { (-gamma / Scaled::from(3.0)).sqrt() } else { Scaled::ZERO };
+        let eta = if s.is_negative() { (-s / Scaled::from(3.0)).sqrt() } else { Scaled::ZERO };
         let mut found = ZeroEnergy {
             case: SpeedCase::Constant,
-            parabola: alpha.is_zero(),
+            parabola: p.is_zero(),
             omega: Scaled::ONE,
             roots: [Scaled::ZERO; 2],
             half: eta.shift(1),
             eta,
-            alpha,
+            p,
             offset: Scaled::ZERO,
             energy: energy.clone(),
             delta,
             pole: None,
         };
         let upwards = above_centre(energy, y).sign() > 0;
-        if alpha.is_zero() {
-            if beta.is_zero() {
+        if p.is_zero() {
+            if q.is_zero() {
                 found.pole = Some(Scaled::ZERO);
                 return found;
             }
-            // v = v_t - beta t^2/2.
-            let turn = gamma.shift(1) / (beta * -3.0);
+            // v = v_t - q t^2/2.
+            let turn = s.shift(1) / (q * -3.0);
             found.roots = [turn; 2];
-            found.half = beta.abs().shift(-1);
-            found.case = if beta.is_positive() {
+            found.half = q.abs().shift(-1);
+            found.case = if q.is_positive() {
                 SpeedCase::Below
             } else if turn.is_positive() {
                 SpeedCase::Above
@@ -116,10 +116,10 @@ impl ZeroEnergy {
             }
             return found;
         }
-        let size = alpha.abs();
+        let size = p.abs();
         found.omega = size.sqrt();
-        let centre = -(beta / alpha).shift(-2);
-        if sign == 0 && alpha.is_negative() {
+        let centre = -(q / p).shift(-2);
+        if sign == 0 && p.is_negative() {
             found.roots = [centre; 2];
             // v - c at the start.
             found.offset = above_centre(energy, y).to_scaled() / (size * y.to_scaled() * 24.0);
@@ -139,12 +139,12 @@ impl ZeroEnergy {
             found.pole = Some(asinh(-centre / found.half).shift(-1));
             return found;
         }
-        let product = gamma / (alpha * 3.0);
+        let product = s / (p * 3.0);
         let large = if centre.is_negative() { centre - found.half } else { centre + found.half };
         let small = if large.is_zero() { Scaled::ZERO } else { product / large };
         found.roots = if centre.is_negative() { [large, small] } else { [small, large] };
         let [low, high] = found.roots;
-        found.case = match (alpha.is_positive(), upwards, high.is_positive()) {
+        found.case = match (p.is_positive(), upwards, high.is_positive()) {
             (true, ..) => SpeedCase::Cosine,
             (_, false, _) => SpeedCase::Below,
             (_, _, true) => SpeedCase::Above,
@@ -176,11 +176,11 @@ impl ZeroEnergy {
         let u = y.sqrt();
         let pole = self.pole.map_or(Scaled::ZERO, |_| self.omega * self.until_pole(exact_y, y, u, speed));
         let half_rate = speed / (y * u);
-        let offset = || above_centre(&self.energy, exact_y).to_scaled() / (self.alpha.abs() * y * 24.0);
+        let offset = || above_centre(&self.energy, exact_y).to_scaled() / (self.p.abs() * y * 24.0);
         let base = match self.case {
             SpeedCase::Cosine => {
-                // High y - 1 and 1 - low y, whose product is u'^2/(alpha y).
-                let product = (speed / u).square() * y / (self.alpha * y);
+                // High y - 1 and 1 - low y, whose product is u'^2/(p y).
+                let product = (speed / u).square() * y / (self.p * y);
                 let (down, up) = (high * y - Scaled::ONE, Scaled::ONE - low * y);
                 let (down, up) =
                     if (down - up).is_negative() { (product / up, up) } else { (down, product / down) };
@@ -207,8 +207,8 @@ impl ZeroEnergy {
     fn until_pole(&self, exact_y: &Dyadic, y: Scaled, u: Scaled, speed: Scaled) -> Scaled {
         let eta = self.eta;
         let sum = speed + y * u * eta;
-        let square = if self.alpha.is_negative() {
-            // y (2 eta^2 - beta v/2 + 2 eta xi): the first two from exact sums, and where they are below 0 all three by
+        let square = if self.p.is_negative() {
+            // y (2 eta^2 - q v/2 + 2 eta xi): the first two from exact sums, and where they are below 0 all three by
             // the product with the conjugate.
             let first = (&self.energy.d * exact_y * 2.0 + &self.energy.c).to_scaled() / Scaled::from(6.0);
             let second = (eta * speed / u).shift(1);
@@ -219,7 +219,7 @@ impl ZeroEnergy {
             };
             whole * y.square()
         } else {
-            sum.square() + self.alpha * y
+            sum.square() + self.p * y
         };
         let root = square.sqrt();
         u * rf_of_roots([sum, root, root])

@@ -96,7 +96,7 @@ export class SpringOrbit {
     const spring =
       kind === 'duffing'
         ? new Duffing({ u0, velocity0, p, q })
-        : new CubicQuintic({ u0, velocity0, alpha: p, beta: q, gamma: s })
+        : new CubicQuintic({ u0, velocity0, p, q, s })
     this.#spring = spring
     this.name = nameOf(force)
     this.regime = spring.regime

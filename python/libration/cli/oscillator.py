@@ -60,11 +60,12 @@ class OscillatorOptions(InstantOptions):
     velocity0: str | None
 
 
-def oscillator_options(coefficients: dict[str, str]) -> list[click.Option]:
-    """The options of a spring; `coefficients` says what each is."""
+def oscillator_options(coefficients: dict[str, str], more: dict[str, str] | None = None) -> list[click.Option]:
+    """The options of a spring; `coefficients` says what each is, and `more` those that are 0 if not given."""
     group = "the oscillator"
     return [
         *(Value(f"--{name}", name.upper(), f"{text} (required)", group) for name, text in coefficients.items()),
+        *(Value(f"--{name}", name.upper(), f"{text} (default 0)", group) for name, text in (more or {}).items()),
         Value("--u0", "U0", "initial displacement (required)", group),
         Value("--velocity0", "VELOCITY0", "initial velocity (default 0)", group),
         *instant_options(),
@@ -73,15 +74,28 @@ def oscillator_options(coefficients: dict[str, str]) -> list[click.Option]:
 
 
 def solve(
-    options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]", names: Sequence[str], so: str
+    options: OscillatorOptions,
+    kind: "type[Duffing] | type[CubicQuintic]",
+    names: Sequence[str],
+    so: str,
+    more: Sequence[str] = (),
 ) -> None:
-    """Solve what the words ask for, write the files, print the summary; `so` is an example for who forgets an option."""
+    """Solve what the words ask for, write the files, print the summary; `so` is an example for who forgets an option.
+
+    The coefficients `names` are required, those of `more` are 0 if not given.
+    """
     typed: dict[str, str | None] = {name: getattr(options, name) for name in (*names, "u0")}
     missing = [f"--{name}" for name, text in typed.items() if text is None]
     if missing:
         raise Refusal(f"missing {', '.join(missing)}; such as {so}")
     given = {name: plain(f"--{name}", text) for name, text in typed.items() if text is not None}
+    given |= {name: plain(f"--{name}", text) for name in more if (text := getattr(options, name)) is not None}
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
+    show(options, kind, given)
+
+
+def show(options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]", given: dict[str, float]) -> None:
+    """Solve the motion that the numbers give, write the files, print the summary."""
     check_instants(options)
     check_targets(options)
     style, look = number_style(options), picture_look(options, options.plot)

@@ -84,6 +84,7 @@ LENGTH = Dimension(
     {"m": ONE, "cm": Decimal("0.01"), "mm": MILLI, "km": Decimal(1000), "in": INCH, "ft": FOOT},
     names(ONE, "meter", "meters", "metre", "metres")
     | names(MICRO, "µm", "um")
+    | names(Decimal("1e-9"), "nm")
     | names(INCH, "inch", "inches")
     | names(FOOT, "foot", "feet"),
 )
@@ -111,6 +112,17 @@ VELOCITY = Dimension(
     {"rad/s": ONE, "deg/s": DEGREE, "turn/s": TURN, "rpm": PER_MINUTE},
     names(DEGREE, "°/s", "degrees/s") | names(ONE, "1/s", "s-1", "rad/sec") | names(TURN, "turns/s", "rev/s"),
 )
+NUMBERS = Dimension("plain numbers", {"": ONE}, {})
+MASS = Dimension(
+    "masses",
+    {"kg": ONE, "g": MILLI, "mg": MICRO, "µg": Decimal("1e-9"), "ng": Decimal("1e-12"), "pg": Decimal("1e-15")},
+    names(Decimal("1e-9"), "ug"),
+)
+STIFFNESS = Dimension("stiffnesses", {"N/m": ONE, "mN/m": MILLI, "kN/m": Decimal(1000), "N/mm": Decimal(1000)}, {})
+QUADRATIC = Dimension("quadratic stiffnesses", {"N/m2": ONE}, {})
+CUBIC = Dimension("cubic stiffnesses", {"N/m3": ONE}, {})
+FORCE = Dimension("forces", {"N": ONE, "mN": MILLI, "µN": MICRO, "nN": Decimal("1e-9")}, {"uN": MICRO})
+SPEED = Dimension("velocities", {"m/s": ONE, "mm/s": MILLI, "µm/s": MICRO}, {"um/s": MICRO})
 # Units that mean different things to different people, or have a name in other languages, and what to write instead.
 INSTEAD = {"grad": "; it is a degree in some languages and pi/200 in others: write deg or gon"} | dict.fromkeys(
     ("grau", "graus", "grado", "grados", "grade", "grades"), "; write deg"
@@ -224,9 +236,6 @@ def warn_of_radians(option: str, text: str, value: float) -> None:
         f"{option} = {shown(text)}: taken as {value:.6g} rad, {whole} and "
         f"{math.degrees(rest):.4g} deg; for degrees write {shown(text.strip())}deg"
     )
-
-
-NUMBERS = Dimension("plain numbers", {"": ONE}, {})
 
 
 def plain(option: str, text: str) -> float:

@@ -10,12 +10,32 @@ Examples
 """
 
 from ._cubic_quintic import CubicQuintic
-from ._duffing import Duffing, duffing_motion
+from ._duffing import Duffing, OscillatorFourier
 from ._form import DuffingForm
 from ._oscillator import OscillatorRegime
+from ._rows import (
+    cubic_quintic_motion,
+    duffing_action,
+    duffing_escape_times,
+    duffing_frequency,
+    duffing_motion,
+    duffing_period,
+    duffing_phase,
+    duffing_regime,
+)
 
-__all__ = ["CubicQuintic", "Duffing", "DuffingForm", "OscillatorRegime", "duffing_motion"]
-
-
-def __dir__() -> list[str]:
-    return __all__
+__all__ = [
+    "CubicQuintic",
+    "Duffing",
+    "DuffingForm",
+    "OscillatorFourier",
+    "OscillatorRegime",
+    "cubic_quintic_motion",
+    "duffing_action",
+    "duffing_escape_times",
+    "duffing_frequency",
+    "duffing_motion",
+    "duffing_period",
+    "duffing_phase",
+    "duffing_regime",
+]

@@ -1,34 +1,49 @@
-"""The Duffing oscillator u'' + p u + q u**3 = 0, exact for any start, and its link to the pendulum.
+"""The Duffing oscillator u'' + p u + r u**2 + q u**3 = c, exact for any start, and its link to the pendulum.
 
 It is set up once from its state at t = 0 and answers at any time up to an escape to infinity, which may be near.
-Of `duffing_motion` the call decides: a start and coefficients without dimensions are one oscillator, those with dimensions rows
-with motions of their own. Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
+Source: Salas 2019, (2) to (10), corrected; DLMF 22.13(iii).
 """
-
-# A number fits where an array does: of several signatures the first that fits is meant.
-# mypy: disable-error-code="overload-overlap"
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Self, overload
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from .. import _core
-from .._arrays import Floats, Labelled, Mask, Real, Scalar
-from .._dispatch import apply, has_dimensions
+from .._arrays import Floats
+from .._dispatch import apply, tensor, unindexed
 from .._immutable import Elsewhere
+from .._labels import Result
 from .._messages import explained
 from .._scalars import real, shown
 from ..pendulum import Pendulum
-from ._oscillator import MOTION, Oscillator
+from ._oscillator import Oscillator
+
+PHASE = Result("phase", "rad", "phase")
+SENSITIVITIES = Result("sensitivities", None, "derivatives of the state by start and coefficients")
+BY = ("u0", "velocity0", "p", "q", "r", "c")
+FIRST = {"of": ("u", "velocity"), "by": BY}
+
+
+class OscillatorFourier(NamedTuple):
+    """The mean of u, the amplitudes of cos(j phase) in it, and those of sin(j phase) in the velocity, j = 1, 2, ...
+
+    Examples
+    --------
+    >>> import libration
+    >>> libration.Duffing(1.0, p=1.0, q=1.0).fourier(3)._fields
+    ('mean', 'u', 'velocity')
+    """
+
+    mean: float
+    u: Floats
+    velocity: Floats
 
 
 class Duffing(Oscillator):
-    """The oscillator u'' + p u + q u**3 = 0, exact for every sign, start and energy.
+    """The oscillator u'' + p u + r u**2 + q u**3 = c, exact for every sign, start and energy.
 
-    Hardening (q > 0), softening (q < 0), with one well or two; released, pushed, on a separatrix or escaping to infinity in
-    finite time. The regime is that of the doubles passed: which side of a separatrix they lie on is decided without rounding.
+    Hardening (q > 0), softening (q < 0), with one well or two, symmetric or not; released, pushed, on a separatrix or escaping to
+    infinity in finite time. The regime is that of the doubles passed: which side of a separatrix they lie on is decided without rounding.
 
     Parameters
     ----------
@@ -38,6 +53,10 @@ class Duffing(Oscillator):
         Initial velocity, finite.
     p, q : scalar
         Coefficients of the linear and the cubic force per unit mass, finite, of any sign.
+    r : scalar, default 0.0
+        Coefficient of the quadratic force per unit mass, finite, of any sign.
+    c : scalar, default 0.0
+        Constant force per unit mass, finite, of any sign: a bias.
 
     Raises
     ------
@@ -57,6 +76,9 @@ class Duffing(Oscillator):
     rest (1.0, 1.0)
     >>> f"{libration.Duffing(2.0, p=1.0, q=-1.0).escape_time:.6f}"
     '1.001077'
+    >>> beam = libration.Duffing(1.0, p=1.0, q=0.2, r=0.5)
+    >>> print(f"{beam.u(1.0):.6f} {beam.period:.6f} {beam.range[0]:.6f}")
+    0.300027 6.262978 -1.401980
     """
 
     __slots__ = ()
@@ -68,12 +90,115 @@ class Duffing(Oscillator):
         alpha = Elsewhere("p")
         beta = Elsewhere("q")
 
-    _names = ("p", "q")
+    _names = ("p", "q", "r", "c")
     _kernels = (_core.duffing_u, _core.duffing_velocity, _core.duffing_motion)
 
     @explained
-    def __new__(cls, u0: float, velocity0: float = 0.0, *, p: float, q: float) -> Self:
-        return cls._made(_core.Duffing(real("u0", u0), real("velocity0", velocity0), real("p", p), real("q", q)))
+    def __new__(cls, u0: float, velocity0: float = 0.0, *, p: float, q: float, r: float = 0.0, c: float = 0.0) -> Self:
+        force = real("p", p), real("q", q), real("r", r), real("c", c)
+        return cls._made(_core.Duffing(real("u0", u0), real("velocity0", velocity0), *force))
+
+    @classmethod
+    @explained
+    def from_energy(
+        cls,
+        energy: float,
+        u0: float = 0.0,
+        *,
+        p: float,
+        q: float,
+        r: float = 0.0,
+        c: float = 0.0,
+        direction: float = 1,
+    ) -> Self:
+        """Oscillator that starts at `u0` with this energy.
+
+        Parameters
+        ----------
+        energy : scalar
+            Half the square of the velocity plus p u**2/2 + r u**3/3 + q u**4/4 - c u, finite and at least the latter at `u0`.
+        u0 : scalar, default 0.0
+            Initial displacement, finite.
+        p, q, r, c : scalar
+            As for `Duffing`.
+        direction : 1 or -1, default 1
+            Whether it starts upwards or downwards.
+
+        Returns
+        -------
+        Duffing
+
+        Raises
+        ------
+        ValueError
+            In one line: the argument, its value and what is allowed.
+
+        Notes
+        -----
+        Error promised: 1 ulp of `velocity0`. Source: the first integral of the equation.
+
+        Examples
+        --------
+        >>> import libration
+        >>> spring = libration.Duffing.from_energy(0.75, p=1.0, q=1.0)
+        >>> print(f"{spring.velocity0:.6f} {spring.range[1]:.6f}")
+        1.224745 1.000000
+        """
+        force = real("p", p), real("q", q), real("r", r), real("c", c)
+        given = real("energy", energy), real("u0", u0), real("direction", direction)
+        start = _core.duffing_from_energy(*given, force)
+        return cls(*start, p=force[0], q=force[1], r=force[2], c=force[3])
+
+    @classmethod
+    @explained
+    def from_action_phase(
+        cls,
+        action: float,
+        phase: float,
+        *,
+        p: float,
+        q: float,
+        r: float = 0.0,
+        c: float = 0.0,
+        about: float | None = None,
+    ) -> Self:
+        """Oscillator with this action and, at t = 0, this phase: the inverse of `action` and `phase`.
+
+        Parameters
+        ----------
+        action : scalar
+            Finite and not negative: that of a motion about one stable equilibrium or, above them, about all.
+        phase : scalar
+            In rad, finite.
+        p, q, r, c : scalar
+            As for `Duffing`, with a stable equilibrium.
+        about : scalar, optional
+            Next to the stable equilibrium that is meant; not needed where there is one only.
+
+        Returns
+        -------
+        Duffing
+
+        Raises
+        ------
+        ValueError
+            In one line: the argument, its value and what is allowed.
+
+        Notes
+        -----
+        Error promised: the action comes back within 1e-13. Source: Newton's method, dJ/dE = 1/frequency.
+
+        Examples
+        --------
+        >>> import libration
+        >>> spring = libration.Duffing.from_action_phase(0.5, 1.0, p=1.0, q=1.0)
+        >>> print(f"{spring.action:.6f} {spring.phase(0.0):.6f}")
+        0.500000 1.000000
+        """
+        force = real("p", p), real("q", q), real("r", r), real("c", c)
+        place = None if about is None else real("about", about)
+        start = _core.duffing_from_action_phase(real("action", action), real("phase", phase), place, force)
+        return cls(*start, p=force[0], q=force[1], r=force[2], c=force[3])
 
     @classmethod
     @explained
@@ -139,85 +264,134 @@ class Duffing(Oscillator):
         """Coefficient of the cubic force, as given, without error."""
         return self._given[3]
 
+    @property
+    def r(self) -> float:
+        """Coefficient of the quadratic force, as given, without error."""
+        return self._given[4]
 
-@overload
-def duffing_motion(
-    t: Scalar,
-    u0: Scalar,
-    velocity0: Scalar = 0.0,
-    p: Scalar = 1.0,
-    q: Scalar = 1.0,
-    *,
-    out: None = None,
-    where: bool = True,
-) -> tuple[np.float64, np.float64]: ...
-@overload
-def duffing_motion(
-    t: Real,
-    u0: Real,
-    velocity0: Real = 0.0,
-    p: Real = 1.0,
-    q: Real = 1.0,
-    *,
-    out: tuple[Floats, Floats] | None = None,
-    where: Mask = True,
-) -> tuple[Floats, Floats]: ...
-@overload
-def duffing_motion(
-    t: Real | Labelled,
-    u0: Real | Labelled,
-    velocity0: Real | Labelled = 0.0,
-    p: Real | Labelled = 1.0,
-    q: Real | Labelled = 1.0,
-    *,
-    out: tuple[Labelled, Labelled] | None = None,
-    where: Mask = True,
-) -> tuple[Labelled, Labelled]: ...
-@explained
-def duffing_motion(
-    t: Any, u0: Any, velocity0: Any = 0.0, p: Any = 1.0, q: Any = 1.0, *, out: Any = None, where: Any = True
-) -> Any:
-    """Displacement and velocity of Duffing oscillators at the times `t`: ``(u, velocity)``.
+    @property
+    def c(self) -> float:
+        """Constant force, as given, without error."""
+        return self._given[5]
 
-    The solution of u'' + p u + q u**3 = 0 from the state (u0, velocity0) at t = 0, element by element.
+    @property
+    def action(self) -> float:
+        """Action per unit mass: the closed integral of the velocity over u, over 2 pi.
 
-    Parameters
-    ----------
-    t : scalar or array
-        Time in s. NaN beyond an escape, and more than 2**53 half periods away.
-    u0 : scalar or array
-        Initial displacement, finite.
-    velocity0 : scalar or array, default 0.0
-        Initial velocity, finite.
-    p, q : scalar or array, default 1.0
-        Coefficients of the linear and the cubic force per unit mass, finite.
-    out : pair of ndarray, optional
-        Where to put the results.
-    where : array of bool, optional
-        Where to compute. Other elements keep what `out` holds; without `out` they are NaN.
+        0 at rest; of a separatrix there and back; nan for a motion that does not stay. Error promised: 4 ulp, plus 2**-100 of
+        its condition. Source: Parseval's sum of the Fourier series.
+        """
+        return self._oscillator.action
 
-    Returns
-    -------
-    pair of float64 or of arrays of the broadcast shape
-        A bad element gives NaN there and nowhere else. Dask and xarray arrays give their like, and stay lazy.
+    @property
+    def frequency(self) -> float:
+        """Mean angular frequency in rad/s, 2 pi over the period; 0 on a separatrix, nan for a motion that does not stay.
 
-    Notes
-    -----
-    Error promised: that of `Duffing.u` and `Duffing.velocity`. Where neither the start nor a coefficient has dimensions, an oscillator
-    is set up once and the digits are those of its methods. Else every element is computed from its own start, at vector speed; its
-    digits do not depend on shape, order, strides or chunks. Source: DLMF 22.13(iii), 22.8.
+        Error promised: 4 ulp, plus 2**-100 of its condition. Source: 2 pi over `period`.
+        """
+        return self._oscillator.frequency
 
-    Examples
-    --------
-    >>> import libration
-    >>> u, velocity = libration.duffing_motion(1.0, [0.5, 1.0, 2.0], 0.0, 1.0, -1.0)
-    >>> print(u.round(6))
-    [3.17963000e-01 1.00000000e+00 1.31264107e+03]
-    """
-    kernel = _core.duffing_motion if _one_oscillator(u0, velocity0, p, q) else _core.duffing_rows
-    return apply(kernel, t, u0, velocity0, p, q, results=MOTION, out=out, where=where)
+    @property
+    def distortion(self) -> float:
+        """Harmonic distortion: the norm of the harmonics of u from the second on, over the first.
 
+        0 at rest, nan where the motion does not repeat. Error promised: 4 ulp, plus 2**-100 of its condition. Source: Parseval's
+        sum of the Fourier series.
+        """
+        return self._oscillator.distortion
 
-def _one_oscillator(*start: Any) -> bool:
-    """Whether neither the start nor a coefficient has dimensions."""
-    return not any(type(each) is not float and has_dimensions(each) for each in start)
+    @explained
+    def phase(self, t: Any) -> Any:
+        """Phase at the times `t`, which grows evenly: ``phase(0) + frequency * t``.
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign.
+
+        Returns
+        -------
+        float64 or array of the shape of `t`
+            In rad: 0 at the highest displacement, in (-pi, pi] at t = 0; nan where the motion does not repeat.
+
+        Notes
+        -----
+        Error promised: 4 ulp of the larger of the phase and pi. Source: DLMF 22.19(i).
+
+        Examples
+        --------
+        >>> import libration
+        >>> f"{libration.Duffing(0.0, 1.0, p=1.0, q=1.0).phase(0.0):.6f}"
+        '-1.570796'
+        """
+        return apply(_core.duffing_phase, t, *self._operands, results=(PHASE,))
+
+    @explained
+    def fourier(self, n: int) -> OscillatorFourier:
+        """Mean, and first `n` amplitudes of displacement and velocity in the phase.
+
+        u = mean + sum of u[j-1] cos(j phase), and the velocity is the sum of velocity[j-1] sin(j phase).
+
+        Parameters
+        ----------
+        n : int
+            How many, from 1 to 1000000.
+
+        Returns
+        -------
+        OscillatorFourier
+            ``mean``, ``u`` and ``velocity``; nan where the motion does not repeat.
+
+        Raises
+        ------
+        ValueError
+            For another `n`.
+
+        Notes
+        -----
+        Error promised: 4 ulp of each amplitude, plus 2**-100 of its condition. Source: residues of an elliptic function of order
+        two; DLMF 22.11.
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Duffing(1.0, p=1.0, q=1.0).fourier(3).u.round(6)
+        array([0.981711, 0.      , 0.017961])
+        """
+        return OscillatorFourier(*self._oscillator.fourier(n))
+
+    @explained
+    def sensitivities(self, t: Any) -> Any:
+        """Derivatives of displacement and velocity by the start and the coefficients, at the times `t`.
+
+        ``[..., i, j]`` is the derivative of (u, velocity)[i] by (u0, velocity0, p, q, r, c)[j].
+
+        Parameters
+        ----------
+        t : scalar or array
+            Time in s, of any shape and sign; NaN beyond an escape and for times that are not finite.
+
+        Returns
+        -------
+        array of shape ``t.shape + (2, 6)``
+            Dask and xarray arrays give their like; xarray's new dimensions are `of` and `by`.
+
+        Notes
+        -----
+        Error promised, in each row: 1e-12 of the largest change, while a disturbance grows by less than 1e10 on the way; next to a
+        separatrix fewer digits are left. Source: the variational equations by Taylor series.
+
+        Examples
+        --------
+        >>> import libration
+        >>> libration.Duffing(1.0, p=1.0, q=0.0).sensitivities(1.0).round(6)[0, :3]
+        array([ 0.540302,  0.841471, -0.420735])
+        """
+        found = apply(_core.duffing_sensitivities, unindexed(t), *self._operands, results=12 * (SENSITIVITIES,))
+        return tensor(found, FIRST)
+
+    def _arguments(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        positional, given = super()._arguments()
+        if given["r"] == given["c"] == 0.0:
+            del given["r"], given["c"]
+        return positional, given

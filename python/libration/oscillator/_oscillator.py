@@ -16,6 +16,9 @@ from .._messages import REFUSALS, explained, refuse
 from .._scalars import real
 from .._tables import Tabled
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 # Displacements are in the user's units.
 U = Result("u", None, "displacement")
 VELOCITY = Result("velocity", None, "velocity")
@@ -227,6 +230,43 @@ class Oscillator(Tabled, Immutable):
         array([0.770429, 3.997593, 5.538451])
         """
         return self._oscillator.times(real("u", u), real("start", start), real("stop", stop))
+
+    def plot(self, t: Any = None, *, ax: Axes | None = None, lang: str = "en") -> Axes:
+        """Draw u(t).
+
+        Parameters
+        ----------
+        t : array_like, optional
+            Instants in s: the curve runs from the first to the last. By default two periods from t = 0, or what there is of a
+            motion that does not repeat.
+        ax : Axes, optional
+            Where to draw; by default a new figure. Axes that are given keep their look, and no setting is changed.
+        lang : str, default "en"
+            `en`, `pt-BR` or `es`: the language, with its decimal sign.
+
+        Returns
+        -------
+        Axes
+            Those drawn into.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing.
+        ValueError
+            If no instant is finite, or `ax` or `lang` is none of those.
+
+        Examples
+        --------
+        >>> from matplotlib.figure import Figure
+        >>> import libration
+        >>> ax = libration.Duffing(1.0, p=1.0, q=0.2, r=0.5).plot(ax=Figure().subplots())
+        >>> ax.get_xlabel()
+        't [s]'
+        """
+        from ..plot._displacement import motion_axes
+
+        return motion_axes(self, t, ax, lang)
 
     @property
     def u0(self) -> float:

@@ -8,11 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from .. import _core
-from .._dispatch import apply
-from .._labels import like
+from .._dispatch import Words, apply
 from ._constants import Regime
 from ._results import ENERGY, ENERGY_RATIO, ENERGY_RATIO_C, PERIOD, REGIME, THETA_MAX
 from ._signatures import of_state, told
@@ -276,25 +273,7 @@ def energy(
     return apply(_core.orbit_energy, *given, results=(ENERGY,), out=out, where=where)
 
 
-class _Words:
-    """The ufunc of the regime with words in the place of its numbers, with what `dispatch.apply` asks of a ufunc."""
-
-    nout = 1
-    types = ("ddddddd->U",)
-    dtypes = (np.dtype("<U10"),)
-    # The last is that of what is no number.
-    words = np.array([*(regime.value for regime in Regime), ""])
-
-    def __call__(self, *operands: Any) -> Any:
-        codes = _core.orbit_regime(*operands)
-        numbers = np.asarray(codes)
-        words = self.words[np.where(np.isnan(numbers), -1, numbers).astype(int)]
-        if isinstance(codes, np.ma.MaskedArray):
-            return np.ma.array(words, mask=codes.mask)
-        return like(codes, words) if numbers.ndim else words
-
-
-_WORDS = _Words()
+_WORDS = Words(_core.orbit_regime, [regime.value for regime in Regime])
 
 
 def _of_regime(function: Any) -> RegimeOfState:

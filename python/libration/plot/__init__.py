@@ -12,6 +12,7 @@ Examples
 b'PNG'
 """
 
+from ._backbone import plot_backbone
 from ._comparison import plot_comparison
 from ._fit import plot_fit
 from ._linear import linear_theta
@@ -22,6 +23,7 @@ from ._together import plot_together
 
 __all__ = [
     "linear_theta",
+    "plot_backbone",
     "plot_comparison",
     "plot_fit",
     "plot_motion",

@@ -14,13 +14,14 @@ from ._potential import coefficients, equilibria, potential, reach, scaled
 BOTTOM, MARGIN = 112.0, 12.0
 EQUATIONS = {
     ("p", "q"): ("Duffing oscillator", "u″ + p u + q u³ = 0"),
-    ("alpha", "beta", "gamma"): ("Cubic-quintic oscillator", "u″ + α u + β u³ + γ u⁵ = 0"),
+    ("p", "q", "r", "c"): ("Duffing oscillator", "u″ + p u + r u² + q u³ = c"),
+    ("p", "q", "s"): ("Cubic-quintic oscillator", "u″ + p u + q u³ + s u⁵ = 0"),
 }
 
 
 def oscillator_card(oscillator: Any) -> str:
     """The HTML of an oscillator."""
-    name, equation = EQUATIONS[oscillator._names]
+    name, equation = EQUATIONS[tuple(letter for letter, _ in coefficients(oscillator))]
     heading = f"{name}: {oscillator.regime}"
     start = f"u(0) = {number(oscillator.u0)}, u′(0) = {number(oscillator.velocity0)}"
     given = ", ".join(f"{letter} = {number(value)}" for letter, value in coefficients(oscillator))

@@ -9,12 +9,12 @@ import numpy as np
 
 # Displacements of an escape are drawn up to this multiple of where it starts or turns.
 FAR = 4.0
-LETTERS = {"alpha": "α", "beta": "β", "gamma": "γ"}
 
 
 def coefficients(oscillator: Any) -> list[tuple[str, float]]:
-    """The coefficients of the force by their letters."""
-    return [(LETTERS.get(name, name), getattr(oscillator, name)) for name in oscillator._names]
+    """The coefficients of the force by their letters; even powers only where they are there."""
+    given = oscillator._arguments()[1]
+    return [(name, given[name]) for name in oscillator._names if name in given]
 
 
 def reach(oscillator: Any) -> float:
@@ -27,31 +27,47 @@ def reach(oscillator: Any) -> float:
 
 
 def polynomial(oscillator: Any) -> list[float]:
-    """Coefficients of the force over u, rising powers of u**2."""
-    return [getattr(oscillator, name) for name in oscillator._names]
+    """Coefficients of the powers of u, from that of 1, in u'' + them = 0."""
+    powers = {"c": (0, -1.0), "p": (1, 1.0), "r": (2, 1.0), "q": (3, 1.0), "s": (5, 1.0)}
+    found = [0.0] * 6
+    for name in oscillator._names:
+        power, sign = powers[name]
+        found[power] = sign * getattr(oscillator, name)
+    while len(found) > 2 and not found[-1]:
+        found.pop()
+    return found
 
 
 def equilibria(oscillator: Any) -> list[float]:
     """Displacements other than 0 at which the force is 0."""
-    squares = np.roots(polynomial(oscillator)[::-1]) if any(polynomial(oscillator)[1:]) else np.empty(0)
-    return [sign * math.sqrt(s.real) for s in squares if abs(s.imag) < 1e-9 * abs(s) and s.real > 0 for sign in (-1, 1)]
+    force = polynomial(oscillator)
+    if not any(force[2:]) and not force[0]:
+        return []
+    places = np.roots(force[::-1])
+    return [u.real for u in places if abs(u.imag) < 1e-9 * abs(u) and u.real != 0.0]
 
 
-def potential(stiffness: list[float], x: Any) -> Any:
+def potential(force: list[float], x: Any) -> Any:
     """Energy at rest at x."""
-    return sum(c * x ** (2 * k + 2) / (2 * k + 2) for k, c in enumerate(stiffness))
+    return sum((c * x ** (k + 1) / (k + 1) for k, c in enumerate(force) if c), 0.0 * x)
 
 
-def barriers(stiffness: list[float], resting: list[float]) -> list[float]:
+def barriers(force: list[float], resting: list[float]) -> list[float]:
     """Energies at rest on the unstable equilibria, rising: those of the separatrices."""
-    tops = [x for x in resting if sum((2 * k + 1) * c * x ** (2 * k) for k, c in enumerate(stiffness)) < 0]
-    return sorted({float(potential(stiffness, x)) for x in tops})
+    least = 1e-9 * max(map(abs, force))
+    tops = [
+        x
+        for x in resting
+        if abs(sum(c * x**k for k, c in enumerate(force))) <= least
+        and sum(k * c * x ** (k - 1) for k, c in enumerate(force) if k) < 0
+    ]
+    return sorted({float(potential(force, x)) for x in tops})
 
 
 def scaled(oscillator: Any, width: float) -> tuple[list[float], float]:
     """Coefficients of the force where u counts in half widths and the largest of them is 1, and the rate that it stands for."""
-    stiffness = [c * width ** (2 * k) for k, c in enumerate(polynomial(oscillator))]
-    pull = max(map(abs, stiffness))
+    force = [c * width ** (k - 1) for k, c in enumerate(polynomial(oscillator))]
+    pull = max(map(abs, force))
     if not pull:
-        return stiffness, abs(oscillator.velocity0) / width or 1.0
-    return [c / pull for c in stiffness], math.sqrt(pull)
+        return force, abs(oscillator.velocity0) / width or 1.0
+    return [c / pull for c in force], math.sqrt(pull)

@@ -10,9 +10,10 @@ import numpy as np
 from .._scalars import shown
 from ..oscillator._oscillator import Oscillator
 from ._axes import named
+from ._displacement import seen
 from ._language import ENGLISH, Language
-from ._potential import FAR, barriers, coefficients, equilibria, potential, reach, scaled
-from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, first_swings, part_of, quiet, save
+from ._potential import barriers, coefficients, equilibria, potential, reach, scaled
+from ._style import EXACT, FAINT, FEW, SEPARATRIX, finite, part_of, quiet, save
 
 
 def plot_oscillator(
@@ -115,28 +116,6 @@ def draw_displacement(axes: Any, oscillator: Oscillator, t: np.ndarray, say: Lan
     quiet(axes)
     say.ticks(axes)
     named(axes, new=True)
-
-
-def seen(oscillator: Oscillator, first: float, last: float) -> tuple[np.ndarray, np.ndarray]:
-    """Instants and displacements to draw: of many swings the first, of a motion that runs away what is not too far."""
-    if math.isfinite(oscillator.period):
-        last = first_swings(first, last, oscillator.period)
-    far = FAR * reach(oscillator) / 2
-    while True:
-        fine = np.linspace(first, last, 4000)
-        if first < 0 < last:
-            fine = np.sort(np.append(fine, 0.0))
-        u = oscillator.u(fine)
-        u = np.where(np.abs(u) < far, u, np.nan)
-        inside = np.flatnonzero(np.isfinite(u))
-        if not inside.size or np.ptp(inside) > fine.size / 5:
-            return fine, u
-        # Some room on both sides of what is seen, for the escape that ends it.
-        room = 2 + np.ptp(inside) // 4
-        closer = fine[max(inside[0] - room, 0)], fine[min(inside[-1] + room, fine.size - 1)]
-        if closer == (first, last):
-            return fine, u
-        first, last = closer
 
 
 def draw_portrait(axes: Any, oscillator: Oscillator, say: Language = ENGLISH) -> None:

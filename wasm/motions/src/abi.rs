@@ -21,13 +21,13 @@ thread_local! {
 /// The motion of u'' + p u + q u^3 = 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn duffing_new(u0: f64, velocity0: f64, p: f64, q: f64) -> u32 {
-    made(&SPRINGS, Duffing::new(u0, velocity0, p, q).map(|spring| spring.as_cubic_quintic().clone()))
+    made(&SPRINGS, CubicQuintic::new(u0, velocity0, p, q, 0.0))
 }
 
-/// The motion of u'' + alpha u + beta u^3 + gamma u^5 = 0.
+/// The motion of u'' + p u + q u^3 + s u^5 = 0.
 #[unsafe(no_mangle)]
-pub extern "C" fn cubic_quintic_new(u0: f64, velocity0: f64, alpha: f64, beta: f64, gamma: f64) -> u32 {
-    made(&SPRINGS, CubicQuintic::new(u0, velocity0, alpha, beta, gamma))
+pub extern "C" fn cubic_quintic_new(u0: f64, velocity0: f64, p: f64, q: f64, s: f64) -> u32 {
+    made(&SPRINGS, CubicQuintic::new(u0, velocity0, p, q, s))
 }
 
 /// Drops a spring.

@@ -1,4 +1,4 @@
-/** The springs u'' + p u + q u³ = 0 and u'' + α u + β u³ + γ u⁵ = 0: exact from any start, in every regime. */
+/** The springs u'' + p u + q u³ = 0 and u'' + p u + q u³ + s u⁵ = 0: exact from any start, in every regime. */
 
 import { keep, type Numbers, pair } from "./core.js";
 import { motions } from "./motions.js";
@@ -135,27 +135,27 @@ export interface CubicQuinticOptions {
   /** Velocity at t = 0, finite; 0 if not given. */
   velocity0?: number | undefined;
   /** Coefficient of u, finite, of any sign. */
-  alpha: number;
+  p: number;
   /** Coefficient of u³, finite, of any sign. */
-  beta: number;
+  q: number;
   /** Coefficient of u⁵, finite, of any sign. */
-  gamma: number;
+  s: number;
 }
 
 /**
- * One orbit of u'' + α u + β u³ + γ u⁵ = 0.
+ * One orbit of u'' + p u + q u³ + s u⁵ = 0.
  *
  * @example
- * const spring = new CubicQuintic({ u0: 1, alpha: 1, beta: 1, gamma: 1 });
+ * const spring = new CubicQuintic({ u0: 1, p: 1, q: 1, s: 1 });
  * console.log(spring.period.toFixed(9)); // 4.123945209
  */
 export class CubicQuintic extends Spring {
   /** Coefficient of u. */
-  readonly alpha: number;
+  readonly p: number;
   /** Coefficient of u³. */
-  readonly beta: number;
+  readonly q: number;
   /** Coefficient of u⁵. */
-  readonly gamma: number;
+  readonly s: number;
 
   /**
    * Sets up an orbit.
@@ -163,10 +163,10 @@ export class CubicQuintic extends Spring {
    * @param options Start and force.
    * @throws DomainError naming the argument, its value and what is allowed.
    */
-  constructor({ u0, velocity0 = 0, alpha, beta, gamma }: CubicQuinticOptions) {
-    super(motions().exports.cubic_quintic_new(u0, velocity0, alpha, beta, gamma), u0, velocity0);
-    this.alpha = alpha;
-    this.beta = beta;
-    this.gamma = gamma;
+  constructor({ u0, velocity0 = 0, p, q, s }: CubicQuinticOptions) {
+    super(motions().exports.cubic_quintic_new(u0, velocity0, p, q, s), u0, velocity0);
+    this.p = p;
+    this.q = q;
+    this.s = s;
   }
 }

@@ -15,7 +15,7 @@ type Spring = Duffing | CubicQuintic;
 const start = (row: Row): { u0: number; velocity0: number } => ({ u0: row.hex("u0"), velocity0: row.hex("velocity0") });
 const duffing = (row: Row): Spring => new Duffing({ ...start(row), p: row.hex("p"), q: row.hex("q") });
 const cubicQuintic = (row: Row): Spring =>
-  new CubicQuintic({ ...start(row), alpha: row.hex("alpha"), beta: row.hex("beta"), gamma: row.hex("gamma") });
+  new CubicQuintic({ ...start(row), p: row.hex("alpha"), q: row.hex("beta"), s: row.hex("gamma") });
 
 /** Worst error of each quantity in units of what is promised, and how many regimes are wrong. */
 function springs(table: Row[], made: (row: Row) => Spring, answer: (spring: Spring, t: number) => SpringMotion<number>): Record<string, number> {
@@ -138,7 +138,7 @@ test("a motion that takes too many steps ends where it ends; wrong arguments are
     return "";
   };
   assert.equal(refused(() => new Duffing({ u0: Number.NaN, p: 1, q: 1 })), "u0 = NaN: must be finite");
-  assert.equal(refused(() => new CubicQuintic({ u0: 1, alpha: 1, beta: 1, gamma: Number.POSITIVE_INFINITY })), "gamma = inf: must be finite");
+  assert.equal(refused(() => new CubicQuintic({ u0: 1, p: 1, q: 1, s: Number.POSITIVE_INFINITY })), "s = inf: must be finite");
   assert.equal(refused(() => new DampedPendulum({ theta0: 1, friction: { dry: -1 } })), "dry = -1.0: must be finite and not negative");
   assert.equal(refused(() => new DampedPendulum({ theta0: 1 }).turningTimes(3, 2)), "stop = 2.0: must be not before start, 3.0");
 });
