@@ -17,8 +17,8 @@ import damped_check
 import exact
 import helmholtz_duffing_check
 import oscillator_check
-import rings_check
 import oscillator_rows_check
+import rings_check
 import rows_check
 
 CHECKS = {
