@@ -95,8 +95,8 @@ def letters(orbit):
     return dict(zip("prqsc", orbit[2:], strict=True))
 
 
-# rows of the derivatives that would take minutes: many hundreds of rates after the start on a separatrix, or nearly symmetric
-SLOW = ("os-0056", "os-0074")
+# rows that would take minutes: many hundreds of rates after the start on a separatrix, nearly symmetric, or a triple root
+SLOW = ("os-0056", "os-0074", "oa-0155", "oa-0156")
 ESCAPES = [
     (even.outside, 5),
     (even.over_one_barrier, 5),
@@ -181,4 +181,4 @@ def rows(prefix, names):
         span = period if mp.isfinite(period) else unit
         part = draw.sign() * draw.part() * (1e6 if k % 9 == 5 else 3)
         found.append((stratum, *orbit, 0.0 if k % 4 == 0 else product(span, part)))
-    return list(numbered(prefix, names, found))
+    return [row for row in numbered(prefix, names, found) if row["id"] not in SLOW]
