@@ -54,7 +54,7 @@ fn holds(rows: &[Row], motion: impl Fn(&Duffing, f64) -> (f64, f64)) -> bool {
             good = false;
         }
         let found = errors(row, &orbit, motion(&orbit, row.hex("t")));
-        if found.iter().any(|error| !(*error <= 4.0)) {
+        if found.iter().any(|error| *error > 4.0) {
             println!("{} {} {found:?}", row.text("id"), row.text("stratum"));
             good = false;
         }
@@ -124,7 +124,7 @@ fn passages_come_back() {
         };
         let allowed = 1e-14 * t.abs() + 16.0 * ulp(scale) / speed;
         let regime = orbit.regime().name();
-        if regime == "rest" || !(allowed < 1e-4 * near) {
+        if regime == "rest" || allowed >= 1e-4 * near {
             continue;
         }
         let best = times.iter().map(|found| (found - t).abs()).fold(f64::INFINITY, f64::min);

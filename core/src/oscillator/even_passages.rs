@@ -26,7 +26,7 @@ impl EvenPowers {
         let mut times = match &self.solution {
             EvenSolution::Rest => Vec::new(),
             EvenSolution::Mean(mean) => {
-                let Some(at) = self.from_base(mean, u) else { return Ok(Vec::new()) };
+                let Some(at) = self.times_by_base(mean, u) else { return Ok(Vec::new()) };
                 let phases = at.iter();
                 if !mean.curve.period.is_finite() {
                     phases.map(|t| t.value()).collect()
@@ -47,7 +47,7 @@ impl EvenPowers {
     }
 
     /// The times of a bounded motion next to its base; none where it does not get.
-    fn from_base(&self, mean: &Mean, u: f64) -> Option<Vec<Scaled>> {
+    fn times_by_base(&self, mean: &Mean, u: f64) -> Option<Vec<Scaled>> {
         let base = mean.at_base;
         if u == self.u0 {
             return Some(if self.velocity0 == 0.0 {

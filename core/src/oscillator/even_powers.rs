@@ -83,7 +83,8 @@ impl EvenPowers {
             EvenSolution::Rest => (self.u0, 0.0),
             EvenSolution::Mean(mean) => {
                 let periodic = mean.curve.period.is_finite();
-                if periodic && !((time / mean.curve.period).abs().value() < LAST_PERIOD) {
+                let periods = (time / mean.curve.period).abs().value();
+                if periodic && (periods.is_nan() || periods >= LAST_PERIOD) {
                     return (f64::NAN, f64::NAN);
                 }
                 if !time.is_finite() {

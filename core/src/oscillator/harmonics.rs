@@ -129,7 +129,7 @@ impl Harmonics {
 
     /// a_n, n >= 1.
     pub fn of_order(&self, n: u64) -> Scaled {
-        if self.odd_only && n % 2 == 0 {
+        if self.odd_only && n.is_multiple_of(2) {
             return Scaled::ZERO;
         }
         let order = Scaled::from(n as f64);
@@ -162,7 +162,7 @@ impl Harmonics {
             }
             Fall::Double { whole } => (order * exp(-(order * whole))).shift(1) / less_than_one(order * whole),
         };
-        let signed = if self.alternate && n % 2 == 0 { -value } else { value };
+        let signed = if self.alternate && n.is_multiple_of(2) { -value } else { value };
         self.factor * signed
     }
 
@@ -186,7 +186,7 @@ impl Harmonics {
     }
 
     fn skips(&self, n: u64) -> bool {
-        self.odd_only && n % 2 == 0
+        self.odd_only && n.is_multiple_of(2)
     }
 }
 

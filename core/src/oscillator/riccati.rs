@@ -120,7 +120,7 @@ impl Riccati {
             return [Scaled::NAN; 2];
         }
         let argument = t * self.rate;
-        let far = !(argument.abs().value() < FAR)
+        let far = argument.abs().value() >= FAR
             && !matches!(self.denominator, Denominator::Line | Denominator::Sine);
         let argument = if far { Scaled::from(FAR).signed(argument.sign()) } else { argument };
         let (sine, below) = match self.denominator {

@@ -174,7 +174,8 @@ impl Duffing {
             orbit = at(velocity);
         }
         let found = orbit.action().value();
-        if !((found - action).abs() <= 1e-10 * action) {
+        let missed = found.is_nan() || (found - action).abs() > 1e-10 * action;
+        if missed {
             let below = at(low).action().value();
             let allowed = format!(
                 "that of a motion about the equilibrium {}: none between {} and {}",

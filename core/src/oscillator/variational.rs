@@ -125,8 +125,8 @@ impl Equation {
         let mut radius = f64::INFINITY;
         for series in columns.iter().chain([&u]) {
             let size = series[..4].iter().fold(0.0, |size, x| f64::max(size, x.hi.abs()));
-            for k in TERMS - 4..TERMS {
-                let term = series[k].hi.abs();
+            for (k, term) in series.iter().enumerate().skip(TERMS - 4) {
+                let term = term.hi.abs();
                 if term > 0.0 && size > 0.0 {
                     radius = radius.min((size / term).powf(1.0 / k as f64));
                 }
@@ -229,7 +229,7 @@ impl EvenPowers {
             for (i, t) in times.iter().enumerate() {
                 let turns = in_units(*t) / period;
                 let count = turns.hi.floor();
-                if !(count.abs() < exp2(53)) {
+                if count.is_nan() || count.abs() >= exp2(53) {
                     put(i, undefined);
                     continue;
                 }
