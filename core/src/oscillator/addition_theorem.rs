@@ -12,7 +12,6 @@
 
 use crate::elliptic::phase::{alternating, turned};
 use crate::elliptic::theta::neville_lanes::{NevilleThetaLanes, Point};
-use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Kernel, Lane, Sampler, sweep};
 
