@@ -69,10 +69,10 @@ def target_table(held: dict[str, dict]) -> str:
     return table(["work, ours / theirs", "measured", "worst at", "limit", "met"], body, (0, 2, 4))
 
 
-def by_orbit(records: list[dict], names: tuple[str, ...]) -> str:
-    """A table for each of the orbits."""
+def by_orbit(records: list[dict], names: tuple[str, ...], heading: str) -> str:
+    """A table for each of the orbits, under a heading of that level."""
     tables = [(name, against([record for record in records if record["case"] == name])) for name in names]
-    return "\n\n".join(f"## {name}\n\n{text}" for name, text in tables)
+    return "\n\n".join(f"{heading} {name}\n\n{text}" for name, text in tables)
 
 
 def matrix(records: list[dict], column: str, name) -> str:
@@ -162,8 +162,8 @@ def pages(held: dict[str, dict]) -> dict[str, str]:
         "system": head["system"],
         "versions": versions,
         "targets": target_table(held),
-        "orbits": by_orbit(held["orbits"]["records"], SHOWN),
-        "others": by_orbit(held["orbits"]["records"], tuple(o.name for o in ORBITS if o.name not in SHOWN)),
+        "orbits": by_orbit(held["orbits"]["records"], SHOWN, "###"),
+        "others": by_orbit(held["orbits"]["records"], tuple(o.name for o in ORBITS if o.name not in SHOWN), "##"),
         "states": against(held["states"]["records"], held["states"]["records"][0]["method"]),
         "steps": against(held["steps"]["records"], held["steps"]["records"][0]["method"]),
         "sizes": matrix(held["sizes"]["records"], "count", lambda count: f"{count:,}"),

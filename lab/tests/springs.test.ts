@@ -165,7 +165,7 @@ describe('springs', () => {
   it('agree with the same numbers of the package', () => {
     const duffing = new Duffing({ u0: 1.2, p: 1, q: -0.5 })
     expect(orbit(forceOf('duffing', 1, -0.5, 9), 1.2).period).toBe(duffing.period)
-    const quintic = new CubicQuintic({ u0: 0.5, alpha: 1, beta: -4, gamma: 3 })
+    const quintic = new CubicQuintic({ u0: 0.5, p: 1, q: -4, s: 3 })
     expect(orbit(forceOf('cubic-quintic', 1, -4, 3), 0.5).period).toBe(quintic.period)
   })
 

@@ -7,6 +7,7 @@ mod circular;
 mod damped_pendulum;
 mod damped_sensitivity;
 mod equation;
+mod exact;
 mod friction;
 mod half_swing;
 mod integrator;

@@ -3,6 +3,7 @@
 use super::branch::{Branch, since};
 use super::circular::of_double;
 use super::damped_pendulum::DampedPendulum;
+use super::exact::Exact;
 use super::segment::{Event, Segment, Tolerance};
 use super::torque::TORQUES;
 use crate::domain::{Domain, shown};
@@ -10,32 +11,6 @@ use crate::float::{Dd, TWO_PI};
 use crate::pendulum::{Orbit, Turns, half_open};
 use crate::sorting::{sort, sort_numbers};
 use std::sync::Arc;
-
-/// What a trajectory asks an exact motion for its values. Behind a trait, so that a program that integrates every motion holds none of
-/// its code.
-trait Exact: Send + Sync {
-    fn orbit(&self) -> &Orbit;
-    fn at(&self, t: f64) -> (f64, f64);
-    fn at_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]);
-}
-
-impl core::fmt::Debug for dyn Exact {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("an exact motion")
-    }
-}
-
-impl Exact for Orbit {
-    fn orbit(&self) -> &Orbit {
-        self
-    }
-    fn at(&self, t: f64) -> (f64, f64) {
-        self.motion(t)
-    }
-    fn at_into(&self, t: &[f64], theta: &mut [f64], velocity: &mut [f64]) {
-        self.motion_into(t, theta, velocity);
-    }
-}
 
 #[derive(Clone, Debug)]
 enum Motion {

@@ -25,12 +25,14 @@ mod record;
 mod refusal;
 mod result;
 mod reversible;
+mod samples;
 mod search;
 mod spread;
 mod start;
 mod swings;
 mod tables;
 mod together;
+mod values;
 mod verdicts;
 mod window;
 

@@ -5,65 +5,16 @@
 use super::data::{self, Measured};
 pub(super) use super::loss::Loss;
 use super::loss::soft;
-use super::options::Stop;
+pub(super) use super::samples::Samples;
 use super::search::LeastSquares;
+pub(super) use super::values::*;
 use core::{cell::Cell, f64::consts::PI};
 use libration::damped::{ASKED_EVERY, Tolerance};
 use libration::{DampedPendulum, DampedSensitivity, Frequency, Friction, Torque, Trajectory};
 use nalgebra::{DMatrix, DVector};
 
-/// What a fit may vary, the first seven in the order of the core's derivatives; presliding as the logarithm above its least value.
-pub(super) const NAMES: [&str; 9] =
-    ["theta", "velocity", "omega2", "linear", "quadratic", "dry", "ln presliding", "offset", "scale"];
-pub(super) const THETA: usize = 0;
-pub(super) const VELOCITY: usize = 1;
-pub(super) const OMEGA2: usize = 2;
-pub(super) const LINEAR: usize = 3;
-pub(super) const QUADRATIC: usize = 4;
-pub(super) const DRY: usize = 5;
-pub(super) const PRESLIDING: usize = 6;
-pub(super) const OFFSET: usize = 7;
-pub(super) const SCALE: usize = 8;
-
-pub(super) type Values = [f64; NAMES.len()];
-
 /// How many times are handed to the core at once: the derivatives of all of a long record would not fit into memory.
 const CHUNK: usize = 4096;
-
-/// Samples with times since the state, rising.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Samples {
-    pub t: Vec<f64>,
-    pub y: Vec<f64>,
-    /// Asked before each evaluation; after it no motion is found, and every search ends.
-    pub stop: Stop,
-}
-
-impl Samples {
-    pub fn len(&self) -> usize {
-        self.t.len()
-    }
-    /// Those in an interval, at most about `most` of them, evenly spread.
-    pub fn thinned(&self, from: f64, to: f64, most: usize) -> Samples {
-        let inside: Vec<usize> = (0..self.len()).filter(|i| (from..=to).contains(&self.t[*i])).collect();
-        let stride = inside.len().div_ceil(most.max(1)).max(1);
-        let kept = || inside.iter().step_by(stride);
-        Samples {
-            t: kept().map(|i| self.t[*i]).collect(),
-            y: kept().map(|i| self.y[*i]).collect(),
-            stop: self.stop,
-        }
-    }
-    /// Those for which `keep` holds.
-    pub fn only(&self, keep: impl Fn(usize) -> bool) -> Samples {
-        let kept = || (0..self.len()).filter(|i| keep(*i));
-        Samples {
-            t: kept().map(|i| self.t[i]).collect(),
-            y: kept().map(|i| self.y[i]).collect(),
-            stop: self.stop,
-        }
-    }
-}
 
 /// A record, a model, and where the search stands.
 #[derive(Clone, Debug)]

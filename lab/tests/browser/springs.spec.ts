@@ -48,7 +48,7 @@ test('springs by their examples are in every regime, with the numbers of the cor
     await expect(lab.locator('#spring-regime')).toContainText(regime)
   }
   await choose('Bistable')
-  const quintic = new CubicQuintic({ u0: 0.5, alpha: 1, beta: -4, gamma: 3 })
+  const quintic = new CubicQuintic({ u0: 0.5, p: 1, q: -4, s: 3 })
   await expect(lab.locator('#spring-period')).toHaveText(quintic.period.toFixed(4))
   await expect(lab.locator('#spring-equilibria tbody tr')).toHaveCount(5)
   await choose('Companion of the pendulum')
