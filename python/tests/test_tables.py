@@ -20,7 +20,7 @@ MOTIONS = [
         {"t": "s", "theta": "rad", "velocity": "rad/s", "energy": "rad**2/s**2"},
     ),
     (Duffing(1.0, p=1.0, q=1.0), {"t": "s", "u": None, "velocity": None}),
-    (CubicQuintic(1.0, alpha=1.0, beta=0.5, gamma=0.1), {"t": "s", "u": None, "velocity": None}),
+    (CubicQuintic(1.0, p=1.0, q=0.5, s=0.1), {"t": "s", "u": None, "velocity": None}),
 ]
 IDS = [type(motion).__name__ for motion, _ in MOTIONS]
 

@@ -94,9 +94,7 @@ export class SpringOrbit {
   ) {
     const { kind, p, q, s } = force
     const spring =
-      kind === 'duffing'
-        ? new Duffing({ u0, velocity0, p, q })
-        : new CubicQuintic({ u0, velocity0, p, q, s })
+      kind === 'duffing' ? new Duffing({ u0, velocity0, p, q }) : new CubicQuintic({ u0, velocity0, p, q, s })
     this.#spring = spring
     this.name = nameOf(force)
     this.regime = spring.regime

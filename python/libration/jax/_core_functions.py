@@ -5,6 +5,7 @@ Source: https://docs.jax.dev/en/latest/ffi.html.
 """
 
 from functools import cache
+from importlib.metadata import version
 from typing import Any
 
 import jax
@@ -15,6 +16,8 @@ from jax.interpreters import batching, mlir
 
 from .. import _core
 
+# jax states no types of it.
+Shape: Any = jax.ShapeDtypeStruct
 # Of how many columns the results are.
 RESULTS = {"motion": 2, "advance": 2, "sensitivities": 6, "period": 1}
 for name in RESULTS:
@@ -25,7 +28,7 @@ def _called(name: str, *given: Any) -> Any:
     """The columns of a function, of arrays of one shape."""
 
     def columns(*given: Any) -> Any:
-        results = (jax.ShapeDtypeStruct(given[0].shape, np.float64),) * RESULTS[name]
+        results = (Shape(given[0].shape, np.float64),) * RESULTS[name]
         return jax.ffi.ffi_call(f"libration_{name}", results, vmap_method="broadcast_all")(*given)
 
     def elsewhere(*given: Any) -> Any:
@@ -61,17 +64,17 @@ def ready() -> None:
     """Asks XLA for a small program once: RuntimeError of one line where it does not take the core's functions."""
     try:
         place = jax.sharding.SingleDeviceSharding(jax.devices("cpu")[0])
-        number = jax.ShapeDtypeStruct((1,), np.float64, sharding=place)
+        number = Shape((1,), np.float64, sharding=place)
         jax.jit(period).lower(number, number, number).compile()
     except Exception as error:
         why = str(error).partition("\n")[0]
         raise RuntimeError(
-            f'digits="core" does not run on this jaxlib, {jax.lib.__version__}: pass digits="full" (XLA: {why})'
+            f'digits="core" does not run on this jaxlib, {version("jaxlib")}: pass digits="full" (XLA: {why})'
         ) from error
 
 
 # A value where the core does not run: no program is made of it.
-_refused = Primitive("libration_core_elsewhere")
+_refused: Any = Primitive("libration_core_elsewhere")
 _refused.def_abstract_eval(lambda like: like)
 batching.primitive_batchers[_refused] = lambda given, axes: (_refused.bind(*given), *axes)
 

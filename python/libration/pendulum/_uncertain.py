@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from .._advice import advice
+from .._scalars import shown
 from ._pendulum import Pendulum
 
 Numbers = tuple[Any, Any]
@@ -56,10 +58,10 @@ def uncertain_motion(
     >>> from libration import uncertain_motion
     >>> theta, velocity = uncertain_motion(10.0, ufloat(1.0, 0.01), length=ufloat(0.65, 0.001))
     >>> print(f"{theta:.1u}")
-    -0.92+/-0.02
+    0.30+/-0.05
     """
     orbit, deviations = _orbit(theta0, velocity0, omega0, length, gravity)
-    times = np.asarray(t, dtype=object) if np.ndim(t) else np.array(t, dtype=object)
+    times = _times(t)
     results = np.empty((2, *times.shape), dtype=object)
     for place in np.ndindex(times.shape):
         time = times[place]
@@ -123,6 +125,18 @@ def uncertain_period(
         if each is not None
     ]
     return float(orbit.period) + sum(parts)
+
+
+def _times(t: Any) -> Any:
+    """The times as an array of objects, each a number or one with an uncertainty."""
+    times = np.array(t, dtype=object)
+    try:
+        for each in times.ravel():
+            float(_mean(each))
+    except (TypeError, ValueError):
+        allowed = "must be real numbers, each with an uncertainty or without"
+        raise TypeError(f"t = {shown(t)}: {allowed}{advice('t', t)}") from None
+    return times
 
 
 def _mean(value: Any) -> Any:

@@ -59,7 +59,7 @@ class Animation:
     >>> from libration import Pendulum
     >>> film = Pendulum(3.0, length=1.0).animate(fps=10)
     >>> len(film.times), f"{film.seconds:.3f}", f"{film.times[1] - film.times[0]:.6f}"
-    (51, '5.159', '0.101157')
+    (51, '5.159', '0.101156')
     """
 
     def __init__(
@@ -155,7 +155,8 @@ class Animation:
             from matplotlib.figure import Figure
 
             figure = Figure(figsize=SIZE, dpi=self.dpi)
-            canvas = FigureCanvasAgg(figure)
+            # matplotlib states no types of it.
+            canvas: Any = FigureCanvasAgg(figure)
             left, right = (figure.add_axes(place) for place in PLACES)
             rod, bob = _pendulum(left)
             dot, line = self._curve(right)
@@ -170,7 +171,7 @@ class Animation:
                 bob.set_center((x, y))
                 dot.set_data([t], [angle])
                 line.set_xdata([t, t])
-                canvas.restore_region(still)  # type: ignore[attr-defined]
+                canvas.restore_region(still)
                 for axes, artist in ((left, rod), (left, bob), (right, line), (right, dot)):
                     axes.draw_artist(artist)
                 yield np.array(np.asarray(canvas.buffer_rgba())[:, :, :3])

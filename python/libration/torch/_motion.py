@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-import torch
+import torch  # type: ignore[import-not-found, unused-ignore]
 
 from . import _operators as operators
 
@@ -47,7 +47,7 @@ def motion(t: Any, theta0: Any, velocity0: Any = 0.0, omega0: Any = 1.0) -> tupl
 
     Examples
     --------
-    >>> import torch
+    >>> import torch  # type: ignore[import-not-found, unused-ignore]
     >>> from libration.torch import motion
     >>> omega0 = torch.tensor(1.0, dtype=torch.float64, requires_grad=True)
     >>> theta, velocity = motion(2.0, 1.0, 0.0, omega0)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import torch
+import torch  # type: ignore[import-not-found, unused-ignore]
 
 from .. import _core, elliptic
 from ..pendulum import energy_ratio, energy_ratio_c
@@ -36,7 +36,7 @@ def operator(name: str, given: str, count: int, function: Callable[..., Any]) ->
     made = torch.library.custom_op(f"libration::{name}", columns, mutates_args=(), schema=schema)
     made.register_fake(shapes)
 
-    @made.register_vmap
+    @made.register_vmap  # type: ignore[untyped-decorator, unused-ignore]
     def rows(info: Any, axes: tuple[int | None, ...], *tensors: Any) -> Any:
         moved = (
             tensor.expand(info.batch_size, *tensor.shape) if axis is None else tensor.movedim(axis, 0)
@@ -51,7 +51,7 @@ def operator(name: str, given: str, count: int, function: Callable[..., Any]) ->
 def derived(made: Any, keep: Callable[..., Any], back: Callable[..., Any]) -> Any:
     """An operator with what it keeps of a call, and the products with its derivatives."""
 
-    class Derived(torch.autograd.Function):
+    class Derived(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
         generate_vmap_rule = True
 
         @staticmethod
