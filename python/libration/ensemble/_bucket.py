@@ -12,7 +12,6 @@ from typing import Any, Self
 import numpy as np
 
 from .._arrays import Floats
-from .._dispatch import numbers
 from .._immutable import Immutable
 from .._messages import explained
 from .._scalars import count, real, shown
@@ -20,9 +19,9 @@ from ..pendulum import frequency
 from ._bunch import bunch, positive
 from ._density import SHAPES, largest_rms
 from ._lumped import lumped_tune
+from ._values import inside, real_numbers
 
-# Speed of light in m/s, exact since 1983.
-LIGHT = 299_792_458.0
+LIGHT = 299_792_458.0  # The speed of light in m/s, exact since 1983.
 
 
 class Bucket(Immutable):
@@ -236,7 +235,7 @@ class Bucket(Immutable):
         >>> lhc.tune([0.0, 2.0]).round(6)
         array([0.005664, 0.004262])
         """
-        return self.qs * frequency(_inside(theta_max), 0.0)
+        return self.qs * frequency(inside(theta_max), 0.0)
 
     @explained
     def lumped_tune(self, theta_max: Any) -> Any:
@@ -266,7 +265,7 @@ class Bucket(Immutable):
         >>> print(f"{ring.qs:.4f} {ring.lumped_tune(1.0) / ring.tune(1.0) - 1:.1e}")
         0.0062 3.4e-05
         """
-        wanted = np.asarray(_inside(theta_max))
+        wanted = np.asarray(inside(theta_max))
         known = np.abs(wanted.ravel()) < math.pi
         tunes = np.full(wanted.size, np.nan)
         tunes[known] = lumped_tune(self.qs, wanted.ravel()[known])
@@ -297,7 +296,7 @@ class Bucket(Immutable):
         0.8400 -0.2002
         """
         angle, velocity = self._factors
-        return np.multiply(_real(zeta), angle), np.multiply(_real(delta), velocity)
+        return np.multiply(real_numbers(zeta), angle), np.multiply(real_numbers(delta), velocity)
 
     @explained
     def from_pendulum(self, theta: Any, velocity: Any) -> Any:
@@ -324,7 +323,7 @@ class Bucket(Immutable):
         '0.1000 0.0000'
         """
         angle, factor = self._factors
-        return np.divide(_real(theta), angle), np.divide(_real(velocity), factor)
+        return np.divide(real_numbers(theta), angle), np.divide(real_numbers(velocity), factor)
 
     @explained
     def matched(
@@ -399,14 +398,3 @@ class Bucket(Immutable):
             known["sigma_theta"] = length * self._factors[0]
         zeta, delta = self.from_pendulum(*bunch(n, first=first, **known))
         return zeta, delta
-
-
-def _inside(theta_max: Any) -> Any:
-    """Turning angles of librations; others are NaN."""
-    angles = np.ma.filled(numbers(theta_max), np.nan)
-    return np.where(np.abs(angles) < math.pi, angles, np.nan)[()]
-
-
-def _real(values: Any) -> Any:
-    """Real numbers; arrays of xarray keep their names."""
-    return values if hasattr(values, "dims") else numbers(values)
