@@ -7,6 +7,8 @@ from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 
+from ._scalars import shown
+
 __all__ = ["cite"]
 
 FORMS = ("text", "bibtex")
@@ -70,8 +72,8 @@ def cite(*names: str, form: str = "text") -> str:
     >>> print(libration.cite(form="bibtex").splitlines()[0])
     @software{libration,
     """
-    if form not in FORMS:
-        raise ValueError(f"form = {form!r}: must be {' or '.join(FORMS)}")
+    if not isinstance(form, str) or form not in FORMS:
+        raise ValueError(f"form = {shown(form)}: must be {' or '.join(FORMS)}")
     known = entries()
     asked = list(
         dict.fromkeys(each for name in names or ("libration",) for each in (known if name == "all" else (name,)))
@@ -80,7 +82,7 @@ def cite(*names: str, form: str = "text") -> str:
         if name not in known:
             near = get_close_matches(str(name).lower(), known, n=1, cutoff=0.4)
             hint = f"; did you mean {near[0]}?" if near else ""
-            raise ValueError(f"name = {name!r}: must be all or one of {', '.join(known)}{hint}")
+            raise ValueError(f"name = {shown(name)}: must be all or one of {', '.join(known)}{hint}")
     write = bibtex if form == "bibtex" else line
     return ("\n\n" if form == "bibtex" else "\n").join(write(name) for name in asked)
 

@@ -133,7 +133,7 @@ def _times(t: Any) -> Any:
     try:
         for each in times.ravel():
             float(_mean(each))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         allowed = "must be real numbers, each with an uncertainty or without"
         raise TypeError(f"t = {shown(t)}: {allowed}{advice('t', t)}") from None
     return times
