@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from . import _units as units
 from ._advice import advice, has_units
+from ._units import plain
 
 # The functions that take arrays of what a constructor takes one of.
 OF_ARRAYS = {"theta0": "libration.motion", "velocity0": "libration.motion", "u0": "libration.duffing_motion"}
@@ -27,7 +27,7 @@ def real(name: str, value: Any) -> float:
             # A number with a unit of astropy.
             pass
     if has_units(value):
-        return real(name, units.plain(name, value))
+        return real(name, plain(name, value))
     several = OF_ARRAYS.get(name) if getattr(value, "ndim", 0) or isinstance(value, list | tuple) else None
     hint = f"; {several} takes arrays" if several else advice(name, value)
     raise ValueError(f"{name} = {shown(value)}: must be one real number, a Python or NumPy scalar{hint}")
