@@ -6,7 +6,7 @@ A check is a function from the root to a list of one-line findings; no finding m
 import sys
 from pathlib import Path
 
-NOT_OURS = {".git", ".venv", "target", "out", "dist", "build", "node_modules", "__pycache__"}
+NOT_OURS = {".git", ".venv", "target", "out", "dist", "dist-tests", "build", "node_modules", "__pycache__"}
 
 
 def files(root: Path, folder: str, *suffixes: str) -> list[Path]:
