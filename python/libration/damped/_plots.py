@@ -202,12 +202,7 @@ class Plots(Events):
         >>> len(film.times)
         300
         """
-        from ..plot._animation import Animation
+        from ..plot._animation import film
         from ..plot._damped import damped_headline
-        from ..plot._language import Language
 
-        line = damped_headline(self, Language(lang)) if title is None else title
-        film = Animation(self, t, title=line, fps=fps, speed=speed, dpi=dpi, lang=lang)
-        if path is not None:
-            film.save(path, form)
-        return film
+        return film(self, damped_headline, path, form, title, lang, t=t, fps=fps, speed=speed, dpi=dpi)

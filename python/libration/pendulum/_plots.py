@@ -168,14 +168,9 @@ class Plots(Crossings):
         (257, '10.318 s')
         """
         from ..plot._angle import headline
-        from ..plot._animation import Animation
-        from ..plot._language import Language
+        from ..plot._animation import film
 
-        line = headline(self, Language(lang)) if title is None else title
-        film = Animation(self, t, title=line, fps=fps, speed=speed, dpi=dpi, lang=lang)
-        if path is not None:
-            film.save(path, form)
-        return film
+        return film(self, headline, path, form, title, lang, t=t, fps=fps, speed=speed, dpi=dpi)
 
     def _repr_html_(self) -> str:
         """What a notebook shows: a drawing, regime and period, and the closed form with its numbers."""

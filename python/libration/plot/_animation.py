@@ -10,7 +10,7 @@ from __future__ import annotations
 import importlib
 import math
 from base64 import b64encode
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from io import BytesIO
 from itertools import pairwise
@@ -279,6 +279,23 @@ def _pendulum(axes: Any) -> tuple[Any, Any]:
     rod = axes.plot([], [], color=BLACK, lw=2, solid_capstyle="round", animated=True)[0]
     bob = axes.add_patch(Circle((0, -1), BOB, color=EXACT, animated=True))
     return rod, bob
+
+
+def film(
+    pendulum: Any,
+    headline: Callable[[Any, Language], str],
+    path: Any,
+    form: str | None,
+    title: str | None,
+    lang: str,
+    **options: Any,
+) -> Animation:
+    """The film of a pendulum under its title or the line that says its state; saved where there is a path."""
+    line = headline(pendulum, Language(lang)) if title is None else title
+    made = Animation(pendulum, title=line, lang=lang, **options)
+    if path is not None:
+        made.save(path, form)
+    return made
 
 
 def film_form(path: Any, form: str | None) -> str:
