@@ -40,13 +40,15 @@ def test_error_is_relative_to_the_scale_and_signed():
 def test_target_is_met_only_if_its_worst_case_was_measured_and_is_within_the_limit():
     record = {"case": "a", "count": 10, "seconds": [1.0] * 7}
     records = [{**record, "method": "ours"}, {**record, "method": "theirs", "seconds": [2.0] * 7}]
-    assert Target("", 0.5, pairs(records, "ours", "theirs", ["a"])).holds
-    assert not Target("", 0.49, pairs(records, "ours", "theirs", ["a"])).holds
-    assert not Target("", 0.5, pairs(records, "ours", "theirs", ["a", "b"])).holds
-    assert not Target("", 0.5, pairs(records, "ours", "missing", ["a"])).holds
-    assert not Target("", 0.5, {}).holds
+    assert Target("", 0.5, pairs(records, "ours", "theirs", ["a"])).holds("avx512f")
+    assert not Target("", 0.49, pairs(records, "ours", "theirs", ["a"])).holds("avx512f")
+    assert not Target("", 0.5, pairs(records, "ours", "theirs", ["a", "b"])).holds("avx512f")
+    assert not Target("", 0.5, pairs(records, "ours", "missing", ["a"])).holds("avx512f")
+    assert not Target("", 0.5, {}).holds("avx512f")
+    assert not Target("", 0.5, {"a": 0.6}, False).holds("avx2")
+    assert Target("", 0.5, {"a": 1.0}).holds("avx2") and not Target("", 0.5, {"a": 1.01}).holds("avx2")
     records[1]["count"] = 5
-    assert not Target("", 9.0, pairs(records, "ours", "theirs", ["a"])).holds
+    assert not Target("", 9.0, pairs(records, "ours", "theirs", ["a"])).holds("avx512f")
 
 
 def test_rounds_take_every_method_seven_times_and_ratios_go_pair_by_pair():
