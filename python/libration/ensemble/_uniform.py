@@ -20,16 +20,15 @@ STEPS = np.array([13925035116211876495, 10511698010929265437], dtype=np.uint64)
 def uniforms(seed: int, first: int, count: int, quiet: bool) -> Floats:
     """Two rows of `count` numbers in the open interval (0, 1): particles `first`, `first` + 1 and so on."""
     # The middle of one of 2**52 equal intervals: never 0 or 1, and u and 1 - u are as likely.
-    if quiet:
-        return (np.right_shift(recurrence(seed, first, count), np.uint64(12)).astype(float) + 0.5) * 2.0**-52
-    return (np.floor(counted(seed, first, count) * 2.0**52) + 0.5) * 2.0**-52
+    words = recurrence(seed, first, count) if quiet else counted(seed, first, count)
+    return (np.right_shift(words, np.uint64(12)).astype(float) + 0.5) * 2.0**-52
 
 
-def counted(seed: int, first: int, count: int) -> Floats:
-    """The first two words of each counter, as fractions of 53 bits."""
+def counted(seed: int, first: int, count: int) -> NDArray[np.uint64]:
+    """The first two words of each counter."""
     philox = np.random.Philox(key=np.array([seed, PARTICLES], dtype=np.uint64))
     philox.advance(first)
-    return np.ascontiguousarray(np.random.Generator(philox).random((count, 4))[:, :2].T)
+    return philox.random_raw(4 * count).reshape(count, 4)[:, :2].T
 
 
 def recurrence(seed: int, first: int, count: int) -> NDArray[np.uint64]:
