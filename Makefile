@@ -14,6 +14,8 @@ export VIRTUAL_ENV := $(abspath $(VENV))
 export PATH := $(abspath $(VENV)/bin):$(HOME)/.cargo/bin:$(PATH)
 export MPLBACKEND := Agg
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
+# Tests and pages are in English, whatever the system speaks.
+export LC_ALL := C.UTF-8
 unexport PYTHONPATH CONDA_PREFIX
 
 # Two at a time: what waits for the network or for one long file leaves a core to the other.
@@ -239,7 +241,7 @@ test/types: $(TOOLS)
 
 test/laws: $(TOOLS) $(VENV)/.built
 	$(call step,for law in $(LAWS); do $(PY) checks/$$law.py || failed=1; done; test -z "$$failed")
-LAWS := rooms circles names typescript_names type_names functions pages links versions
+LAWS := rooms circles names sentences typescript_names type_names functions pages links versions
 
 test/checks-tested: $(TOOLS) $(VENV)/.built
 	$(call step,pytest $(QUIET) checks)

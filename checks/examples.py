@@ -19,7 +19,7 @@ PROGRAM = Path(sys.executable).parent / "libration"
 
 def findings(root: Path, program: str = str(PROGRAM)) -> list[str]:
     found = []
-    environment = {**os.environ, "COLUMNS": "100"}
+    environment = {**os.environ, "COLUMNS": "100", "LC_ALL": "C.UTF-8"}
     for page in files(root, ".", ".md"):
         for block in BLOCK.findall(page.read_text(encoding="utf-8")):
             for example in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:

@@ -16,7 +16,7 @@ LANGUAGES = ("pt_BR", "es")
 PAGES = (
     "index tutorial papers about design compare reference/index "
     "how-to/index how-to/choose how-to/separatrix how-to/long-times how-to/arrays how-to/from-scipy how-to/accelerators "
-    "how-to/teachers why/index why/integrators why/sn why/theory"
+    "how-to/mems how-to/teachers why/index why/integrators why/sn why/theory"
 ).split()
 
 

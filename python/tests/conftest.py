@@ -5,6 +5,8 @@ Whole files by name, single tests by the mark `posix`; everything else is the sa
 
 import os
 
+import pytest
+
 FILES = ("test_cli_completion.py", "test_cli_streams.py", "test_ensemble_runs.py", "test_interrupts.py")
 collect_ignore = [] if os.name == "posix" else list(FILES)
 
@@ -16,3 +18,9 @@ def pytest_configure(config):
 def pytest_collection_modifyitems(config, items):
     if os.name != "posix":
         items[:] = [each for each in items if each.get_closest_marker("posix") is None]
+
+
+@pytest.fixture(autouse=True)
+def english(monkeypatch):
+    """What the tests read is English, whatever the system speaks."""
+    monkeypatch.setenv("LC_ALL", "C.UTF-8")

@@ -168,7 +168,6 @@ REFUSED = [
     ("FILE --lenght 1", "did you mean --length?"),
     ("FILE --report a.txt", "must end in .html or .htm"),
     ("FILE --plot a.jpg", "must end in .png or .svg"),
-    ("FILE --lang en", "needs --plot FILE"),
     ("FILE --title a --report a.html", "needs --plot FILE"),
     ("absent.csv", "absent.csv: cannot be read: No such file"),
     (".", "cannot be read: Is a directory"),

@@ -123,7 +123,7 @@ def test_the_page_in_other_languages(lang, which, request):
 
 def test_the_page_states_its_equation(found, table):
     assert "Equation: θ″ + 2γθ′ + ω₀² sin θ = 0; γ = linear friction<" in found.report()
-    assert "Ecuación: θ″ + 2γθ′ + ω₀² sin θ = 0; γ = rozamiento lineal<" in found.report("es")
+    assert "Ecuación: θ″ + 2γθ′ + ω₀² sin θ = 0; γ = fricción lineal<" in found.report("es")
     assert "Equation:" not in table.report()
 
 

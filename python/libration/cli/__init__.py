@@ -10,6 +10,7 @@ import sys
 import click
 
 from libration.cli.completion import VARIABLE, offer
+from libration.cli.language import spoken
 from libration.cli.parser import Finding, Refusal
 from libration.cli.streams import Ended, drop, ending, printable, refused
 from libration.cli.top import COMMANDS, TOP
@@ -36,8 +37,9 @@ def main(arguments: list[str] | None = None) -> int:
     regime ...
     0
     """
-    with printable():
-        return answered(list(sys.argv[1:] if arguments is None else arguments))
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    with printable(), spoken(words):
+        return answered(words)
 
 
 def answered(words: list[str]) -> int:
@@ -51,9 +53,9 @@ def answered(words: list[str]) -> int:
         sys.stdout.flush()
         return 0
     except Refusal as refusal:
-        return refused(prog, str(refusal))
+        return refused(prog, refusal.args[0])
     except Finding as finding:
-        return refused(prog, str(finding), 1)
+        return refused(prog, finding.args[0], 1)
     except KeyboardInterrupt:
         return 130
     except Ended as ended:

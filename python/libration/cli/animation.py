@@ -75,7 +75,7 @@ def animate(motion: Any, times: "Floats", file: BinaryIO, options: "FilmOptions"
     try:
         made = motion.animate(t=t, fps=fps, speed=speed, **look)
     except ValueError as error:
-        raise refusal("--animate", path, str(error).replace("write speed=", "write --speed ")) from error
+        raise refusal("--animate", path, str(error).replace("speed=", "--speed ")) from error
     with drawing("--animate", path):
         made.save(file, ending(path))
 

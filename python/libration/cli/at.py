@@ -8,6 +8,7 @@ from libration.cli.damped import NOT_REACHED, undamped, version
 from libration.cli.files import STANDARD_OUTPUT, Column, Parameter, staged_table, strict, write_table
 from libration.cli.friction import FORCES, ForceOptions, damped, force_options, forces
 from libration.cli.help import Topic
+from libration.cli.language import say
 from libration.cli.offers import units
 from libration.cli.parameters import given_parameters, keyed, table_parameters
 from libration.cli.parser import Refusal, Value, Word, command, refusal, shown
@@ -186,9 +187,9 @@ def print_several(columns: Sequence[Column], style: NumberStyle, why: str) -> No
     ]
     print_table(heads, rows)
     if nans(columns[1][2]):
-        print(f"\n-: not known, {why}")
+        say(f"\n-: not known, {why}")
     elif any(nans(values) for _, _, values in columns):
-        print(f"\n-: not known, {TOO_LARGE}")
+        say(f"\n-: not known, {TOO_LARGE}")
 
 
 COMMAND = command(

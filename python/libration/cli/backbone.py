@@ -4,6 +4,7 @@ import math
 from typing import TYPE_CHECKING
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, strict, write_table
+from libration.cli.language import say, told
 from libration.cli.parameters import keyed
 from libration.cli.parser import refusal
 from libration.cli.picture import check_plot, drawing, form, picture_look
@@ -72,7 +73,7 @@ def backbone(options: ResultOptions, u0: "Floats", velocity0: float, force: dict
         shown = np.linspace(0, u0.size - 1, min(u0.size, 40)).astype(int)
         print_rows(style, unit, shown.tolist(), u0, regime, period, hertz, action)
         if shown.size < u0.size:
-            print(f"\n{shown.size} of {u0.size} starts; all of them: --out")
+            say(f"\n{shown.size} of {u0.size} starts; all of them: --out")
         if files:
             print()
             print_lines([("written", path) for path in files])
@@ -89,7 +90,7 @@ def print_rows(
     """A row for each start."""
     heads = [f"u0 [{unit}]" if unit else "u0", "regime", "period [s]", "frequency [Hz]", "action"]
     lines = [
-        [style.aligned(float(u0[k]), 6), str(regime[k]), *(style.aligned(float(each[k]), 6) for each in columns)]
+        [style.aligned(float(u0[k]), 6), told(str(regime[k])), *(style.aligned(float(each[k]), 6) for each in columns)]
         for k in rows
     ]
     print_table(heads, lines, left=(1,))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, strict, write_table
 from libration.cli.help import Topic
+from libration.cli.language import say, told
 from libration.cli.offers import solutions
 from libration.cli.parameters import keyed, table_parameters
 from libration.cli.parser import Refusal, Value, command, refusal
@@ -149,8 +150,9 @@ def different(solutions: Sequence[Solution], text: str | None) -> list[tuple[str
     keys = [key_of(name) for name in names]
     for name, key in zip(names, keys, strict=True):
         if keys.count(key) > 1:
-            what = "has two files with the name" if is_series(name) and names.count(name) == 1 else "names"
-            raise refusal("--with", text, f"{what} {os.path.basename(name)}" + " twice" * (what == "names"))
+            what = "has two files with the name" if is_series(name) and names.count(name) == 1 else ""
+            base = os.path.basename(name)
+            raise refusal("--with", text, f"{told(what)} {base}" if what else f"names {base} twice")
     return list(zip(names, solutions, strict=True))
 
 
@@ -277,17 +279,18 @@ def print_text(
     """A table for people."""
     print_lines(
         [
-            ("exact motion", f"{motion.regime}, period {period_text(motion, style)}"),
+            ("exact motion", f"{told(str(motion.regime))}, {told('period')} {period_text(motion, style)}"),
             ("turning angle", angle_text(motion, style)),
             *([("omega0", "1 rad/s (default)")] if assumed else []),
         ]
     )
     percent = math.isfinite(motion.theta_max)
     heads = ["      rad", *(["        %"] if percent else []), " at t/T"]
-    width = max(len("largest error"), *(len(name) for name, *_ in rows))
+    largest = told("largest error")
+    width = max(len(largest), *(len(name) for name, *_ in rows))
     block = sum(map(len, heads)) + 2 * (len(heads) - 1)
     print()
-    print(f"{'largest error':{width}}", *(f"  {over(periods):>{block}}" for periods in spans), sep="")
+    print(f"{largest:{width}}", *(f"  {over(periods):>{block}}" for periods in spans), sep="")
     print(" " * width, *(f"  {'  '.join(heads)}" for _ in spans), sep="")
     for name, errors in rows:
         cells = [
@@ -297,7 +300,7 @@ def print_text(
         ]
         print(f"{name:{width}}{''.join(cells)}{remarks(name, motion, errors, style)}".rstrip())
     if percent:
-        print("\n% of the turning angle; t/T is when the error is largest, in periods")
+        say("\n% of the turning angle; t/T is when the error is largest, in periods")
     if files:
         print()
         print_lines([("written", path) for path in files])
@@ -305,13 +308,13 @@ def print_text(
 
 def over(periods: float) -> str:
     """`over 1 period`, as the head of a block."""
-    return f"over {periods:g} {'period' if periods == 1 else 'periods'}"
+    return f"{told('over')} {periods:g} {told('period' if periods == 1 else 'periods')}"
 
 
 def texts(error: "AngleError", motion: "Pendulum", percent: bool, style: NumberStyle) -> list[str]:
     """The cells of one error."""
     if math.isnan(error.difference):
-        return ["undefined", *(["-"] if percent else []), "-"]
+        return [told("undefined"), *(["-"] if percent else []), "-"]
     shown = [style.shown(error.difference, 4), *([style.shown(100 * error.relative, 4)] if percent else [])]
     return [*shown, style.shown(error.t / motion.period, 5)]
 
@@ -322,10 +325,10 @@ def remarks(name: str, motion: "Pendulum", errors: Sequence[Measured], style: Nu
     gaps = [error.undefined_from for error, _ in errors if not math.isnan(error.undefined_from)]
     if gaps:
         what = "ends at" if is_series(name) else "undefined from"
-        said.append(f"{what} t/T = {style.shown(gaps[0] / motion.period, 5)}")
+        said.append(f"{told(what)} t/T = {style.shown(gaps[0] / motion.period, 5)}")
     top = errors[-1][1]
     if not math.isnan(top):
-        said.append(f"goes over the top at t = {style.shown(top, 4)} s")
+        said.append(told(f"goes over the top at t = {style.shown(top, 4)} s"))
     return "  " + "; ".join(said) if said else ""
 
 

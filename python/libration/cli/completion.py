@@ -19,6 +19,7 @@ from click.shell_completion import (
     split_arg_string,
 )
 
+from libration.cli.language import told
 from libration.cli.offers import words
 from libration.cli.parser import Options, Refusal, Word, command, nearest, quoted
 
@@ -161,7 +162,7 @@ def run(options: CompletionOptions) -> None:
     context = click.get_current_context().find_root()
     made = SHELLS[options.shell](context.command, {}, "libration", VARIABLE)
     # Not by `source`, which for bash starts a bash to see how old it is.
-    print(f"# To complete in every new {options.shell}, put this line into {file}:\n#   {line}\n")
+    print(told(f"# To complete in every new {options.shell}, put this line into {file}:") + f"\n#   {line}\n")
     print(made.source_template % made.source_vars(), end="")
 
 

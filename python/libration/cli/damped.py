@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from libration.cli.animation import AnimationOptions, animate, film
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, strict, write_table
 from libration.cli.friction import Forces
+from libration.cli.language import told
 from libration.cli.parameters import given_parameters, keyed
 from libration.cli.picture import Look, check_plot, draw
 from libration.cli.results import written
@@ -106,10 +107,10 @@ def summary(
     friction = [part for part in acting.parameters if not part[0].startswith("torque")]
     torque = [part for part in acting.parameters if part[0].startswith("torque")]
     without = "both" if friction and torque else "friction" if friction else "torque"
-    lines = [(f"without {without}", f"{free.regime}{period}")]
+    lines = [(f"without {without}", f"{told(str(free.regime))}{told(period)}")]
     for label, parts in (("torque", torque), ("friction", friction)):
         if parts:
-            lines.insert(0, (label, ", ".join(told(part, label, style) for part in parts)))
+            lines.insert(0, (label, ", ".join(term(part, label, style) for part in parts)))
     at_first, at_last = (style.shown(float(motion.energy(t)), 6) for t in (0.0, last))
     lines.append(
         ("energy", f"{at_first} rad^2/s^2 per unit inertia at t = 0, {at_last} at t = {style.shown(last, 6)} s")
@@ -118,7 +119,10 @@ def summary(
     n = int(motion.turns(last)[0])
     if n:
         lines.append(
-            ("over the top", f"{abs(n)} whole {'turn' if abs(n) == 1 else 'turns'} {'forward' if n > 0 else 'back'}")
+            (
+                "over the top",
+                f"{abs(n)} {told('whole turn' if abs(n) == 1 else 'whole turns')} {told('forward' if n > 0 else 'back')}",
+            )
         )
     rests = motion.rests(first, last)
     stops = found["stop_time_s"]
@@ -132,10 +136,10 @@ def summary(
     return lines
 
 
-def told(part: Parameter, label: str, style: NumberStyle) -> str:
+def term(part: Parameter, label: str, style: NumberStyle) -> str:
     """A term of friction or torque by its name, its number and its unit."""
     name, value, unit = part
-    short = name.removeprefix(label).removeprefix("_").replace("file", "of") or "constant"
+    short = told(name.removeprefix(label).removeprefix("_").replace("file", "of") or "constant")
     number = digits(value, style) if isinstance(value, float) else value
     return f"{short} {number} {unit}".rstrip()
 
@@ -147,10 +151,11 @@ def turning_text(motion: "DampedPendulum", first: float, last: float, style: Num
         return "none"
 
     def place(t: float) -> str:
-        return f"t = {style.shown(t, 6)} s at {angle(float(motion.theta(t)), style)}"
+        return f"t = {style.shown(t, 6)} s {told('at')} {angle(float(motion.theta(t)), style)}"
 
-    only = f"1, {place(float(turning[0]))}"
-    return only if turning.size == 1 else f"{turning.size}, {place(float(turning[0]))} to {place(float(turning[-1]))}"
+    ends = [place(float(t)) for t in (turning[0], turning[-1])][: turning.size]
+    between = f" {told('to')} "
+    return f"{turning.size}, {between.join(ends)}"
 
 
 def angle(radians: float, style: NumberStyle) -> str:

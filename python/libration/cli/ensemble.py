@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from libration.cli.files import Json, strict
 from libration.cli.help import Topic
+from libration.cli.language import say, told
 from libration.cli.memory import available_bytes, bytes_text, duration
 from libration.cli.offers import files, folders
 from libration.cli.parser import Flag, Options, Refusal, Value, Word, command, refusal, shown
@@ -88,7 +89,7 @@ class Hands(NamedTuple):
         if self.workers is None:
             k, n = self.part or (1, 1)
             return f"part {k} of {n}, in this process"
-        return f"{self.workers} process{'es' * (self.workers > 1)}"
+        return "1 process" if self.workers == 1 else f"{self.workers} processes"
 
 
 def run(options: EnsembleOptions) -> None:
@@ -115,8 +116,8 @@ def run(options: EnsembleOptions) -> None:
     if options.json:
         print(strict(answer))
         return
-    words = f"{len(numbers)} of {spec.chunks} chunks in {duration(seconds)}"
-    rest = "" if complete else f"; {of_chunks(path, spec)} are there, the rest is for the other parts"
+    words = told(f"{len(numbers)} of {spec.chunks} chunks in {duration(seconds)}")
+    rest = "" if complete else told(f"; {of_chunks(path, spec)} are there, the rest is for the other parts")
     print_lines([("done", words + rest), ("written", options.out)])
 
 
@@ -246,7 +247,7 @@ def bounded(spec: "Specification", hands: Hands) -> int:
     # Those of a scheduler are on other machines.
     memory, available = memory_bytes(spec, 0 if hands.scheduler else hands.workers), available_bytes()
     if memory > available:
-        by = "a smaller [output] chunk" + " or fewer --workers" * (hands.workers is not None)
+        by = told("a smaller [output] chunk") + told(" or fewer --workers") * (hands.workers is not None)
         raise Refusal(
             f"needs up to {bytes_text(memory)} of memory, and {bytes_text(available)} are available; give {by}"
         )
@@ -269,7 +270,7 @@ def done(path: str, spec: "Specification", numbers: list[int], hands: Hands, cli
         with bar(len(numbers), True) as advance, contextlib.closing(work):
             for count, _ in enumerate(work, 1):
                 if advance is not None:
-                    advance(count, f"chunk {count} of {len(numbers)}")
+                    advance(count, told(f"chunk {count} of {len(numbers)}"))
         return _store.finished(path, spec)
     except BaseException as error:
         # The workers are gone, and with them who would rename what they began; but another run may be at work.
@@ -327,16 +328,18 @@ def sizes(spec: "Specification") -> dict[str, Json]:
 
 def asked(spec: "Specification", hands: Hands, memory: int) -> list[tuple[str, str]]:
     """What will be done, for people."""
-    from libration.ensemble._estimate import chunk_bytes
-    from libration.ensemble._store import size_bytes
+    from libration.ensemble import _estimate, _store
 
-    each = f"{bytes_text(chunk_bytes(spec))} a chunk at work"
+    each = f"{bytes_text(_estimate.chunk_bytes(spec))} a chunk at work"
     times = len(spec.times)
     return [
-        ("samples", f"{spec.samples}: {spec.particles} particles at {times} time{'s' * (times > 1)}"),
-        ("store", f"{bytes_text(size_bytes(spec))} in {spec.chunks} chunks of {spec.chunk} particles"),
+        ("samples", f"{spec.samples}: {spec.particles} particles at {times} {told('time' if times == 1 else 'times')}"),
+        ("store", f"{bytes_text(_store.size_bytes(spec))} in {spec.chunks} chunks of {spec.chunk} particles"),
         ("work", hands.words),
-        ("memory", f"up to {bytes_text(memory)} here, {each}" + " on each thread there" * bool(hands.scheduler)),
+        (
+            "memory",
+            told(f"up to {bytes_text(memory)} here, {each}") + told(" on each thread there") * bool(hands.scheduler),
+        ),
     ]
 
 
@@ -353,18 +356,15 @@ def foreseen(spec: "Specification", hands: Hands, options: EnsembleOptions) -> N
         at = pace(spec, __version__)
     except OSError as error:
         raise Refusal(f"the trial in {tempfile.gettempdir()}: cannot be written: {error.strerror or error}") from error
-    seconds = spec.samples * at.seconds / workers
-    table = outlook(at, workers)
+    seconds, table = spec.samples * at.seconds / workers, outlook(at, workers)
     if options.json:
         answer: dict[str, Any] = {**sizes(spec), "chunks": spec.chunks, "workers": workers, "memory_bytes": memory}
         answer |= {"chunk_memory_bytes": chunk_bytes(spec), "seconds": seconds, "seconds_per_sample": at.seconds}
         print(strict(answer | {"outlook": table}))
         return
-    took = (
-        f"{duration(seconds)} on {workers} worker{'s' * (workers > 1)}, {at.seconds * 1e9:.0f} ns a sample of one core"
-    )
+    took = f"{duration(seconds)} on {workers} {told('worker' if workers == 1 else 'workers')}, {at.seconds * 1e9:.0f} ns a sample of one core"
     print_lines([*asked(spec, hands, memory), ("time", took)])
-    print("\nlarger runs of this kind, if disks keep up")
+    say("\nlarger runs of this kind, if disks keep up")
     rows = [
         [
             f"{each['samples']:.0e}".replace("e+", "e"),

@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
+from libration.cli.language import told
 from libration.cli.parser import refusal
 from libration.cli.style import PLAIN, NumberStyle
 
@@ -53,7 +54,9 @@ def staged(
     """
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in suffixes or "\0" in path:
-        raise refusal(option, path, f"must end in {' or '.join([', '.join(suffixes[:-1]), suffixes[-1]])}{also}")
+        *most, last = suffixes
+        listed = f"{', '.join(most)} {told('or')} {last}"
+        raise refusal(option, path, told(f"must end in {listed}") + told(also))
     target = os.path.realpath(path)
     for read in keep:
         if target == os.path.realpath(read):
@@ -135,7 +138,7 @@ def write_csv(
         for name, value, unit in parameters
     ]
     lines.append(style.separator.join(f"{name} [{unit}]" if unit else name for name, unit, _ in columns))
-    text = repr if style == PLAIN else style.written
+    text = style.written if style.comma or style.digits is not None else repr
     file.write(("\n".join(lines) + "\n").encode())
     count = len(columns[0][2])
     for start in range(0, count, ROWS):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 from libration.cli.files import staged, strict
 from libration.cli.fit_arguments import MODELS, FitOptions, arguments, counted
 from libration.cli.help import Topic
+from libration.cli.language import told
 from libration.cli.offers import files, units, words
 from libration.cli.parser import (
     Finding,
@@ -145,12 +146,21 @@ def run(options: FitOptions) -> None:
     if options.json:
         print(strict(found.to_dict() | {"files": written}))
     else:
-        print(found)
+        print(text_of(found, lang))
         for path in written:
-            print(f"written   {path}")
+            print(f"{told('written')}   {path}")
     if not found.stands:
         alone = len(givens) == 1
         raise Finding(f"{shown(options.file[0])}: {found.verdicts[0]}" if alone else found.verdicts[0])
+
+
+def text_of(found: "Fit | Together", lang: str) -> str:
+    """The result in plain lines, in a language."""
+    from libration.measurement import _text, _together_text
+    from libration.measurement._words import Words
+
+    one = hasattr(found, "window")
+    return _text.text(found, Words(lang)) if one else _together_text.text(found, Words(lang))
 
 
 def picture(options: FitOptions) -> tuple[str, dict[str, Any]]:
@@ -202,7 +212,7 @@ def fitted(givens: "list[Given]", known: dict[str, Any], apart: "Apart") -> "Fit
     count = len(givens)
     if apart.lengths and len(apart.lengths) != count:
         times = counted(len(apart.lengths))
-        records = f"{count} record{'s' * (count > 1)}"
+        records = "1 record" if count == 1 else f"{count} records"
         raise Refusal(
             f"--length: is given {times} for {records}; give it once for all, or once for each in their order"
         )

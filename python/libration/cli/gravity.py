@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from libration.cli.files import strict
 from libration.cli.help import Topic
+from libration.cli.language import decimal, told
 from libration.cli.measures import measured
 from libration.cli.offers import units
 from libration.cli.parser import Flag, Options, Refusal, Value, Values, command, refusal, shown
@@ -208,7 +209,7 @@ def of_place(options: GravityOptions, lines: list[tuple[str, str]], answer: dict
     if isinstance(measured_g, dict):
         difference = measured_g["value"] - normal
         apart = f", {abs(difference) / measured_g['u']:.1f} standard uncertainties" if measured_g["u"] > 0 else ""
-        lines.append(("difference", f"{rounded(difference, measured_g['u'])} m/s^2{apart}"))
+        lines.append(("difference", f"{decimal(rounded(difference, measured_g['u']))} m/s^2{told(apart)}"))
         answer["difference"] = difference
 
 

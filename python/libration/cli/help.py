@@ -13,6 +13,8 @@ from typing import TypeAlias
 
 import click
 
+from libration.cli.language import told
+
 NARROWEST, WIDEST = 40, 92
 # A blank at which no line is broken.
 NO_BREAK = "\u00a0"
@@ -59,7 +61,7 @@ class Formatter(click.HelpFormatter):
         indent = " " * self.current_indent
         for number, paragraph in enumerate(text.strip().split("\n\n")):
             self.write("\n" * (number > 0))
-            self.filled(" ".join(paragraph.split()), indent, indent)
+            self.filled(told(" ".join(paragraph.split())), indent, indent)
 
     def write_dl(self, rows: Iterable[tuple[str, str]], col_max: int = 24, col_spacing: int = 2) -> None:
         """Terms with their meanings in a second column; a long term has a line of its own."""
@@ -71,12 +73,12 @@ class Formatter(click.HelpFormatter):
             if len(first) + col_spacing > column:
                 self.write(f"{first}\n")
                 first = ""
-            self.filled(meaning, f"{first:{column}}", " " * column)
+            self.filled(told(meaning), f"{first:{column}}", " " * column)
 
     def write_topics(self, topics: Iterable[Topic]) -> None:
         """Each topic below its title."""
         for topic in topics:
-            with self.section(topic.title):
+            with self.section(told(topic.title)):
                 if topic.rows:
                     self.write_dl(topic.rows)
                 if topic.text:
@@ -85,7 +87,7 @@ class Formatter(click.HelpFormatter):
 
     def write_examples(self, examples: Iterable[Example]) -> None:
         """Commands to copy: a line that goes on ends with a backslash."""
-        with self.section("examples"):
+        with self.section(told("examples")):
             for example in examples:
                 words = re.sub(r"--\S+ (?!--)\S+", lambda found: together(found[0], self.width - 6), example)
                 lines = textwrap.wrap(

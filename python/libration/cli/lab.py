@@ -10,6 +10,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+from libration.cli.language import told
 from libration.cli.parser import Flag, Options, Refusal, Value, command, refusal
 
 HOST = "127.0.0.1"
@@ -90,7 +91,7 @@ def run(options: LabOptions) -> None:
         raise Refusal(f"--port {port}: {error.strerror or error}; leave it out for a free one") from error
     with serving:
         address = f"http://{HOST}:{serving.server_address[1]}/"
-        print(f"The lab is at {address} (Ctrl-C ends it)", flush=True)
+        print(told(f"The lab is at {address} (Ctrl-C ends it)"), flush=True)
         if not options.no_browser:
             webbrowser.open(address)
         serving.serve_forever()

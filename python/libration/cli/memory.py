@@ -4,6 +4,8 @@ import math
 import os
 import sys
 
+from libration.cli.language import decimal
+
 
 def available_bytes() -> float:
     """Bytes available: the kernel's estimate, or what the control group still allows; infinite if unknown."""
@@ -67,14 +69,14 @@ def bytes_text(count: float) -> str:
         return f"{int(count) // 2**20} MiB"
     for unit in ("bytes", "kB", "MB", "GB", "TB", "PB", "EB"):
         if count < 1000:
-            return f"{count:.3g} {unit}"
+            return decimal(f"{count:.3g} {unit}")
         count /= 1000
-    return f"{count:.3g} ZB"
+    return decimal(f"{count:.3g} ZB")
 
 
 def duration(seconds: float) -> str:
     """`3.2 s`, `5.1 min`, `2.4 h` or `13 days`."""
     for unit, size, most in (("s", 1, 120), ("min", 60, 120), ("h", 3600, 48)):
         if seconds < most * size:
-            return f"{seconds / size:.2g} {unit}" if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
+            return decimal(f"{seconds / size:.2g} {unit}") if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
     return f"{seconds / 86400:.3g} days"

@@ -11,6 +11,7 @@ import click
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Parameter, strict, write_table
 from libration.cli.help import Topic
+from libration.cli.language import told
 from libration.cli.parameters import keyed
 from libration.cli.parser import Refusal, Value
 from libration.cli.picture import check_plot, draw, picture_look
@@ -156,7 +157,7 @@ def print_text(
         return f"{digits(value, style)} s" if math.isfinite(value) else never
 
     def bound(value: float) -> str:
-        return digits(value, style) if math.isfinite(value) else ("infinity" if value > 0 else "-infinity")
+        return digits(value, style) if math.isfinite(value) else told("infinity" if value > 0 else "-infinity")
 
     def size(value: float) -> str:
         return digits(value, style) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
@@ -165,7 +166,7 @@ def print_text(
     lines = [
         ("regime", str(motion.regime)),
         ("period", time(motion.period, "none, it does not repeat")),
-        ("range of u", f"{bound(low)} to {bound(high)}"),
+        ("range of u", f"{bound(low)} {told('to')} {bound(high)}"),
         ("energy", f"{size(motion.energy)} per unit mass, 0 at rest at u = 0"),
         ("escapes at", time(motion.escape_time, "never")),
         ("came from infinity at", time(motion.escape_time_backward, "never")),

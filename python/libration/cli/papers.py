@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from libration.cli.files import staged
 from libration.cli.help import Topic
+from libration.cli.language import say, told
 from libration.cli.offers import folders, words
 from libration.cli.parser import Finding, Options, Refusal, Value, Word, command, refusal
 from libration.cli.picture import check_matplotlib, check_package
@@ -78,8 +79,9 @@ def run(options: PapersOptions) -> None:
         for picture in drawn:
             picture.save({form: files[picture.name, form] for form in FORMS})
     print_table(rows)
-    names = f"{len(drawn)} figures as .svg and .png, and claims.csv"
-    print(f"{summary(rows)}\nwritten to {folder}: {names}")
+    say(summary(rows))
+    names = told(f"{len(drawn)} figures as .svg and .png, and claims.csv")
+    say(f"written to {folder}: {names}")
     failed = next((row for row in rows if not row.stands), None)
     if failed is not None:
         raise Finding(f"{failed.work}, {failed.place}: {failed.claim}: {failed.ours} does not support {failed.verdict}")
@@ -130,10 +132,13 @@ def print_table(rows: "Sequence[Claim]") -> None:
         if row.work != work:
             work = row.work
             print(f"{work}\n")
-        head = f"  {row.verdict:16}  "
+        head = f"  {told(str(row.verdict)):16}  "
         text = textwrap.wrap(f"{row.place}: {row.claim}".replace(" = ", "\u00a0=\u00a0"), width - len(head))
         print("\n".join([head + text[0]] + [" " * len(head) + line for line in text[1:]]))
-        print("\n".join(textwrap.wrap(values(row), width, initial_indent=" " * 22, subsequent_indent=" " * 22)) + "\n")
+        print(
+            "\n".join(textwrap.wrap(told(values(row)), width, initial_indent=" " * 22, subsequent_indent=" " * 22))
+            + "\n"
+        )
 
 
 def values(row: "Claim") -> str:
@@ -147,7 +152,7 @@ def values(row: "Claim") -> str:
 def summary(rows: "Sequence[Claim]") -> str:
     """How many claims, and how many with each verdict."""
     verdicts = [str(row.verdict) for row in rows]
-    counts = ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in dict.fromkeys(verdicts))
+    counts = ", ".join(f"{verdicts.count(verdict)} {told(verdict)}" for verdict in dict.fromkeys(verdicts))
     return f"{len(rows)} claims: {counts}"
 
 

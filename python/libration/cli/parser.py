@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import click
 
+from libration._languages import LANGUAGES, known_language
 from libration.cli.help import Context, Example, Formatter, Topic, together
+from libration.cli.language import Told, told
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -67,7 +69,7 @@ class Finding(Exception):
 
 def refusal(option: str, value: object, reason: str) -> Refusal:
     """A Refusal that names the option, its value and what is allowed."""
-    return Refusal(f"{option} = {shown(value)}: {reason}")
+    return Refusal(Told(f"{option} = {shown(value)}: {told(reason)}"))
 
 
 def shown(value: object) -> str:
@@ -77,7 +79,7 @@ def shown(value: object) -> str:
         text = repr(text)[1:-1]
     if not text.strip():
         return repr(text)
-    return text if len(text) <= 80 else f"{text[:60]}... ({len(text)} characters)"
+    return text if len(text) <= 80 else f"{text[:60]}... {told(f'({len(text)} characters)')}"
 
 
 def quoted(value: object) -> str:
@@ -148,6 +150,26 @@ class Values(Value):
         return values
 
 
+class Spoken(Value):
+    """The option of the language; it is read before all others, so that what they say is in it."""
+
+    def __init__(self, group: str) -> None:
+        text = "en, pt-BR or es: language and decimal sign of what is printed and drawn (default that of the system)"
+        super().__init__("--lang", "LANGUAGE", text, group, offered=languages)
+
+    def once(self, ctx: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> str | None:
+        """The language, or a Refusal of one that is not known."""
+        value = super().once(ctx, parameter, values)
+        if value is not None and known_language(value) is None:
+            raise refusal("--lang", value, f"must be {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}")
+        return value
+
+
+def languages(_ctx: click.Context, _parameter: click.Parameter, typed: str) -> list[str]:
+    """The languages that begin as typed."""
+    return [each for each in LANGUAGES if each.lower().startswith(typed.lower())]
+
+
 class Flag(click.Option):
     """An option without a value."""
 
@@ -214,7 +236,7 @@ class Command(click.Command):
     ) -> None:
         super().__init__(
             name,
-            params=list(parameters),
+            params=[*parameters, Spoken(getattr(parameters[-1], "group", "options"))],
             help=text,
             short_help=short,
             callback=callback,
@@ -245,8 +267,10 @@ class Command(click.Command):
 
     def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """How to call it."""
-        room = formatter.width - len("usage: ")
-        formatter.write_usage("", " ".join(together(piece, room) for piece in self.usage), "usage: ")
+        head = told("usage: ")
+        pieces = [told(piece) for piece in self.usage]
+        room = formatter.width - len(head)
+        formatter.write_usage("", " ".join(together(piece, room) for piece in pieces), head)
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """What it does."""
@@ -269,7 +293,7 @@ class Command(click.Command):
         rows.append((rows[-1][0], ("-h, --help", "show this help and exit")))
         widest = max(len(term) for _, (term, _) in rows)
         for group in dict.fromkeys(group for group, _ in rows):
-            with formatter.section(group):
+            with formatter.section(told(group)):
                 formatter.write_dl([(f"{term:{widest}}", meaning) for each, (term, meaning) in rows if each == group])
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

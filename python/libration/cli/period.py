@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, staged, staged_table, strict, write_table
 from libration.cli.help import Topic
+from libration.cli.language import Told, say, told
 from libration.cli.offers import formulas
 from libration.cli.parameters import given_parameters, keyed
 from libration.cli.parser import Refusal, Value, command, refusal, shown
@@ -250,12 +251,14 @@ def columns(swings: Sequence[Swing], names: Sequence[str]) -> list[Column]:
 def print_several(swings: Sequence[Swing], names: Sequence[str], style: NumberStyle) -> None:
     """A row for each swing, a column for each formula."""
     seconds = swings[0].given.has_frequency
-    print(f"{'period in s' if seconds else 'T / T0, the period over that of small swings'}\n")
+    say(f"{'period in s' if seconds else 'T / T0, the period over that of small swings'}")
+    print()
     print_table(
-        ["theta0", *names], [[each.typed, *(style.aligned(each.value(name), 6) for name in names)] for each in swings]
+        list(map(Told, ["theta0", *names])),
+        [[each.typed, *(style.aligned(each.value(name), 6) for name in names)] for each in swings],
     )
     if any(math.isnan(each.value(name)) for each in swings for name in names):
-        print("\n-: the formula has no value there, or the motion is no swing")
+        say("\n-: the formula has no value there, or the motion is no swing")
 
 
 def print_one(swing: Swing, style: NumberStyle) -> None:
@@ -271,7 +274,7 @@ def print_one(swing: Swing, style: NumberStyle) -> None:
     lines.append(("turning angle", angle_text(motion, style)))
     print_lines(lines)
     if upright(motion):
-        print("formulas       none: but for the rounding of pi this is the upright balance, whose period is infinite")
+        say("formulas none: but for the rounding of pi this is the upright balance, whose period is infinite")
     if swing.compared:
         print()
         print_formulas(swing, style)
@@ -287,17 +290,17 @@ def print_formulas(swing: Swing, style: NumberStyle) -> None:
             style.aligned(ratio, 10),
             *([style.aligned(swing.value(formula.name), 10)] if seconds else []),
             percent(error, style),
-            formula.source,
+            told(formula.source),
         ]
         for formula, ratio, error in swing.compared
     ]
     print_table(heads, rows, left=(0, len(heads) - 1))
-    print("\nthe formulas themselves: --json, or docs/approximations.md")
+    say("\nthe formulas themselves: --json, or docs/approximations.md")
 
 
 def percent(error: float, style: NumberStyle) -> str:
     """A relative error in percent, four digits."""
-    return "undefined" if math.isnan(error) else f"{style.signed(f'{100 * error:+.4g}')} %"
+    return told("undefined") if math.isnan(error) else f"{style.signed(f'{100 * error:+.4g}')} %"
 
 
 def one_object(swing: Swing) -> dict[str, Json]:

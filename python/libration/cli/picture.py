@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, BinaryIO, Protocol, TypedDict, TypeVar
 import click
 
 from libration._languages import LANGUAGES, known_language
-from libration.cli.offers import files, words
+from libration.cli.language import CURRENT
+from libration.cli.offers import files
 from libration.cli.parser import Options, Refusal, Value, refusal, shown
 from libration.cli.quantities import plain
 from libration.cli.streams import note
@@ -68,13 +69,12 @@ def picture_options(shows: str) -> list[click.Option]:
         Value("--plot", "FILE", f"draw {shows} to a .png or .svg file", group, offered=files),
         Value("--title", "TEXT", title, group),
         Value("--dpi", "N", "dots per inch of a .png, 20 to 1200 (default 100)", group),
-        Value("--lang", "LANGUAGE", "en, pt-BR or es: its words and decimal sign", group, offered=words(*LANGUAGES)),
     ]
 
 
 def picture_look(options: PictureOptions, path: str | None) -> Look:
     """How the picture looks, or a Refusal; `path` is its file."""
-    typed = {"--title": options.title, "--dpi": options.dpi, "--lang": options.lang}
+    typed = {"--title": options.title, "--dpi": options.dpi}
     for option, given in typed.items():
         if given is not None and path is None:
             raise refusal(option, given, "needs --plot FILE beside it")
@@ -86,7 +86,7 @@ def picture_look(options: PictureOptions, path: str | None) -> Look:
 
 def language(text: str | None) -> str:
     """The language, or a Refusal."""
-    found = "en" if text is None else known_language(text)
+    found = CURRENT.get() if text is None else known_language(text)
     if found is None:
         raise refusal("--lang", text, f"must be {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}")
     return found

@@ -9,6 +9,7 @@ import click
 
 from libration.cli.files import staged, staged_table
 from libration.cli.help import Topic
+from libration.cli.language import told
 from libration.cli.offers import files, units
 from libration.cli.parser import Refusal, Value, quoted, refusal, shown
 from libration.cli.picture import PICTURES, PictureOptions, picture_options
@@ -93,7 +94,7 @@ def sampled(times: "Floats", source: str | None, style: NumberStyle = PLAIN) -> 
     """How many instants, the first and the last, and the file that they are read from."""
     several, (first, last) = len(times) > 1, (style.signed(f"{each:.6g}") for each in (times[0], times[-1]))
     span = f"{len(times)} instants, {first} s to {last} s" if several else f"t = {first} s"
-    return span + (f", {source}" if source else "")
+    return told(span) + (f", {told(source)}" if source else "")
 
 
 def nans(values: "Floats") -> int:

@@ -10,6 +10,7 @@ from libration.cli.damped import DampedOptions, solve_damped
 from libration.cli.files import STANDARD_OUTPUT, Column, strict, write_table
 from libration.cli.friction import FORCES, ForceOptions, damped, force_options, forces
 from libration.cli.help import Topic
+from libration.cli.language import told
 from libration.cli.parameters import found_parameters, given_parameters, keyed, table_parameters
 from libration.cli.parser import Refusal, command
 from libration.cli.picture import check_plot, draw, picture_look
@@ -146,7 +147,7 @@ def difference(largest: float | None, at: float | None, style: NumberStyle) -> s
     """The largest difference from the linear solution, and when it occurs."""
     if largest is None or at is None:
         return "not known"
-    return f"{style.shown(largest, 6)} rad, at t = {style.shown(at, 6)} s"
+    return f"{style.shown(largest, 6)} rad, {told('at')} t = {style.shown(at, 6)} s"
 
 
 COMMAND = command(

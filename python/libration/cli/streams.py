@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from types import FrameType
 from typing import NoReturn, TextIO
 
+from libration.cli.language import Told, told
+
 
 class Ended(BaseException):
     """A signal asked the command to end; unfinished files are removed before it does."""
@@ -73,9 +75,10 @@ def refused(prog: str, reason: str, code: int = 2) -> int:
 
 def note(text: str, prog: str = "libration") -> None:
     """One line on the standard error, if there is one."""
+    said = text if isinstance(text, Told) else told(" ".join(text.split()))
     if sys.stderr is not None:
         try:
-            print(f"{prog}: {' '.join(text.split())}", file=sys.stderr, flush=True)
+            print(f"{prog}: {' '.join(said.split())}", file=sys.stderr, flush=True)
         except (OSError, ValueError):
             drop(sys.stderr)
 

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import click
 
+from libration.cli.language import comma as comma_of_language
+from libration.cli.language import told
 from libration.cli.offers import words
 from libration.cli.parser import Options, Value, refusal
 from libration.cli.quantities import whole
@@ -16,10 +18,11 @@ MOST_DIGITS = 17
 
 @dataclass(frozen=True)
 class NumberStyle:
-    """The decimal sign, and the significant digits where they are chosen."""
+    """The decimal sign in files, the significant digits where they are chosen, and the decimal sign for people."""
 
     comma: bool = False
     digits: int | None = None
+    read: bool = False
 
     @property
     def separator(self) -> str:
@@ -27,8 +30,8 @@ class NumberStyle:
         return ";" if self.comma else ","
 
     def signed(self, text: str) -> str:
-        """A number as text with the decimal sign."""
-        return text.replace(".", ",") if self.comma else text
+        """A number for people as text with the decimal sign."""
+        return text.replace(".", ",") if self.comma or self.read else text
 
     def shown(self, value: float, digits: int) -> str:
         """A number for people, with so many significant digits if none were chosen."""
@@ -38,11 +41,14 @@ class NumberStyle:
         """A number of a column, with zeros to the last of its digits; a dash for NaN."""
         if math.isnan(value):
             return "-"
-        return self.signed(f"{value:#.{self.digits or digits}g}".rstrip(".")) if math.isfinite(value) else "infinite"
+        return (
+            self.signed(f"{value:#.{self.digits or digits}g}".rstrip(".")) if math.isfinite(value) else told("infinite")
+        )
 
     def written(self, value: float) -> str:
         """A number for a file: all digits, so that it reads back to the same double, if none were chosen."""
-        return self.signed(repr(value) if self.digits is None else f"{value:.{self.digits}g}")
+        text = repr(value) if self.digits is None else f"{value:.{self.digits}g}"
+        return text.replace(".", ",") if self.comma else text
 
 
 PLAIN = NumberStyle()
@@ -59,7 +65,7 @@ class StyleOptions(Options):
 def style_options(default: str) -> list[click.Option]:
     """The options of the decimal sign and the digits; `default` says how many digits are printed."""
     group = "the numbers"
-    comma = "comma: decimal commas in what is printed, and semicolons between the columns of a .csv (default point)"
+    comma = "comma: decimal commas in what is printed, and semicolons between the columns of a .csv (default point; in what is printed, that of the language)"
     return [
         Value("--decimal", "SIGN", comma, group, offered=words(*SIGNS)),
         Value("--digits", "N", f"significant digits, 1 to 17 (default {default}, all in a file)", group),
@@ -77,4 +83,5 @@ def number_style(options: StyleOptions) -> NumberStyle:
     return NumberStyle(
         options.decimal == "comma",
         None if options.digits is None else whole("--digits", options.digits, 1, MOST_DIGITS),
+        options.decimal is None and comma_of_language(),
     )

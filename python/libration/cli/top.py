@@ -18,6 +18,7 @@ from libration.cli import (
     solve,
 )
 from libration.cli.help import Topic
+from libration.cli.language import asked
 from libration.cli.parser import Command, Refusal, nearest, quoted, unknown
 
 MODULES = (solve, at, period, compare, duffing, cubic_quintic, fit, gravity, ensemble, papers, lab, cite, completion)
@@ -54,7 +55,8 @@ class Commands(Command, click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Split the words into those before the command, the command and its words."""
-        if not args and not ctx.resilient_parsing:
+        other = [word for word in args if not word.startswith("--lang") and word != asked(args)]
+        if not other and not ctx.resilient_parsing:
             raise Refusal(f"missing command: one of {', '.join(COMMANDS)}; see libration --help")
         return super().parse_args(ctx, args)
 

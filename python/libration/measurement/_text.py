@@ -49,9 +49,9 @@ def small(u: float, whole: float) -> str:
     return f"{u:.2g}" if u > 1e-6 * whole else "0"
 
 
-def text(fit: Any) -> str:
+def text(fit: Any, say: Words = ENGLISH) -> str:
     """The whole text, a line for each thing."""
-    return in_columns(pairs(fit))
+    return in_columns(pairs(fit, say))
 
 
 def in_columns(lines: Sequence[tuple[str, str]]) -> str:
@@ -60,23 +60,27 @@ def in_columns(lines: Sequence[tuple[str, str]]) -> str:
     return "\n".join(f"{label:{width}}  {each}".rstrip() for label, each in lines)
 
 
-def pairs(fit: Any) -> list[tuple[str, str]]:
+def pairs(fit: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """Labels and texts; a text that goes on has no label."""
     blank = [("", "")]
-    lines = [*read(fit), *blank, *ladder(fit), *blank, *result(fit), *corrections(fit), *blank, *budget(fit)]
-    found = verdict_lines(fit)
-    return [*lines, *([*blank, *found] if found else []), *blank, ("to quote", sentence(fit))]
+    lines = [*read(fit, say), *blank, *ladder(fit, say), *blank, *result(fit, say), *corrections(fit, say)]
+    found = verdict_lines(fit, say)
+    ending = [*blank, (say.word("to quote"), sentence(fit, say))]
+    return [*lines, *blank, *budget(fit, say), *([*blank, *found] if found else []), *ending]
 
 
-def read(fit: Any) -> list[tuple[str, str]]:
+def read(fit: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """What was read, left out and fitted."""
-    lines = [("file", fit._given.name), *labelled("understood", fit.understood), *labelled("dropped", left_out(fit))]
-    return [*lines, ("window", window(fit))]
+    lines = [
+        (say.word("file"), fit._given.name),
+        *labelled(say.word("understood"), list(map(say.told, fit.understood))),
+    ]
+    return [*lines, *labelled(say.word("dropped"), left_out(fit, say)), (say.word("window"), window(fit, say))]
 
 
-def verdict_lines(fit: Any) -> list[tuple[str, str]]:
+def verdict_lines(fit: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """What speaks against the result."""
-    return [(GRADES[grade], each) for grade, each in zip(fit._grades, fit.verdicts, strict=True)]
+    return [(say.word(GRADES[grade]), say.told(each)) for grade, each in zip(fit._grades, fit.verdicts, strict=True)]
 
 
 def labelled(label: str, texts: Sequence[str]) -> list[tuple[str, str]]:
@@ -127,20 +131,22 @@ def rms(fit: Any, value: float) -> str:
     return f"{math.degrees(value) if unit.startswith('deg') else value:.3g} {unit}"
 
 
-def ladder(fit: Any) -> list[tuple[str, str]]:
+def ladder(fit: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """Every friction model that was tried, with the chosen one named."""
     steps = fit._found["ladder"]
-    chosen = ("model", model_words(fit))
+    chosen = (say.word("model"), model_words(fit, say))
     if len(steps) < 2:
         return [chosen]
-    rows = [("with", "rms", "omega0 in rad/s")]
+    rows = [(say.word("with"), say.word("rms"), say.word("omega0 in rad/s"))]
     for each in steps:
-        mark = " <- chosen" if each["model"] == fit.model else ""
-        held = f" (held at 0: {', '.join(map(str, each['wanted_negative']))})" if each["wanted_negative"] else ""
-        rows.append((str(each["model"]), rms(fit, each["rms"]), f"{each['omega0']:.6f}{held}{mark}"))
+        mark = say.word(" <- chosen") if each["model"] == fit.model else ""
+        wanted = ", ".join(say.word(str(name)) for name in each["wanted_negative"])
+        held = say.word(" (held at 0: {terms})", terms=wanted) if wanted else ""
+        numbers = say.decimal(rms(fit, each["rms"])), say.decimal(f"{each['omega0']:.6f}")
+        rows.append((say.word(str(each["model"])), numbers[0], f"{numbers[1]}{held}{mark}"))
     wide = [max(len(row[column]) for row in rows) for column in (0, 1)]
     table = [f"{name:{wide[0]}}  {left:>{wide[1]}}  {right}" for name, left, right in rows]
-    return [chosen, *labelled("tried", table)]
+    return [chosen, *labelled(say.word("tried"), table)]
 
 
 def result(fit: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
@@ -180,14 +186,15 @@ def like(value: float, u: float) -> str:
     return rounded(value, u).partition(" ±")[0].removeprefix("(") if u > 0 else f"{value:.6g}"
 
 
-def corrections(found: Any) -> list[tuple[str, str]]:
+def corrections(found: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """What bob, wire and air do to the period."""
-    rows = correction_rows(found)
+    rows = correction_rows(found, say)
     if not rows:
         return []
     wide = max(len(name) for name, _, _ in rows)
-    table = [f"{name:{wide}}  {change:>9} of the period, corrected: {made}" for name, change, made in rows]
-    return [("", ""), *labelled("corrections", table)]
+    form = "{change} of the period, corrected: {made}"
+    table = [f"{name:{wide}}  {say.word(form, change=f'{change:>9}', made=made)}" for name, change, made in rows]
+    return [("", ""), *labelled(say.word("corrections"), table)]
 
 
 def correction_rows(found: Any, say: Words = ENGLISH) -> list[tuple[str, str, str]]:
@@ -226,17 +233,19 @@ def naive(found: Any) -> float | None:
     return float(rows[0]) if rows and rows[0] is not None else None
 
 
-def budget(found: Any) -> list[tuple[str, str]]:
+def budget(found: Any, say: Words = ENGLISH) -> list[tuple[str, str]]:
     """The budget of uncertainty."""
     name, value, unit = quoted(found)
-    lines = [(f"u of {name}", f"{value.u:.2g} {unit}, of which")]
-    rows = [(small(u, value.u), source) for source, u in budget_rows(found)]
+    head = say.word("u of {name}", name=say.word(name))
+    lines = [(head, say.word("{u} {unit}, of which", u=say.decimal(f"{value.u:.2g}"), unit=unit))]
+    rows = [(say.decimal(small(u, value.u)), say.word(source)) for source, u in budget_rows(found)]
     wide = max(len(u) for u, _ in rows)
     lines += [("", f"{u:{wide}}  {source}") for u, source in rows]
     alone = naive(found)
     if alone is not None:
-        lines.append(("", f"({alone:.2g} {unit}, if the residuals were independent; they are not taken so)"))
-    exact = taken_as_exact(found)
+        form = "({u} {unit}, if the residuals were independent; they are not taken so)"
+        lines.append(("", say.word(form, u=say.decimal(f"{alone:.2g}"), unit=unit)))
+    exact = taken_as_exact(found, say)
     return [*lines, ("", exact)] if exact else lines
 
 

@@ -28,29 +28,32 @@ KINDS = {
 }
 
 
-def text(found: Any) -> str:
+def text(found: Any, say: Words = ENGLISH) -> str:
     """The whole text."""
     blank = [("", "")]
     lines: list[tuple[str, str]] = []
     for number, fit in enumerate(found.fits, start=1):
         # What was tried is for one record alone.
         lines += [
-            (f"record {number}", fit._given.name),
-            *read(fit)[1:],
-            ladder(fit)[0],
-            ("rms residual", rms(fit, fit.rms)),
-            *verdict_lines(fit),
+            (f"{say.word('record')} {number}", fit._given.name),
+            *read(fit, say)[1:],
+            ladder(fit, say)[0],
+            (say.word("rms residual"), say.decimal(rms(fit, fit.rms))),
+            *verdict_lines(fit, say),
             *blank,
         ]
-    lines += [*labelled("together", [KINDS[found.kind], *table_lines(found)]), *blank, *result(found)]
-    lines += [*corrections(found), *blank, *budget(found)]
-    told = [(GRADES[grade], each) for grade, each in found._told()]
-    return in_columns([*lines, *([*blank, *told] if told else []), *blank, ("to quote", sentence(found))])
+    lines += [*labelled(say.word("together"), [say.word(KINDS[found.kind]), *table_lines(found, say)])]
+    lines += [*blank, *result(found, say)]
+    lines += [*corrections(found, say), *blank, *budget(found, say)]
+    told = [(say.word(GRADES[grade]), say.told(each)) for grade, each in found._told()]
+    return in_columns(
+        [*lines, *([*blank, *told] if told else []), *blank, (say.word("to quote"), sentence(found, say))]
+    )
 
 
-def table_lines(found: Any) -> list[str]:
+def table_lines(found: Any, say: Words = ENGLISH) -> list[str]:
     """The rows of the records in columns."""
-    heads, rows = table(found)
+    heads, rows = table(found, say)
     numbered = [("", *heads), *((str(number), *row[1:]) for number, row in enumerate(rows, start=1))]
     numbered[0] = ("", *heads[1:])
     wide = [max(len(row[column]) for row in numbered) for column in range(len(numbered[0]))]

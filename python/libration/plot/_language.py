@@ -18,9 +18,9 @@ CATALOGUE = {
     "this motion": ("este movimento", "este movimiento"),
     "other energies": ("outras energias", "otras energías"),
     "separatrix": ("separatriz", "separatriz"),
-    "without friction": ("sem atrito", "sin rozamiento"),
+    "without friction": ("sem atrito", "sin fricción"),
     "envelope in the mean": ("envoltória em média", "envolvente en promedio"),
-    "held by dry friction": ("parado pelo atrito seco", "detenido por el rozamiento seco"),
+    "held by dry friction": ("parado pelo atrito seco", "detenido por la fricción seca"),
     "energy per unit inertia [rad²/s²]": (
         "energia por unidade de inércia [rad²/s²]",
         "energía por unidad de inercia [rad²/s²]",
