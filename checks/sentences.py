@@ -117,7 +117,7 @@ def findings(root: Path, update: bool = False) -> list[str]:
             compiled.write_bytes(bytes_of(write_mo, catalog))
         found += [f"{language}: no translation: {each}" for each in sorted(wanted) if not given.get(each)]
         found += [f"{language}: no longer said: {each}" for each in spare]
-        found += [f"{language}: other places: {a}: {b}" for a, b in given.items() if places(b) - places(a, True)]
+        found += [f"{language}: other places: {a}: {b}" for a, b in given.items() if b and places(b) != places(a)]
         with compiled.open("rb") as stream:
             held = {str(each.id): str(each.string) for each in read_mo(stream) if each.id}
         if held != {each: said for each, said in given.items() if said}:
@@ -125,9 +125,9 @@ def findings(root: Path, update: bool = False) -> list[str]:
     return found
 
 
-def places(text: str, counted: bool = False) -> set[int]:
-    """The numbers of the places of a text."""
-    return set(range(text.count("{}"))) if counted else {int(each) for each in re.findall(r"\{(\d+)", text)}
+def places(text: str) -> set[int]:
+    """The numbers of the places of a text, which may be left to count themselves."""
+    return set(range(text.count("{}"))) | {int(each) for each in re.findall(r"\{(\d+)", text)}
 
 
 def bytes_of(write, catalog, **options) -> bytes:
