@@ -5,10 +5,12 @@
 //! [`fit()`](fit::fit) takes columns of a record and what is known beside it; it gives a [`Fit`](fit::Fit), or a
 //! [`FitRefusal`](fit::FitRefusal) of one line.
 
+mod decimal;
 mod digits;
 pub mod fit;
 mod from_record;
 mod gravity;
+mod letters;
 mod order;
 pub mod read;
 

@@ -14,10 +14,10 @@ const FIRST_LOAD = 150_000
 const OFFLINE = 600_000
 /** Modules that are asked for when they are needed, gzipped, and when that is. */
 const LATER = {
-  reader: { most: 150_000, when: 'when Data from a file opens' },
+  reader: { most: 128_000, when: 'when Data from a file opens' },
   fit: { most: 152_000, when: 'with the first file' },
   period: { most: 36_000, when: 'when Data from a period opens' },
-  motions: { most: 90_000, when: 'when springs or friction open' },
+  motions: { most: 107_000, when: 'when springs or friction open' },
 }
 
 /** @param {string} folder @returns {string[]} */

@@ -7,19 +7,21 @@ import { readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import type { Plugin } from 'vite'
 
-/** The letters of the packed text: base 85 without `<`, so that it has no mark of HTML; four bytes are five letters. */
+/**
+ * The letters of the packed text: base 94, the printable letters without `<`, so that it has no mark of HTML; nine bytes are eleven letters.
+ */
 function letters(bytes: Buffer): string {
-  const padded = Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4)])
+  const padded = Buffer.concat([bytes, Buffer.alloc((9 - (bytes.length % 9)) % 9)])
   let text = ''
-  for (let i = 0; i < padded.length; i += 4) {
-    let rest = padded.readUInt32BE(i)
-    let five = ''
-    for (let k = 0; k < 5; k++) {
-      const code = 35 + (rest % 85)
-      five = String.fromCharCode(code < 60 ? code : code + 1) + five
-      rest = Math.floor(rest / 85)
+  for (let i = 0; i < padded.length; i += 9) {
+    let rest = BigInt(`0x${padded.toString('hex', i, i + 9)}`)
+    let eleven = ''
+    for (let k = 0; k < 11; k++) {
+      const code = 32 + Number(rest % 94n)
+      eleven = String.fromCharCode(code < 60 ? code : code + 1) + eleven
+      rest /= 94n
     }
-    text += five
+    text += eleven
   }
   return text
 }
@@ -32,17 +34,20 @@ function packed(style: string, script: string): string {
   still.hidden = true
   try {
     const text = document.getElementById('packed').textContent
-    const view = new DataView(new ArrayBuffer((text.length / 5) * 4))
-    for (let i = 0, at = 0; i < text.length; at += 4) {
-      let four = 0
-      for (let k = 0; k < 5; k++) {
+    const bytes = new Uint8Array((text.length / 11) * 9)
+    for (let i = 0, at = 0; i < text.length; ) {
+      let [high, middle, low] = [0, 0, 0]
+      for (let k = 0; k < 11; k++) {
         const code = text.charCodeAt(i++)
-        four = four * 85 + code - (code < 60 ? 35 : 36)
+        low = low * 94 + code - (code < 60 ? 32 : 33)
+        middle = middle * 94 + (low >>> 24)
+        high = high * 94 + (middle >>> 24)
+        low &= 0xffffff
+        middle &= 0xffffff
       }
-      view.setUint32(at, four)
+      for (const part of [high, middle, low]) for (const shift of [16, 8, 0]) bytes[at++] = part >>> shift
     }
-    const bytes = new Uint8Array(view.buffer, 0, ${bytes.length})
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
+    const stream = new Blob([bytes.subarray(0, ${bytes.length})]).stream().pipeThrough(new DecompressionStream('gzip'))
     const [style, script] = (await new Response(stream).text()).split('\\0')
     document.head.append(Object.assign(document.createElement('style'), { textContent: style }))
     document.body.append(Object.assign(document.createElement('script'), { textContent: script }))

@@ -52,6 +52,8 @@ export class Measurement {
   progress = 0
   /** What was stated when the last fit began. */
   #begun = ''
+  /** Files that have been read since then: of the others stands what was understood before, so that the page keeps its place. */
+  #read = 0
 
   constructor(
     private readonly fitter: Fitter,
@@ -121,7 +123,7 @@ export class Measurement {
 
   enter(patch: Partial<Entries>): void {
     this.entries = { ...this.entries, ...patch }
-    this.#entered()
+    this.entered()
   }
 
   typeLength(place: number, patch: Partial<Pick<MeasuredFile, 'length' | 'lengthU'>>): void {
@@ -129,12 +131,8 @@ export class Measurement {
     this.changed()
   }
 
-  enterLength(place: number, patch: Partial<Pick<MeasuredFile, 'length' | 'lengthU'>>): void {
-    this.typeLength(place, patch)
-    this.#entered()
-  }
-
-  #entered(): void {
+  /** What was typed counts. */
+  entered(): void {
     if (this.files.length > 0 && JSON.stringify(this.#statements()) !== this.#begun) this.begin()
     else this.changed()
   }
@@ -174,6 +172,7 @@ export class Measurement {
   cancel(): void {
     this.fitter.cancel()
     this.phase = 'cancelled'
+    this.#onlyRead()
     this.changed()
   }
 
@@ -187,17 +186,23 @@ export class Measurement {
     }
     const stated = this.#statements()
     this.#begun = JSON.stringify(stated)
-    Object.assign(this, { phase: 'reading', readings: [], results: [], joint: null, message: '', progress: 0 })
+    this.#read = 0
+    Object.assign(this, { phase: 'reading', results: [], joint: null, message: '', progress: 0 })
     const asked = files.map(({ bytes }, i): AskedFile => ({ bytes, stated: stated.reading[i] as Statements }))
     void this.fitter.begin(asked, stated.fit, (told) => this.#hear(told))
     this.changed()
   }
 
+  /** Nothing is said of files that could not be read. */
+  #onlyRead(): void {
+    this.readings = this.readings.slice(0, this.#read)
+  }
+
   #hear(told: Told): void {
     switch (told.kind) {
       case 'read':
-        this.readings = [...this.readings, told.reading]
-        if (this.readings.length === this.files.length) this.phase = 'fitting'
+        this.readings = this.readings.toSpliced(this.#read++, 1, told.reading)
+        if (this.#read === this.files.length) this.phase = 'fitting'
         break
       case 'step':
         this.progress = told.step / told.of
@@ -210,6 +215,7 @@ export class Measurement {
       default:
         this.phase = told.kind
         this.message = told.message
+        this.#onlyRead()
         this.asked ||= this.asks
     }
     this.changed()

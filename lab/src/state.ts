@@ -50,7 +50,7 @@ export const LOCKED = { th0: 'theta0', w0: 'velocity0', L: 'length', g: 'gravity
 export type Lock = keyof typeof LOCKED
 export const LOCKS = Object.keys(LOCKED) as Lock[]
 
-export const SPRING_KINDS = ['duffing', 'cubic-quintic'] as const
+export const SPRING_KINDS = ['duffing', 'helmholtz-duffing', 'cubic-quintic'] as const
 export type SpringKind = (typeof SPRING_KINDS)[number]
 
 /** Where a motion begins. */
@@ -98,10 +98,12 @@ export interface State extends Start, FrictionAndTorque {
   /** Step of the derivation, from 1 on. */
   readonly step: number
   readonly from: (typeof DATA_FROM)[number]
-  /** The spring u″ + p u + q u³ (+ s u⁵) = 0 and its start. */
+  /** The spring u″ + p u (+ r u²) + q u³ (+ s u⁵) = 0 (or c) and its start. */
   readonly spring: SpringKind
   readonly p: number
+  readonly r: number
   readonly q: number
+  readonly c: number
   readonly s: number
   readonly u0: number
   readonly springVelocity0: number
@@ -158,7 +160,9 @@ export const DEFAULTS: State = {
   from: 'file',
   spring: 'duffing',
   p: 1,
+  r: 0,
   q: -0.5,
+  c: 0,
   s: 0,
   u0: 1.2,
   springVelocity0: 0,
@@ -206,7 +210,9 @@ export const RANGES = {
   span: { unit: 's', least: 0.1, most: 600 },
   seed: { unit: '', least: 1, most: 999_999 },
   p: { unit: '', least: -1e6, most: 1e6 },
+  r: { unit: '', least: -1e6, most: 1e6 },
   q: { unit: '', least: -1e6, most: 1e6 },
+  c: { unit: '', least: -1e6, most: 1e6 },
   s: { unit: '', least: -1e6, most: 1e6 },
   u0: { unit: '', least: -1000, most: 1000 },
   springVelocity0: { unit: '', least: -1e6, most: 1e6 },

@@ -47,7 +47,8 @@ async function fitted({ files, typed, lengths }: Case) {
   })
   now.take(...(await Promise.all(read)))
   lengths?.forEach(([length = '', lengthU = ''], i) => {
-    now.enterLength(i, { length, lengthU })
+    now.typeLength(i, { length, lengthU })
+    now.entered()
   })
   const all: Told[] = []
   const last = begun.at(-1)

@@ -113,7 +113,8 @@ describe('what is typed', () => {
         ['length', '1 0'],
       ],
     ])
-    now.enterLength(1, { length: '60 cm', lengthU: '1mm' })
+    now.typeLength(1, { length: '60 cm', lengthU: '1mm' })
+    now.entered()
     expect(begun.at(-1)).toMatchObject([
       [
         {
@@ -142,7 +143,8 @@ describe('what is typed', () => {
         ['length', '1 0'],
       ],
     ])
-    now.enterLength(0, { length: 'x' })
+    now.typeLength(0, { length: 'x' })
+    now.entered()
     now.add(['c.csv', bytes('t')])
     expect(now.bad).toBe('x')
     expect(begun.length).toBe(4)

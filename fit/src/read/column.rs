@@ -4,6 +4,8 @@
 use super::dialect::{Dialect, Separator};
 use super::encoding;
 use super::lines::{Line, lines};
+use crate::decimal;
+use crate::letters::lower;
 
 /// Characters of a line that is read.
 const LONGEST_LINE: usize = 1 << 20;
@@ -148,7 +150,7 @@ fn refuse_two_headers(first: Line<'_>, second: Line<'_>) -> Result<(), Unread> {
 
 /// The double in a cell; nothing that is a number only in another script.
 fn number(cell: &str) -> Option<f64> {
-    if cell.is_ascii() { cell.parse().ok() } else { None }
+    if cell.is_ascii() { decimal::number(cell) } else { None }
 }
 
 /// `0.5` for `0,5`.
@@ -203,7 +205,7 @@ fn chosen(
     let only = |found: &mut dyn Iterator<Item = usize>| found.next().filter(|_| found.next().is_none());
     let index = match column {
         None => {
-            let known = |name: &&str| wanted.names.contains(&name.to_lowercase());
+            let known = |name: &&str| wanted.names.contains(&lower(name));
             bare.iter().position(known).unwrap_or(wanted.place)
         }
         Some(column) => {
@@ -299,34 +301,8 @@ impl Strict {
     }
 }
 
-/// Sign, digits and exponent of a decimal text: 1.25e-3 is 125 and -5.
-fn decimal(text: &str) -> Option<(bool, Vec<u8>, i64)> {
-    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits = whole.trim_start_matches(['+', '-']).bytes().chain(decimals.bytes());
-    let digits: Vec<u8> = digits.map(|digit| digit.wrapping_sub(b'0')).collect();
-    let exponent = exponent.parse::<i64>().ok()?.checked_sub(decimals.len() as i64)?;
-    digits.iter().all(|digit| *digit < 10).then_some((whole.starts_with('-'), digits, exponent))
-}
-
 /// The double nearest to the product of two decimal texts: it is formed in decimals, and rounded once.
 fn product(number: &str, factor: &str) -> f64 {
-    let plain = || number.parse::<f64>().unwrap_or(f64::NAN);
-    let (Some((minus, a, shift)), Some((_, b, by))) = (decimal(number), decimal(factor)) else {
-        return plain();
-    };
-    let Some(exponent) = shift.checked_add(by) else { return plain() };
-    // From the last digit, as on paper.
-    let mut sums = vec![0u32; a.len() + b.len() + 1];
-    for (i, left) in a.iter().rev().enumerate() {
-        let mut carry = 0;
-        for (j, right) in b.iter().rev().enumerate() {
-            let sum = sums[i + j] + u32::from(*left) * u32::from(*right) + carry;
-            (sums[i + j], carry) = (sum % 10, sum / 10);
-        }
-        sums[i + b.len()] += carry;
-    }
-    let sign = if minus { "-" } else { "" };
-    let digits: String = sums.iter().rev().map(|digit| char::from(b'0' + *digit as u8)).collect();
-    format!("{sign}{digits}e{exponent}").parse().unwrap_or_else(|_| plain())
+    let exactly = decimal::product(number, factor).and_then(|text| decimal::number(&text));
+    exactly.or_else(|| decimal::number(number)).unwrap_or(f64::NAN)
 }

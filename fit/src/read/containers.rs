@@ -10,6 +10,7 @@ use super::workbook::Sheet;
 #[cfg(feature = "xls")]
 use super::workbook_binary;
 use super::workbook_xml;
+use crate::letters::lower;
 
 /// The record in an archive or a workbook.
 pub(super) fn record(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
@@ -30,7 +31,7 @@ fn archived(bytes: &[u8], options: &Options) -> Result<Record, Refusal> {
         return of_sheets(workbook_xml::sheets(&mut archive)?, options);
     }
     let is_table = |name: &&String| {
-        let lower = name.to_lowercase();
+        let lower = lower(name);
         // `meta/` tells of the device and of pauses.
         [".csv", ".txt", ".tsv", ".trk"].iter().any(|end| lower.ends_with(end)) && !lower.contains("meta/")
     };

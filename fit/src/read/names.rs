@@ -1,5 +1,7 @@
 //! Column names: what they say in the languages of the tools, and what a unit, a run or a clock adds to them.
 
+use crate::letters::lower;
+
 /// What a name says a column is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
@@ -31,7 +33,7 @@ pub(super) enum Meaning {
 /// Letters without accents, in lower case; all that is no letter or digit is one blank.
 pub(super) fn words(name: &str) -> String {
     let mut words = String::with_capacity(name.len());
-    for each in name.chars().flat_map(char::to_lowercase) {
+    for each in lower(name).chars() {
         let plain = match each {
             'á' | 'à' | 'â' | 'ä' | 'ã' => 'a',
             'é' | 'è' | 'ê' | 'ë' => 'e',

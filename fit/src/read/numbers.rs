@@ -1,6 +1,7 @@
 //! Numbers as people and tools write them: decimal point or comma, thousands separators, a Fortran exponent, a true minus.
 
 use super::units::{Dimension, unit};
+use crate::decimal;
 
 /// How the numbers of one column are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +48,7 @@ pub(super) fn cell(text: &str, mark: Mark) -> Cell {
     let text = bare(text);
     let starts = text.as_bytes().first().copied().unwrap_or(b' ');
     let plain = mark == Mark::Point && matches!(starts, b'0'..=b'9' | b'+' | b'-' | b'.');
-    if let (true, Ok(value)) = (plain, text.parse::<f64>()) {
+    if let (true, Some(value)) = (plain, decimal::number(text)) {
         return finite(value, text);
     }
     if text.len() < 12 && MISSING.iter().any(|word| word.eq_ignore_ascii_case(text)) {
@@ -84,7 +85,7 @@ pub(super) fn cell(text: &str, mark: Mark) -> Cell {
             _ => return Cell::Text,
         }
     }
-    plain.parse().map_or(Cell::Text, |value| finite(value, text))
+    decimal::number(&plain).map_or(Cell::Text, |value| finite(value, text))
 }
 
 /// Seconds of a clock's reading: `1:02:03.5`, `0:01:02:50` with hundredths or thousandths, `02:03.5`, with or without a date in front.
@@ -94,7 +95,7 @@ fn clock(text: &str) -> Option<f64> {
     let mut parts = 0;
     for part in time.split(':') {
         let digits = part.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
-        let value: f64 = part.replace(',', ".").parse().ok().filter(|_| digits && part.len() < 20)?;
+        let value = decimal::number(&part.replace(',', ".")).filter(|_| digits && part.len() < 20)?;
         parts += 1;
         seconds = if parts == 4 {
             seconds + value / if part.len() == 3 { 1000.0 } else { 100.0 }
@@ -237,5 +238,5 @@ pub(super) fn resolution(text: &str, mark: Mark) -> Option<f64> {
     };
     let decimals = mantissa.split_once(point).map_or(0, |(_, decimals)| decimals.len().min(400) as i32);
     // By the decimal parser: the power of ten is then the nearest double.
-    format!("1e{}", exponent.clamp(-400, 400) - decimals).parse().ok()
+    decimal::number(&format!("1e{}", exponent.clamp(-400, 400) - decimals))
 }

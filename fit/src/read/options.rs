@@ -1,6 +1,7 @@
 //! What the user states about a file: which column is what, in which unit, the rate of a file without times, the run.
 
 use super::refusal::{Refusal, quoted};
+use crate::digits::Shown;
 
 /// What a column can be stated to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,13 +81,16 @@ impl Options {
         let positive = |value: Option<f64>| value.is_none_or(|value| value.is_finite() && value > 0.0);
         if !positive(self.rate) {
             let rate = self.rate.unwrap_or_default();
-            return Err(Refusal::fault(None, format!("--rate = {rate}: must be finite and greater than 0")));
+            return Err(Refusal::fault(
+                None,
+                format!("--rate = {}: must be finite and greater than 0", Shown(rate)),
+            ));
         }
         if !positive(self.length) {
             let length = self.length.unwrap_or_default();
             return Err(Refusal::fault(
                 None,
-                format!("--length = {length}: must be finite and greater than 0"),
+                format!("--length = {}: must be finite and greater than 0", Shown(length)),
             ));
         }
         if self.run == Some(0) {

@@ -9,6 +9,8 @@ use super::lines::{Line, comment, line_at, lines};
 use super::numbers::{self, Cell, Forms, Mark};
 use super::record::{Dropped, leave_out};
 use super::refusal::{Refusal, quoted};
+use crate::decimal;
+use crate::letters::lower;
 
 /// Lines above the first row that may hold names and units.
 const PREAMBLE: usize = 40;
@@ -178,11 +180,10 @@ impl<'a> Table<'a> {
             return false;
         }
         for (name, value) in parts(above.text).zip(parts(line.text)) {
-            let name = name.to_lowercase();
+            let name = lower(name);
             let rated = ["rate", "fps", "hz", "frequency"].iter().any(|word| name.contains(word));
-            if let Some(value) =
-                value.parse().ok().filter(|value: &f64| rated && value.is_finite() && *value > 0.0)
-            {
+            let number = decimal::number(value);
+            if let Some(value) = number.filter(|value| rated && value.is_finite() && *value > 0.0) {
                 self.rate = Some(value);
             }
         }
@@ -310,12 +311,12 @@ fn usual_row(text: &str, dialect: &Dialect) -> Result<(usize, usize), Refusal> {
 
 /// The rate in a line such as `sample rate: 100 Hz`: one number, beside a word that says what it is.
 fn stated_rate(text: &str) -> Option<f64> {
-    let lower = text.get(..text.len().min(200))?.to_lowercase();
+    let lower = lower(text.get(..text.len().min(200))?);
     if !["rate", "fps", "hz"].iter().any(|word| lower.contains(word)) {
         return None;
     }
     let parts = lower.split(|each: char| !each.is_ascii_digit() && each != '.');
-    let numbers: Vec<f64> = parts.filter_map(|part| part.parse().ok()).collect();
+    let numbers: Vec<f64> = parts.filter_map(decimal::number).collect();
     match numbers[..] {
         [rate] if rate > 0.0 => Some(rate),
         _ => None,

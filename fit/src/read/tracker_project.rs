@@ -5,6 +5,8 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 use super::refusal::{Refusal, quoted};
+use crate::decimal;
+use crate::digits::Shown;
 use crate::order::sorted;
 
 /// Point masses that are read: those with the most steps.
@@ -14,13 +16,15 @@ const MOST_TRACKS: usize = 16;
 #[derive(Clone, Default)]
 struct Mass {
     name: String,
-    steps: Vec<(u64, f64, f64)>,
+    /// Frames with their places, as the file writes these.
+    steps: Vec<(u64, String, String)>,
 }
 
 /// What is read on the way through the file.
 #[derive(Default)]
 struct Project {
-    milliseconds: Option<f64>,
+    /// As the file writes it.
+    milliseconds: Option<String>,
     masses: Vec<Mass>,
 }
 
@@ -33,13 +37,13 @@ pub(super) fn is_project(text: &str) -> bool {
 /// The table of a project, one track beside the other, and what to say of it.
 pub(super) fn table_of(text: &str) -> Result<(String, Vec<String>), Refusal> {
     let project = project(text)?;
-    let milliseconds =
-        project.milliseconds.filter(|step| step.is_finite() && *step > 0.0).ok_or_else(|| {
-            Refusal::fault(
-                None,
-                "a Tracker project without the time of a frame (delta_t); give the exported table",
-            )
-        })?;
+    let step = project.milliseconds.unwrap_or_default();
+    let milliseconds = decimal::number(&step).filter(|step| *step > 0.0).ok_or_else(|| {
+        Refusal::fault(
+            None,
+            "a Tracker project without the time of a frame (delta_t); give the exported table",
+        )
+    })?;
     let masses: Vec<Mass> = project.masses.into_iter().filter(|mass| !mass.steps.is_empty()).collect();
     if masses.is_empty() {
         return Err(Refusal::fault(None, "a Tracker project without a tracked point mass"));
@@ -61,13 +65,17 @@ pub(super) fn table_of(text: &str) -> Result<(String, Vec<String>), Refusal> {
             table += if k > 0 { "\t" } else { "" };
             match mass.steps.get(row) {
                 // Signs as the screen has them: y down, so that the pendulum hangs to +y.
-                Some((frame, x, y)) => table += &format!("{}\t{x:?}\t{y:?}", *frame as f64 * milliseconds),
+                Some((frame, x, y)) => {
+                    let t = decimal::product(&frame.to_string(), &step).unwrap_or_default();
+                    table += &format!("{t}\t{x}\t{y}");
+                }
                 None => table += "\t\t",
             }
         }
     }
     let said = format!(
-        "A Tracker project: frames of {milliseconds} ms, places in pixels with y down, tracks {}.",
+        "A Tracker project: frames of {} ms, places in pixels with y down, tracks {}.",
+        Shown(milliseconds),
         names.join(", ")
     );
     Ok((table, vec![said]))
@@ -122,7 +130,8 @@ fn project(text: &str) -> Result<Project, Refusal> {
             Event::End(tag) if tag.name().as_ref() == "property" => {
                 let Some((name, value)) = properties.pop() else { continue };
                 let class = classes.last().map_or("", String::as_str);
-                let number = || value.parse::<f64>().ok().filter(|value| value.is_finite());
+                let number =
+                    || decimal::number(&value).filter(|value| value.is_finite()).map(|_| value.clone());
                 if class.ends_with("ClipControl") && name == "delta_t" {
                     found.milliseconds = number();
                 } else if class.ends_with(".PointMass") && name == "name" {
@@ -139,8 +148,11 @@ fn project(text: &str) -> Result<Project, Refusal> {
             }
             Event::End(tag) if tag.name().as_ref() == "object" => {
                 let class = classes.pop().unwrap_or_default();
-                if let (true, Some(frame), Some(x), Some(y), Some(mass)) =
-                    (class.ends_with("PointMass$FrameData"), frame, x, y, found.masses.last_mut())
+                if !class.ends_with("PointMass$FrameData") {
+                    continue;
+                }
+                if let (Some(frame), Some(x), Some(y), Some(mass)) =
+                    (frame, x.take(), y.take(), found.masses.last_mut())
                 {
                     mass.steps.push((frame, x, y));
                 }

@@ -1,5 +1,8 @@
 //! Units as headers write them, with their factor to SI.
 
+use crate::decimal;
+use crate::letters::lower;
+
 /// What a unit measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Dimension {
@@ -80,7 +83,7 @@ pub(super) fn unit(text: &str) -> Option<Unit> {
 
 /// Lower case, one way to write powers, products and the micro sign, no blanks.
 fn plain(text: &str) -> String {
-    let lower = text.to_lowercase();
+    let lower = lower(text);
     let joined: String = lower
         .chars()
         .filter(|each| !each.is_whitespace() && !matches!(each, '^' | '{' | '}' | '\u{a0}'))
@@ -100,7 +103,7 @@ fn plain(text: &str) -> String {
 /// `4000/turn`: counts of an encoder.
 pub(super) fn counts_per_turn(text: &str) -> Option<Unit> {
     let (count, word) = text.split_once('/')?;
-    let count: f64 = count.trim().parse().ok()?;
+    let count = decimal::number(count.trim())?;
     let turn = unit(word)? == unit("turn")?;
     (turn && count.is_finite() && count > 0.0)
         .then_some(Unit { dimension: Dimension::Angle, factor: TURN / count })

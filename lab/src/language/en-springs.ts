@@ -4,10 +4,12 @@ import type { Loose } from './en'
 
 export const enSprings = {
   kind: 'Kind of spring',
-  kinds: { duffing: 'Duffing', 'cubic-quintic': 'Cubic–quintic' },
+  kinds: { duffing: 'Duffing', 'helmholtz-duffing': 'Even powers', 'cubic-quintic': 'Cubic–quintic' },
   values: {
     p: { label: 'Stiffness', symbol: '_p_' },
+    r: { label: 'Quadratic part', symbol: '_r_' },
     q: { label: 'Cubic part', symbol: '_q_' },
+    c: { label: 'Constant force', symbol: '_c_' },
     s: { label: 'Quintic part', symbol: '_s_' },
     u0: { label: 'Start', symbol: '_u_{0}' },
     springVelocity0: { label: 'Start velocity', symbol: "_u'_{0}" },
@@ -25,6 +27,9 @@ export const enSprings = {
     inside: 'Double well, inside',
     on: 'Double well, on the separatrix',
     outside: 'Double well, outside',
+    beam: 'Spring stiffer on one side',
+    tilted: 'Double well, tilted',
+    helmholtz: 'Quadratic spring, on the separatrix',
     bistable: 'Bistable cubic–quintic spring',
     quintic: 'Cubic–quintic spring, escapes',
     companion: 'Companion of the pendulum',
@@ -39,9 +44,12 @@ export const enSprings = {
     linear: 'The linear spring',
     free: 'The free mass',
     quintic: 'The cubic–quintic spring',
+    even: 'The spring with even powers',
   },
   swings: '{name} swings to *±{high}* and back once in *_T_ = {period}*.',
+  between: '{name} swings between *{low}* and *{high}* once in *_T_ = {period}*.',
   well: '{name} stays *on one side*: it swings between *{low}* and *{high}* once in *_T_ = {period}*.',
+  oneWell: '{name} stays *in one of its two wells*: it swings between *{low}* and *{high}* once in *_T_ = {period}*.',
   homoclinic:
     '{name} is *on the separatrix*: it leaves an unstable equilibrium and comes back to it, both in infinite time.',
   heteroclinic: '{name} is *on the separatrix*: it goes from one unstable equilibrium to another in infinite time.',
@@ -71,6 +79,7 @@ export const enSprings = {
     heteroclinic: 'heteroclinic',
     escape: 'escapes',
   },
+  evenRegimes: { libration: 'swings', well: 'swings in one of two wells' },
 
   potential: 'Potential',
   potentialUnit: '_V_ against displacement _u_',
@@ -84,6 +93,7 @@ export const enSprings = {
   start: '{u}, velocity {velocity}: {regime}',
   help: 'Click or drag in the portrait to start there; arrow keys move the start. Dashed: the separatrices, through the unstable equilibria (rings).',
   equilibria: 'Equilibria',
+  none: 'none',
   place: 'place _u_',
   height: 'potential _V_',
   stability: 'stability',

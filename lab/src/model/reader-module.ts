@@ -1,6 +1,6 @@
 // The module of the reader: bytes of a file in, what was understood and its numbers out. A WebAssembly module of its own (wasm/reader).
 
-import { Exchange, type Statements } from './exchange'
+import { Exchange, numberOf, type Statements } from './exchange'
 
 /** What was understood of a file. */
 export interface Understood {
@@ -33,7 +33,9 @@ export class ReaderModule {
 
   /** Starts a compiled module. */
   static async start(module: WebAssembly.Module): Promise<ReaderModule> {
-    return new ReaderModule((await WebAssembly.instantiate(module, {})).exports)
+    const number = (at: number, length: number): number => numberOf(reader.#exchange.text(at, length))
+    const reader: ReaderModule = new ReaderModule((await WebAssembly.instantiate(module, { page: { number } })).exports)
+    return reader
   }
 
   /** Reads a file, with statements of wasm/reader/src/stated.rs; a FitRefusal where it cannot be read, or leaves a question open. */

@@ -1,6 +1,7 @@
 // Curves of one energy in the phase plane of a spring: found between the places where the speed vanishes.
 
-import { type Force, potential, type SpringOrbit } from './spring'
+import type { SpringOrbit } from './spring'
+import { type Force, potential } from './spring-force'
 
 interface Level {
   readonly x: Float64Array

@@ -1,6 +1,7 @@
 // Fields of the view Data: a text that counts when it is left or Enter is pressed, and a choice of few.
 
 import { html, nothing, type TemplateResult } from 'lit-html'
+import { afterRelease } from '../controls/release'
 import { icon } from '../draw/icons'
 import { rich } from '../language/rich'
 import type { Live } from './page'
@@ -11,16 +12,25 @@ interface EntryField {
   readonly text: string
   readonly bad?: boolean
   readonly unit?: string
-  /** At every key, and when it counts. */
+  /** At every key. */
   readonly type: (text: string) => void
-  readonly enter: (text: string) => void
+  /** When what was typed counts. */
+  readonly enter?: () => void
 }
 
-export function entryField({ id, label, text, bad = false, unit = '', type, enter }: EntryField): TemplateResult {
+export function entryField({
+  id,
+  label,
+  text,
+  bad = false,
+  unit = '',
+  type,
+  enter = () => {},
+}: EntryField): TemplateResult {
   const value = (event: Event) => (event.target as HTMLInputElement).value
   return html`<span class="field ${bad ? 'bad' : ''}"><input id=${id} .value=${text} aria-label=${label}
     aria-invalid=${bad ? 'true' : 'false'} aria-describedby=${bad ? 'data-fault' : nothing}
-    autocomplete="off" spellcheck="false" @input=${(event: Event) => type(value(event))} @change=${(event: Event) => enter(value(event))}>${
+    autocomplete="off" spellcheck="false" @input=${(event: Event) => type(value(event))} @change=${() => afterRelease(enter)}>${
       unit === '' ? nothing : html`<span class="unit">${unit}</span>`
     }</span>`
 }

@@ -29,7 +29,7 @@ function field(measurement: Measurement, name: FieldName, label: string, unit = 
     bad: isBad(name, text),
     unit,
     type: (typed) => measurement.type({ [name]: typed }),
-    enter: (typed) => measurement.enter({ [name]: typed }),
+    enter: () => measurement.entered(),
   })
 }
 
@@ -65,7 +65,7 @@ function part(page: Live, measurement: Measurement, now: PartEntry, place: numbe
         bad: isBadPart(now, of),
         unit: of === 'mass' ? units.kg : units.m,
         type: (typed) => measurement.type(changed({ [of]: typed })),
-        enter: (typed) => measurement.enter(changed({ [of]: typed })),
+        enter: () => measurement.entered(),
       }),
     )
   const remove = () => measurement.enter({ parts: parts.filter((_, i) => i !== place) })

@@ -28,7 +28,6 @@ function entries(page: Live, timing: Timing): TemplateResult {
       bad: isBadTiming(name, timing.entries[name]),
       unit,
       type: (text) => timing.enter({ [name]: text }),
-      enter: (text) => timing.enter({ [name]: text }),
     })
   const pair = (name: 'time' | 'length' | 'swing' | 'end', unit: string) =>
     entryLine(

@@ -84,7 +84,7 @@ function ofSeveral(page: Live, measurement: Measurement, place: number): Templat
       bad: isBad('length', file[name]),
       unit,
       type: (typed) => measurement.typeLength(place, { [name]: typed }),
-      enter: (typed) => measurement.enterLength(place, { [name]: typed }),
+      enter: () => measurement.entered(),
     })
   return html`<li><div class="entry"><button type="button" class="file-name ${shown ? 'on' : ''}" aria-pressed=${shown ? 'true' : 'false'}
     @click=${() => measurement.show(place)}>${file.name}</button>${iconButton(`${data.remove}: ${file.name}`, 'close', () => measurement.remove(place))}</div>

@@ -4,6 +4,7 @@ import '../language/data'
 import '../style/data.css'
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
+import { press } from '../controls/release'
 import { icon } from '../draw/icons'
 import { inLanguage, refusalInLanguage } from '../language/sentences'
 import { Measurement } from '../measurement'
@@ -59,11 +60,13 @@ async function opened({ fitter, timing }: Visit, from: 'file' | 'period'): Promi
   }
 }
 
+const isBusy = ({ phase }: Measurement): boolean => phase === 'reading' || phase === 'fitting'
+
 /** What is going on, and what was refused: a line that is spoken. */
 function status(page: Live, now: Measurement): TemplateResult {
   const { words } = page
   const { data } = words.say
-  const busy = now.phase === 'reading' || now.phase === 'fitting'
+  const busy = isBusy(now)
   const refused = now.phase === 'refused' || now.phase === 'failed'
   const percent = words.percent(100 * now.progress, 2)
   const working = html`<div class="working"><span>${now.phase === 'reading' ? data.reading : words.fill(data.fitting, { percent })}</span>
@@ -83,6 +86,15 @@ function status(page: Live, now: Measurement): TemplateResult {
   return html`${busy ? working : nothing}<div role="status">${refused ? html`<p class="refusal">${icon('warn')}${message}</p>` : nothing}
     ${options ? html`<p class="soft small">${data.optionsHelp}</p>` : nothing}
     ${now.phase === 'cancelled' ? html`<p class="working"><span>${data.cancelled}</span>${again}</p>` : nothing}</div>`
+}
+
+let height = 0
+
+/** While a fit is made the columns are as high as before: what is above their end keeps its place. */
+function keptHeight(now: Measurement): string | typeof nothing {
+  if (!isBusy(now)) height = 0
+  else height ||= document.querySelector<HTMLElement>('.data-columns')?.offsetHeight ?? 0
+  return height > 0 ? `min-height:${height}px;align-content:start` : nothing
 }
 
 function fromFile(page: Live, now: Measurement): TemplateResult {
@@ -109,7 +121,7 @@ function body(page: Live): TemplateResult {
     (each) => page.store.set({ from: each }),
     'data-from',
   )
-  return html`${choice}<div class="data-columns">${from === 'period' ? timingBody(page, timing) : fromFile(page, measurement)}</div>`
+  return html`${choice}<div class="data-columns" style=${keptHeight(measurement)} @pointerdown=${press}>${from === 'period' ? timingBody(page, timing) : fromFile(page, measurement)}</div>`
 }
 
 function sentence(page: Live): string {
@@ -118,7 +130,7 @@ function sentence(page: Live): string {
   const { measurement, timing } = current(store)
   if (page.state.from === 'period') return sentenceOfTiming(page, timing)
   const { phase, result, joint, results } = measurement
-  if (phase === 'reading' || phase === 'fitting') return data.sentenceBusy
+  if (isBusy(measurement)) return data.sentenceBusy
   if (phase === 'refused' || phase === 'failed') return data.sentenceRefused
   if (!result) return phase === 'empty' ? data.sentenceEmpty : data.sentenceRead
   if (joint && !joint.stands) return data.sentenceRefutedTogether

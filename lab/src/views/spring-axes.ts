@@ -48,7 +48,7 @@ function timeAxis(orbit: SpringOrbit, inner: number, farthest: number): readonly
 
 export function springAxes(orbit: SpringOrbit): SpringAxes {
   const { u0, velocity0, low, high, energy, equilibria, barriers, scale } = orbit
-  const outer = Math.max(0, ...equilibria.map(({ u }) => u))
+  const outer = Math.max(0, ...equilibria.map(({ u }) => Math.abs(u)))
   const bounded = Number.isFinite(low) && Number.isFinite(high)
   const farthest = bounded ? Math.max(-low, high) : 0
   const reach = roundUp(wide(Math.max(1.08 * farthest, (bounded ? 1.05 : 1.5) * Math.abs(u0), 1.4 * outer), 1))

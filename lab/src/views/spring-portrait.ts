@@ -10,7 +10,8 @@ import { grainOf, linearScale, type Scale } from '../draw/scale'
 import { startRing } from '../draw/start-ring'
 import { plain } from '../language/rich'
 import { remember } from '../memory'
-import { potential, type SpringOrbit } from '../model/spring'
+import type { SpringOrbit } from '../model/spring'
+import { potential } from '../model/spring-force'
 import { levelCurves, levelThrough } from '../model/spring-levels'
 import { inRange } from '../state'
 import { roundTicksOf } from './axis-ticks'
@@ -103,10 +104,18 @@ function begin({ store }: Live, u0: number, springVelocity0: number): void {
   store.set({ u0, springVelocity0, t: 0 })
 }
 
-function startWords({ words }: Live, { u0, velocity0, regime }: SpringOrbit): string {
-  const { spring } = words.say
+/** With even powers u = 0 is a place as any other. */
+export function regimeWords({ words }: Live, { regime, even }: SpringOrbit): string {
+  const { regimes, evenRegimes } = words.say.spring
+  return even && (regime === 'libration' || regime === 'well') ? evenRegimes[regime] : regimes[regime]
+}
+
+function startWords(page: Live, orbit: SpringOrbit): string {
+  const { words } = page
   const short = (value: number) => shortNumber(words, value)
-  return words.fill(spring.start, { u: short(u0), velocity: short(velocity0), regime: spring.regimes[regime] })
+  const { u0, velocity0 } = orbit
+  const regime = regimeWords(page, orbit)
+  return words.fill(words.say.spring.start, { u: short(u0), velocity: short(velocity0), regime })
 }
 
 function startCursor({ page, orbit, axes }: SpringView): Cursor {
@@ -231,7 +240,7 @@ export function potentialChart(view: SpringView): TemplateResult {
     height: 11,
     xLabels: false,
     draw: (size) => drawPotential(view, size),
-    caption: `${caption} ${words.fill(spring.captionEquilibria, { list: places.join('; ') })}`,
+    caption: `${caption} ${words.fill(spring.captionEquilibria, { list: places.join('; ') || spring.none })}`,
     table: () => tableOf(view),
   })
 }

@@ -6,13 +6,16 @@ import { inRange, type State } from '../state'
 import { type Example, exampleMenu } from './example-menu'
 import type { Live } from './page'
 
-type SpringPreset = Pick<State, 'spring' | 'p' | 'q' | 's' | 'u0' | 'springVelocity0'>
+type SpringPreset = Pick<State, 'spring' | 'p' | 'r' | 'q' | 'c' | 's' | 'u0' | 'springVelocity0'>
 
 const duffing = (p: number, q: number, u0: number, springVelocity0 = 0): SpringPreset => {
-  return { spring: 'duffing', p, q, s: 0, u0, springVelocity0 }
+  return { spring: 'duffing', p, r: 0, q, c: 0, s: 0, u0, springVelocity0 }
+}
+const even = (p: number, r: number, q: number, c: number, u0: number): SpringPreset => {
+  return { ...duffing(p, q, u0), spring: 'helmholtz-duffing', r, c }
 }
 const quintic = (p: number, q: number, s: number, u0: number): SpringPreset => {
-  return { spring: 'cubic-quintic', p, q, s, u0, springVelocity0: 0 }
+  return { ...duffing(p, q, u0), spring: 'cubic-quintic', s }
 }
 
 /** Those on a separatrix are on it exactly: their energies are sums of few bits. */
@@ -24,6 +27,9 @@ export const SPRING_PRESETS = {
   inside: duffing(-1, 0.5, 1.9),
   on: duffing(-1, 0.5, 2),
   outside: duffing(-1, 0.5, 2.1),
+  beam: even(1, 0.5, 0.2, 0, 1),
+  tilted: even(-1, 0, 1, 0.125, -1.25),
+  helmholtz: even(1, -1, 0, 0, -0.5),
   bistable: quintic(1, -4, 3, 0.5),
   quintic: quintic(1, 1, -1, 1.3),
 } as const satisfies Record<string, SpringPreset>
@@ -32,7 +38,8 @@ export const SPRING_PRESETS = {
 function companion({ theta0, velocity0, length, gravity }: State): SpringPreset | null {
   const found = companionOf(theta0, velocity0, length, gravity)
   if (!found || !(['p', 'q', 'u0', 'springVelocity0'] as const).every((name) => inRange(name, found[name]))) return null
-  return { spring: 'duffing', s: 0, ...found }
+  const { p, q, u0, springVelocity0 } = found
+  return duffing(p, q, u0, springVelocity0)
 }
 
 export function springPresets(page: Live): TemplateResult {

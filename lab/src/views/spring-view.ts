@@ -2,7 +2,8 @@
 
 import type { Words } from '../language'
 import { remember } from '../memory'
-import { forceOf, SpringOrbit } from '../model/spring'
+import { SpringOrbit } from '../model/spring'
+import { forceOf } from '../model/spring-force'
 import type { State } from '../state'
 import { within } from '../study'
 import type { Live } from './page'
@@ -18,12 +19,12 @@ export interface SpringView {
 }
 
 const orbitBy = remember(
-  (kind: State['spring'], p: number, q: number, s: number, u0: number, velocity0: number) =>
-    new SpringOrbit(forceOf(kind, p, q, s), u0, velocity0),
+  (kind: State['spring'], p: number, r: number, q: number, c: number, s: number, u0: number, velocity0: number) =>
+    new SpringOrbit(forceOf(kind, { p, r, q, c, s }), u0, velocity0),
 )
 
-export function orbitOf({ spring, p, q, s, u0, springVelocity0 }: State): SpringOrbit {
-  return orbitBy(spring, p, q, s, u0, springVelocity0)
+export function orbitOf({ spring, p, r, q, c, s, u0, springVelocity0 }: State): SpringOrbit {
+  return orbitBy(spring, p, r, q, c, s, u0, springVelocity0)
 }
 
 const usualAxes = remember(springAxes)

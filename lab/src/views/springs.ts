@@ -10,7 +10,7 @@ import { SPRING_KINDS } from '../state'
 import { motionsReady } from './motions-module'
 import type { Live } from './page'
 import { player } from './player'
-import { potentialChart, rangeWords, springPortrait } from './spring-portrait'
+import { potentialChart, rangeWords, regimeWords, springPortrait } from './spring-portrait'
 import { springPresets } from './spring-presets'
 import { springTime } from './spring-time'
 import { orbitOf, type SpringView, shortNumber, springView } from './spring-view'
@@ -18,7 +18,14 @@ import { numberValue, type Slide } from './values'
 
 const EQUATIONS = {
   duffing: "_u''_ + _p_ _u_ + _q_ _u_³ = 0",
+  'helmholtz-duffing': "_u''_ + _p_ _u_ + _r_ _u_² + _q_ _u_³ = _c_",
   'cubic-quintic': "_u''_ + _p_ _u_ + _q_ _u_³ + _s_ _u_⁵ = 0",
+} as const
+
+const COEFFICIENTS = {
+  duffing: ['p', 'q'],
+  'helmholtz-duffing': ['p', 'r', 'q', 'c'],
+  'cubic-quintic': ['p', 'q', 's'],
 } as const
 
 /** Ends of a slider about a value, which may lie beyond them. */
@@ -30,12 +37,19 @@ const slide = (most: number): Slide => ({
   origin: 0,
   ticks: [0],
 })
-const SLIDES = { p: slide(5), q: slide(5), s: slide(5), u0: slide(4), springVelocity0: slide(5) } as const
+const SLIDES = {
+  p: slide(5),
+  r: slide(5),
+  q: slide(5),
+  c: slide(5),
+  s: slide(5),
+  u0: slide(4),
+  springVelocity0: slide(5),
+} as const
 
 function force(page: Live): TemplateResult {
   const { words, state, store } = page
   const { spring } = words.say
-  const names = ['p', 'q', ...(state.spring === 'duffing' ? [] : ['s'])] as ('p' | 'q' | 's')[]
   return html`<div class="spring-force"><div class="head">${switches(
     spring.kind,
     SPRING_KINDS.map((value) => ({ value, text: spring.kinds[value] })),
@@ -43,7 +57,7 @@ function force(page: Live): TemplateResult {
     (kind) => store.set({ spring: kind }),
   )}${springPresets(page)}</div>
     <p class="equation">${rich(EQUATIONS[state.spring])}</p></div>
-    <div class="spring-values">${[...names, 'u0' as const, 'springVelocity0' as const].map((name) =>
+    <div class="spring-values">${([...COEFFICIENTS[state.spring], 'u0', 'springVelocity0'] as const).map((name) =>
       numberValue(page, name, spring.values[name], SLIDES[name]),
     )}</div>`
 }
@@ -65,7 +79,7 @@ function facts(page: Live, orbit: SpringOrbit): TemplateResult {
   const from = orbit.escapeTimeBackward
   return html`<dl class="facts">
     ${escapes ? row(say.escape, timeWords(page, orbit.escapeTime, 4), 'spring-escape', 'big') : row(say.period, endless(page, orbit.period), 'spring-period', 'big')}
-    ${row(say.regime, spring.regimes[orbit.regime], 'spring-regime')}
+    ${row(say.regime, regimeWords(page, orbit), 'spring-regime')}
     ${row(say.energy, shortNumber(words, orbit.energy), 'spring-energy')}
     ${row(say.range, rangeWords(page, orbit), 'spring-range')}
     ${Number.isFinite(from) ? row(say.from, timeWords(page, from, 4), 'spring-from') : nothing}</dl>`
@@ -78,7 +92,7 @@ function equilibriaTable({ page, orbit }: SpringView): TemplateResult {
     <tbody>${orbit.equilibria.map(
       ({ u, height, stable }) =>
         html`<tr><th scope="row">${rich(shortNumber(words, u))}</th><td>${rich(shortNumber(words, height))}</td><td>${stable ? spring.stable : spring.unstable}</td></tr>`,
-    )}</tbody></table>`
+    )}${orbit.equilibria.length === 0 ? html`<tr><th scope="row">${spring.none}</th><td></td><td></td></tr>` : nothing}</tbody></table>`
 }
 
 function body(page: Live): TemplateResult {
@@ -119,14 +133,14 @@ function sentence(page: Live): string {
         values,
       )
     case 'libration':
-      return words.fill(spring.swings, values)
+      return words.fill(orbit.even ? spring.between : spring.swings, values)
     case 'well':
-      return words.fill(spring.well, values)
+      return words.fill(orbit.even ? spring.oneWell : spring.well, values)
     case 'escape':
       if (!Number.isFinite(escapeTime)) return words.fill(spring.came, values)
       return words.fill(orbit.escapesTo > 0 ? spring.escapes : spring.escapesDown, values)
     case 'linear':
-      if (Number.isFinite(period)) return words.fill(spring.swings, values)
+      if (Number.isFinite(period)) return words.fill(orbit.even ? spring.between : spring.swings, values)
       return words.fill(orbit.name === 'free' ? spring.even : spring.runs, values)
     default:
       return words.fill(spring[regime], values)

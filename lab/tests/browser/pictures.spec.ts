@@ -95,6 +95,14 @@ test('pictures of code and of the form of a frame', async ({ browser }) => {
   await page.context().close()
 })
 
+test('a picture of a spring with even powers', async ({ browser }) => {
+  const page = await opened(browser, 't=0s&theme=light')
+  await show(page, 'view=springs&spring=helmholtz-duffing&p=-1&q=1&c=0.125&u0=-1.25&t=2s&theme=light&lang=en')
+  await expect(page.locator('[data-chart=spring-time] .plot-drawing')).toBeVisible()
+  await picture(page, 'springs-even-1280-light')
+  await page.context().close()
+})
+
 test('pictures of a light gate and of several lengths', async ({ browser }) => {
   const page = await opened(browser, 't=0s')
   await show(page, 'view=data&t=0s&theme=light')

@@ -41,6 +41,9 @@ test('springs by their examples are in every regime, with the numbers of the cor
     ['Double well, inside', 'on one side', 'on one side'],
     ['Double well, on the separatrix', 'on the separatrix', 'homoclinic'],
     ['Double well, outside', 'swings to ±2.1', 'swings about'],
+    ['Spring stiffer on one side', 'between −1.402 and 1 once', 'swings'],
+    ['Double well, tilted', 'in one of its two wells', 'in one of two wells'],
+    ['Quadratic spring, on the separatrix', 'on the separatrix', 'homoclinic'],
     ['Cubic–quintic spring, escapes', 'escapes to infinity', 'escapes'],
   ] as const) {
     await choose(name)
@@ -57,6 +60,29 @@ test('springs by their examples are in every regime, with the numbers of the cor
   // One line undoes it.
   await lab.locator('.message').getByRole('button', { name: 'Undo' }).click()
   await expect(lab.locator('#spring-equilibria tbody tr')).toHaveCount(5)
+})
+
+test('springs with even powers: the numbers of the core, their fields, and the link', async ({ lab }) => {
+  const link = 'spring=helmholtz-duffing&r=0.5&q=0.2&c=0.25&u0=1'
+  await show(lab, `view=springs&${link}&t=0s&lang=en`)
+  const beam = new Duffing({ u0: 1, p: 1, q: 0.2, r: 0.5, c: 0.25 })
+  await expect(lab.locator('#spring-period')).toHaveText(beam.period.toFixed(4))
+  await expect(lab.locator('#page .sentence')).toContainText('The spring with even powers swings between')
+  const sheet = await csvOf(lab, 'spring-time')
+  const [t, u] = [column(sheet, 't'), column(sheet, 'u')]
+  for (let i = 0; i < t.length; i += 37) expect(u[i]).toBe(beam.motion(t[i] as number).u)
+  expect(await linkOf(lab)).toContain(link)
+  await lab.locator('#field-c').fill('1')
+  await expect(lab.locator('#spring-period')).toHaveText(
+    new Duffing({ u0: 1, p: 1, q: 0.2, r: 0.5, c: 1 }).period.toFixed(4),
+  )
+  // A force that is the same everywhere has no equilibrium.
+  await show(lab, 'view=springs&spring=helmholtz-duffing&p=0&q=0&c=1&t=0s&lang=en')
+  await expect(lab.locator('#spring-equilibria tbody')).toContainText('none')
+  await expect(lab.locator('#page .sentence')).toContainText('runs away')
+  // Duffing's own has neither field.
+  await lab.getByRole('button', { name: 'Duffing', exact: true }).click()
+  await expect(lab.locator('#field-r, #field-c')).toHaveCount(0)
 })
 
 test('springs of any size have charts, and their times digits', async ({ lab }) => {
@@ -104,7 +130,7 @@ test('springs stand in the link, and a bad value is named', async ({ lab }) => {
   await expect(lab.locator('#field-q-fault')).toContainText('not a number')
   await lab.keyboard.press('Escape')
   await show(lab, 'view=springs&u0=2000&spring=steel&t=0s')
-  for (const said of ['u0=2000', '−1000 to 1000', 'spring=steel', 'duffing, cubic-quintic'])
+  for (const said of ['u0=2000', '−1000 to 1000', 'spring=steel', 'duffing, helmholtz-duffing, cubic-quintic'])
     await expect(lab.locator('.message')).toContainText(said)
   await show(lab, 'view=springs&t=0s')
 })

@@ -14,20 +14,36 @@ use exchange::{both, made, refuse};
 use libration::{CubicQuintic, Duffing, Frequency, OscillatorRegime};
 use std::cell::RefCell;
 
-thread_local! {
-    static SPRINGS: RefCell<Objects<CubicQuintic>> = const { RefCell::new(Objects::new()) };
+/// Of either kind.
+enum Spring {
+    Duffing(Duffing),
+    CubicQuintic(Box<CubicQuintic>),
 }
 
-/// The motion of u'' + p u + q u^3 = 0.
+/// What both answer.
+macro_rules! of_both {
+    ($spring:expr, $orbit:ident => $value:expr) => {
+        match $spring {
+            Spring::Duffing($orbit) => $value,
+            Spring::CubicQuintic($orbit) => $value,
+        }
+    };
+}
+
+thread_local! {
+    static SPRINGS: RefCell<Objects<Spring>> = const { RefCell::new(Objects::new()) };
+}
+
+/// The motion of u'' + p u + r u^2 + q u^3 = c.
 #[unsafe(no_mangle)]
-pub extern "C" fn duffing_new(u0: f64, velocity0: f64, p: f64, q: f64) -> u32 {
-    made(&SPRINGS, CubicQuintic::new(u0, velocity0, p, q, 0.0))
+pub extern "C" fn duffing_new(u0: f64, velocity0: f64, p: f64, q: f64, r: f64, c: f64) -> u32 {
+    made(&SPRINGS, Duffing::with_even_powers(u0, velocity0, [p, q, r, c]).map(Spring::Duffing))
 }
 
 /// The motion of u'' + p u + q u^3 + s u^5 = 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn cubic_quintic_new(u0: f64, velocity0: f64, p: f64, q: f64, s: f64) -> u32 {
-    made(&SPRINGS, CubicQuintic::new(u0, velocity0, p, q, s))
+    made(&SPRINGS, CubicQuintic::new(u0, velocity0, p, q, s).map(Box::new).map(Spring::CubicQuintic))
 }
 
 /// Drops a spring.
@@ -41,17 +57,12 @@ pub extern "C" fn spring_drop(spring: u32) {
 #[unsafe(no_mangle)]
 pub extern "C" fn spring_facts(spring: u32) -> u32 {
     let regime = ask(&SPRINGS, spring, |spring| {
-        let (lowest, highest) = spring.range();
-        let facts = [
-            spring.period(),
-            lowest,
-            highest,
-            spring.energy(),
-            spring.escape_time(),
-            spring.escape_time_backward(),
-        ];
+        let facts = of_both!(spring, orbit => {
+            let (lowest, highest) = orbit.range();
+            [orbit.period(), lowest, highest, orbit.energy(), orbit.escape_time(), orbit.escape_time_backward()]
+        });
         with_columns(|columns| columns[0][..facts.len()].copy_from_slice(&facts));
-        match spring.regime() {
+        match of_both!(spring, orbit => orbit.regime()) {
             OscillatorRegime::Rest => 0,
             OscillatorRegime::Linear => 1,
             OscillatorRegime::Libration => 2,
@@ -68,7 +79,8 @@ pub extern "C" fn spring_facts(spring: u32) -> u32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn spring_motion(spring: u32, rows: usize) {
     ask(&SPRINGS, spring, |spring| {
-        both(rows, |t| spring.motion(t).into());
+        let spring = &*spring;
+        both(rows, |t| of_both!(spring, orbit => orbit.motion(t)).into());
     });
 }
 

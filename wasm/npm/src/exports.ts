@@ -57,7 +57,7 @@ export interface Exports extends Exchange {
 
 /** What the module of springs and friction exports: wasm/motions/src/abi.rs. */
 export interface MotionExports extends Exchange {
-  duffing_new(u0: number, velocity0: number, p: number, q: number): number;
+  duffing_new(u0: number, velocity0: number, p: number, q: number, r: number, c: number): number;
   cubic_quintic_new(u0: number, velocity0: number, p: number, q: number, s: number): number;
   spring_drop(spring: number): void;
   spring_facts(spring: number): number;

@@ -1,4 +1,4 @@
-/** The springs u'' + p u + q u³ = 0 and u'' + p u + q u³ + s u⁵ = 0: exact from any start, in every regime. */
+/** The springs u'' + p u + r u² + q u³ = c and u'' + p u + q u³ + s u⁵ = 0: exact from any start, in every regime. */
 
 import { keep, type Numbers, pair } from "./core.js";
 import { motions } from "./motions.js";
@@ -79,22 +79,33 @@ export interface DuffingOptions {
   p: number;
   /** Coefficient of u³, finite, of any sign. */
   q: number;
+  /** Coefficient of u², finite, of any sign; 0 if not given. */
+  r?: number | undefined;
+  /** Constant force, finite, of any sign; 0 if not given. */
+  c?: number | undefined;
 }
 
 /**
- * One orbit of u'' + p u + q u³ = 0.
+ * One orbit of u'' + p u + r u² + q u³ = c.
  *
- * Source: Salas 2019 (5); DLMF 22.13(iii).
+ * With r or c the regime does not ask about u = 0: a libration has one well around it, a well is one of two.
+ *
+ * Source: Salas 2019 (5); DLMF 22.13(iii); with r and c u'² is a quartic, DLMF 22, 23.
  *
  * @example
  * const spring = new Duffing({ u0: 1.2, p: 1, q: -1 });
  * console.log(spring.regime, spring.escapeTime.toFixed(6)); // escape 1.851457
+ * console.log(new Duffing({ u0: 1, p: 1, q: 0.2, r: 0.5 }).range[0].toFixed(9)); // -1.401980262
  */
 export class Duffing extends Spring {
   /** Coefficient of u. */
   readonly p: number;
   /** Coefficient of u³. */
   readonly q: number;
+  /** Coefficient of u². */
+  readonly r: number;
+  /** Constant force. */
+  readonly c: number;
 
   /**
    * Sets up an orbit.
@@ -102,10 +113,12 @@ export class Duffing extends Spring {
    * @param options Start and force.
    * @throws DomainError naming the argument, its value and what is allowed.
    */
-  constructor({ u0, velocity0 = 0, p, q }: DuffingOptions) {
-    super(motions().exports.duffing_new(u0, velocity0, p, q), u0, velocity0);
+  constructor({ u0, velocity0 = 0, p, q, r = 0, c = 0 }: DuffingOptions) {
+    super(motions().exports.duffing_new(u0, velocity0, p, q, r, c), u0, velocity0);
     this.p = p;
     this.q = q;
+    this.r = r;
+    this.c = c;
   }
 
   /**

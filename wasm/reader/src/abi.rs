@@ -1,8 +1,10 @@
-//! The functions that JavaScript calls. `unsafe` stands here and in the file beside it only, in the attributes that give functions
-//! their names outside. No pointer is read.
+//! The functions that JavaScript calls. `unsafe` stands here and in the files beside it only, in the attributes that give functions
+//! their names outside and in the call of JavaScript's function. No pointer is read.
 
 #[path = "../../fit/src/abi/exchange.rs"]
 mod exchange;
+#[path = "../../fit/src/abi/number.rs"]
+pub mod number;
 
 use crate::answer;
 use crate::stated::Stated;

@@ -10,6 +10,9 @@ mod answer;
 mod json;
 #[path = "../../fit/src/lines.rs"]
 mod lines;
+#[path = "../../fit/src/quantities.rs"]
+#[allow(dead_code, reason = "nothing has an uncertainty here")]
+mod quantities;
 mod stated;
 
 /// A list of free blocks: a file is a few long lists.

@@ -10,6 +10,7 @@
 //! Other names are for the fit.
 
 use crate::lines::{refused, statements};
+use crate::quantities::number;
 use libration_fit::Options;
 
 /// What is stated.
@@ -37,11 +38,11 @@ impl Stated {
             "file" => value.clone_into(&mut self.file),
             "column" => *reading = reading.clone().column(value).map_err(|refusal| refusal.to_string())?,
             "unit" => *reading = reading.clone().unit(value).map_err(|refusal| refusal.to_string())?,
-            "rate" => reading.rate = Some(value.parse().map_err(|_| refused(name, value))?),
+            "rate" => reading.rate = Some(number(name, value)?),
             "run" => reading.run = Some(value.parse().map_err(|_| refused(name, value))?),
             "length" => {
                 let length = value.split(' ').next().unwrap_or_default();
-                reading.length = Some(length.parse().map_err(|_| refused(name, length))?);
+                reading.length = Some(number(name, length)?);
             }
             _ => {}
         }
