@@ -67,6 +67,11 @@ test-wheel: wheel-x86_64
 	@abi3audit --strict --summary $(call WHEEL_OF,manylinux*x86_64)
 	@$(TRY) $(call WHEEL_OF,manylinux*x86_64) $(PYTHONS)
 
+# Seconds of a newcomer, on one screen; with nothing else at work on the machine, and pip's packages as its cache or the network has them.
+.PHONY: first-answer
+first-answer: ## how long it takes from an empty folder to the first answer, by the wheel in dist/ (10 s)
+	@$(PYTHON) packages/first_answer.py $(or $(wheel),$(call WHEEL_OF,manylinux*x86_64)) $(PYTHON)
+
 # The newest that Debian has, with its own library of C.
 NEWEST ?= 3.15
 test-wheel-newest: wheel-x86_64
@@ -91,17 +96,18 @@ test-wheel-windows: wheel-windows
 	  $(WINE) $(call INSTALLED,windows)/python/python.exe
 
 # What the source distribution builds, without Node; the truth is its own. One instruction set: what is asked is whether everything is there.
-test-sdist: sdist
+BUILT = RUSTFLAGS='--cfg one_instruction_set' CARGO_TARGET_DIR=$(abspath target/packages/built)
+test-sdist: sdist $(VENV)/.packages
 	@rm -rf target/packages/sdist && mkdir -p target/packages/sdist
 	@tar -xzf $(OUT)/libration-*.tar.gz --strip-components 1 -C target/packages/sdist
-	@cd target/packages/sdist && PATH=$(dir $(shell command -v cargo)):$(abspath $(VENV))/bin:/usr/bin:/bin RUSTFLAGS='--cfg one_instruction_set' \
-	  CARGO_TARGET_DIR=../built $(abspath $(PY)) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir ../wheel .
+	@cd target/packages/sdist && PATH=$(dir $(shell command -v cargo)):$(abspath $(VENV))/bin:/usr/bin:/bin \
+	  $(BUILT) $(abspath $(PY)) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir ../wheel .
 	@cd target/packages/sdist && $(abspath $(PY)) packages/try_wheel.py ../wheel/libration-*.whl $(firstword $(PYTHONS))
 	@cd target/packages/sdist && $(abspath $(PY)) reference/check.py complete.csv
 
 # The recipe as rattler-build reads it, its script and its tests, on the source distribution: conda's channels are not asked.
 test-conda: sdist $(VENV)/.package-tools
-	@$(PY) packages/try_recipe.py
+	@$(BUILT) $(PY) packages/try_recipe.py
 
 test-crates: crates
 	@cd target/package && for each in libration libration-fit; do ls $$each-*.crate >/dev/null || exit 1; done

@@ -11,28 +11,28 @@ use super::wasm;
 #[cfg(target_feature = "simd128")]
 type WidePlain = Pair<wasm::F64x2>;
 #[cfg(not(target_feature = "simd128"))]
-type WidePlain = f64;
+type WidePlain = host::Plain;
 
 /// The single vector of `Plain`.
 #[cfg(target_feature = "simd128")]
 type OnePlain = wasm::F64x2;
 #[cfg(not(target_feature = "simd128"))]
-type OnePlain = f64;
+type OnePlain = host::Plain;
 
 /// The lane of four of `Plain`.
 #[cfg(target_feature = "simd128")]
 type FourPlain = WidePlain;
 #[cfg(not(target_feature = "simd128"))]
-type FourPlain = Pair<Pair<f64>>;
+type FourPlain = Pair<Pair<host::Plain>>;
 
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
 pub fn single<K: Kernel>(kernel: K) -> K::Output {
     if host::ONLY_PLAIN {
-        return K::Place::enter::<f64, K>(kernel);
+        return K::Place::enter::<host::Plain, K>(kernel);
     }
     match InstructionSet::in_use() {
-        InstructionSet::Plain => K::Place::enter::<f64, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<host::Plain, K>(kernel),
         InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
     }
 }
@@ -46,11 +46,11 @@ pub fn wide<K: Kernel>(kernel: K) -> K::Output {
         } else if K::VECTORS {
             K::Place::enter::<WidePlain, K>(kernel)
         } else {
-            K::Place::enter::<f64, K>(kernel)
+            K::Place::enter::<host::Plain, K>(kernel)
         };
     }
     match InstructionSet::in_use() {
-        InstructionSet::Plain => K::Place::enter::<f64, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<host::Plain, K>(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
     }

@@ -16,7 +16,7 @@ pub trait Lane:
     type Mask: Copy;
     /// How many doubles.
     const WIDTH: usize;
-    /// Whether long formulas are functions of their own (`compiled_once!`): for the plain double on a page.
+    /// Whether long formulas are functions of their own (`compiled_once!`): for the plain double on a page, and where nothing is fused.
     const APART: bool = false;
 
     /// The first WIDTH doubles of a slice that has them.

@@ -13,6 +13,8 @@ mod instruction_set;
 mod lane;
 mod pair;
 mod scalar;
+#[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
+mod unfused;
 #[cfg(any(
     all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)),
     target_feature = "simd128"

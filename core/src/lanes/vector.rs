@@ -2,6 +2,7 @@
 //!
 //! A row of the table names an operation and the expression that does it, in the registers `a`, `b`, `c` (the names
 //! are the table's to choose), which stand for the arguments of the operation in their order. Where they do not:
+//! - `apart` says whether long formulas are functions of their own, which they are not where it is left out;
 //! - `load` and `store` have the slice's pointer as `a`; what is stored is `b`;
 //! - `product_error` has both factors and their rounded product, as has `product_error_in_range`, which a table may leave out;
 //! - `shift_52` moves the bits of every double up by 52 places;
@@ -21,6 +22,7 @@ macro_rules! vector {
     (
         $(#[$about:meta])*
         $vector:ident = $width:literal in $register:ty, flags in $flags:ty, of $a:ident, $b:ident, $c:ident;
+        $(apart = $apart:literal;)?
         load = $load:expr;
         store = $store:expr;
         splat = $splat:expr;
@@ -64,6 +66,7 @@ macro_rules! vector {
         impl super::lane::Lane for $vector {
             type Mask = $flags;
             const WIDTH: usize = $width;
+            $(const APART: bool = $apart;)?
 
             #[inline(always)]
             fn load(from: &[f64]) -> Self {
