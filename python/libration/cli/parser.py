@@ -268,7 +268,7 @@ class Command(click.Command):
     def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """How to call it."""
         head = told("usage: ")
-        pieces = [told(piece) for piece in self.usage]
+        pieces = [told(piece) if piece == "[options]" else piece for piece in self.usage]
         room = formatter.width - len(head)
         formatter.write_usage("", " ".join(together(piece, room) for piece in pieces), head)
 
