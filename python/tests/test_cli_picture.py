@@ -96,7 +96,7 @@ def test_the_languages_and_bounds_are_those_of_the_pictures():
         ("--plot a.png --dpi 1e9", "--dpi = 1e9: must be from 20 to 1200"),
         ("--plot a.png --dpi x", "--dpi = x: is not a number"),
         ("--plot a.png --lang de", "--lang = de: must be en, pt-BR or es"),
-        ("--plot a.png --lang es --lang en", "--lang = es and --lang = en: give it once"),
+        ("--plot a.png --lang en --lang es", "--lang = en and --lang = es: give it once"),
     ],
 )
 def test_refusals(capsys, tmp_path, name, words, line):

@@ -198,4 +198,4 @@ def test_the_command_writes_both(tmp_path, capsys):
     assert main([*words, "--title", "Pêndulo", "--dpi", "50"]) == 0
     assert picture.read_bytes()[1:4] == b"PNG"
     assert report.read_text().startswith("<!doctype html>")
-    assert capsys.readouterr().out.count("written") == 2
+    assert capsys.readouterr().out.count("escrito") == 2

@@ -207,7 +207,7 @@ def test_the_command_of_lengths(files, tmp_path, capsys):
     assert (
         main(["fit", *words, "--model", "linear", "--report", str(report), "--plot", str(picture), "--lang", "es"]) == 0
     )
-    assert "one g at several lengths" in capsys.readouterr().out
+    assert "una misma g con varias longitudes" in capsys.readouterr().out
     assert "Para citar" in report.read_text() and picture.read_bytes()[1:4] == b"PNG"
 
 

@@ -268,8 +268,7 @@ class Command(click.Command):
     def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """How to call it."""
         head = told("usage: ")
-        # The name of the command is that of a regime too.
-        pieces = [self.usage[0], *map(told, self.usage[1:])]
+        pieces = [told(piece) if piece == "[options]" else piece for piece in self.usage]
         room = formatter.width - len(head)
         formatter.write_usage("", " ".join(together(piece, room) for piece in pieces), head)
 
