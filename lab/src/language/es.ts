@@ -53,7 +53,7 @@ export const es: FirstCatalogue = {
     separatrix: 'Desde *{angle}* a *{velocity}* sube hasta lo alto y *nunca llega*. Su periodo es infinito.',
     balance: 'En reposo a *180°*: equilibrio inestable. Se queda.',
     rest: 'En reposo a *{angle}*.',
-    waiting: 'El péndulo exacto, en tu mano.',
+    waiting: 'El péndulo exacto, en su mano.',
   },
 
   values: {
@@ -118,7 +118,7 @@ export const es: FirstCatalogue = {
   hints: {
     parameter:
       'El parámetro m de las funciones elípticas: la energía como parte de la energía en lo alto. Soltado del reposo es sin²(θ₀/2); por encima de 1 el péndulo da vueltas.',
-    modulus: 'El módulo k es la raíz del parámetro m. Muchos programas piden m, algunos k: comprueba cuál.',
+    modulus: 'El módulo k es la raíz del parámetro m. Muchos programas piden m, algunos k: compruebe cuál.',
     separatrix:
       'La separatriz es el movimiento con exactamente la energía de lo alto. Separa las oscilaciones de las vueltas, y su periodo es infinito.',
     stated: 'El intervalo de ángulos para el que su autor propone la fórmula.',
@@ -159,7 +159,7 @@ export const es: FirstCatalogue = {
     loadingView: 'Cargando la vista …',
     failedView: 'Esta vista no se pudo cargar. El Lab funciona; recargue la página para las otras.',
     empty: 'Solo está dibujado el movimiento exacto. {add} para ver su error.',
-    emptyAdd: 'Añade una curva',
+    emptyAdd: 'Añada una curva',
     hatched: 'Rayado: {reasons}',
     captionAngle: 'El ángulo de {from} a {to}. El movimiento exacto está entre {least} y {most}.',
     captionVelocity: 'La velocidad de {from} a {to}. El movimiento exacto está entre {least} y {most}.',
@@ -196,7 +196,7 @@ export const es: FirstCatalogue = {
     shorter: 'Paso menor de {name}',
     longer: 'Paso mayor de {name}',
     step: 'paso {step}',
-    full: 'Hay seis curvas dibujadas. Apaga una para dibujar otra.',
+    full: 'Hay seis curvas dibujadas. Apague una para dibujar otra.',
     refused: 'no sirve para este movimiento',
     stated: 'propuesta hasta {range}',
     overTop: 'pasa por lo alto en {t}',
