@@ -12,6 +12,7 @@ mod from_record;
 mod gravity;
 mod letters;
 mod order;
+mod product;
 pub mod read;
 
 pub use from_record::data;

@@ -303,6 +303,6 @@ impl Strict {
 
 /// The double nearest to the product of two decimal texts: it is formed in decimals, and rounded once.
 fn product(number: &str, factor: &str) -> f64 {
-    let exactly = decimal::product(number, factor).and_then(|text| decimal::number(&text));
+    let exactly = crate::product::product(number, factor).and_then(|text| decimal::number(&text));
     exactly.or_else(|| decimal::number(number)).unwrap_or(f64::NAN)
 }

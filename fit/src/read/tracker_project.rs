@@ -8,6 +8,7 @@ use super::refusal::{Refusal, quoted};
 use crate::decimal;
 use crate::digits::Shown;
 use crate::order::sorted;
+use crate::product::product;
 
 /// Point masses that are read: those with the most steps.
 const MOST_TRACKS: usize = 16;
@@ -66,7 +67,7 @@ pub(super) fn table_of(text: &str) -> Result<(String, Vec<String>), Refusal> {
             match mass.steps.get(row) {
                 // Signs as the screen has them: y down, so that the pendulum hangs to +y.
                 Some((frame, x, y)) => {
-                    let t = decimal::product(&frame.to_string(), &step).unwrap_or_default();
+                    let t = product(&frame.to_string(), &step).unwrap_or_default();
                     table += &format!("{t}\t{x}\t{y}");
                 }
                 None => table += "\t\t",

@@ -120,7 +120,7 @@ export const enHandouts = {
   views: 'Views',
   partsOf: 'Parts of the Lab',
   locked: 'Locked',
-  curves: 'curves',
+  curves: 'Curves',
   planet: 'Planet X: hide _g_',
   planetHelp:
     'The pupil measures _g_. It is not shown, and in the link it cannot be read at a glance. It is no secret: who knows programs finds it.',

@@ -120,7 +120,7 @@ export const esHandouts: HandoutsCatalogue = {
   views: 'Vistas',
   partsOf: 'Partes del laboratorio',
   locked: 'Bloqueado',
-  curves: 'curvas',
+  curves: 'Curvas',
   planet: 'Planeta X: ocultar _g_',
   planetHelp:
     'El alumno mide _g_. No se muestra, y en el enlace no se lee a simple vista. No es un secreto: quien sabe de programas la encuentra.',

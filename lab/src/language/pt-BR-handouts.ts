@@ -119,7 +119,7 @@ export const ptBRHandouts: HandoutsCatalogue = {
   views: 'Vistas',
   partsOf: 'Partes do laboratório',
   locked: 'Bloqueado',
-  curves: 'curvas',
+  curves: 'Curvas',
   planet: 'Planeta X: ocultar _g_',
   planetHelp:
     'O aluno mede _g_. Ela não é mostrada, e no link não se lê de relance. Não é segredo: quem conhece programas a encontra.',

@@ -19,6 +19,8 @@ export class Fitter {
     private readonly makeWorker: () => Worker,
     /** Called when a module has come. */
     private readonly came: () => void = () => {},
+    /** When what a worker tells is heard. */
+    private readonly heard: (hear: () => void) => void = (hear) => hear(),
   ) {}
 
   /** Loads a module; a second call waits for the first, after a failure it is tried again. */
@@ -56,7 +58,7 @@ export class Fitter {
       if (turn !== this.#turn) return
       const worker = this.makeWorker()
       this.#worker = worker
-      worker.addEventListener('message', ({ data }: MessageEvent<Told>) => hear(data))
+      worker.addEventListener('message', ({ data }: MessageEvent<Told>) => this.heard(() => hear(data)))
       worker.addEventListener('error', (event) => hear({ kind: 'failed', message: event.message || 'worker' }))
       worker.postMessage({ modules: { reader, fit }, files, stated })
     } catch (error) {

@@ -4,7 +4,7 @@ import '../language/data'
 import '../style/data.css'
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { switches } from '../controls/parts'
-import { press } from '../controls/release'
+import { afterRelease, press } from '../controls/release'
 import { icon } from '../draw/icons'
 import { inLanguage, refusalInLanguage } from '../language/sentences'
 import { Measurement } from '../measurement'
@@ -40,6 +40,8 @@ function current(store: Store): Visit {
     sources,
     () => new FitWorker(),
     () => void keepMore(),
+    // What it tells may move what is being clicked.
+    afterRelease,
   )
   const changed = () => store.changed()
   visit = { fitter, measurement: new Measurement(fitter, changed), timing: new Timing(changed) }

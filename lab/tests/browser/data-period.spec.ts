@@ -189,22 +189,28 @@ test('story 19: a rigid pendulum by its parts', async ({ browser }) => {
   await page.context().close()
 })
 
-/** Workers wait with their work until they are let go. */
+/** Workers wait with their work until they are let go, and that is done when they have told all. */
 async function heldWorkers(page: Page): Promise<() => Promise<void>> {
   await page.evaluate(() => {
     const { postMessage } = Worker.prototype
-    const waiting: (() => void)[] = []
+    const waiting: (() => Promise<void>)[] = []
     Worker.prototype.postMessage = function wait(this: Worker, message: unknown) {
-      waiting.push(() => postMessage.call(this, message))
+      const told = new Promise<void>((done) => {
+        this.addEventListener('message', ({ data }) => /fitted|refused|failed/.test(data.kind) && done())
+      })
+      waiting.push(() => {
+        postMessage.call(this, message)
+        return told
+      })
     }
     Object.assign(window, {
       letWorkersGo: () => {
         Worker.prototype.postMessage = postMessage
-        for (const work of waiting.splice(0)) work()
+        return waiting.at(-1)?.()
       },
     })
   })
-  return () => page.evaluate(() => (window as unknown as { letWorkersGo: () => void }).letWorkersGo())
+  return () => page.evaluate(() => (window as unknown as { letWorkersGo: () => Promise<void> }).letWorkersGo())
 }
 
 /** Puts the mouse on the button of a new part, and presses. */
@@ -255,7 +261,7 @@ for (const [width, height] of [
     await expect(page.locator('#data-understood')).toBeVisible()
     await pressAddPart(page)
     await letGo()
-    await expect(page.locator('#data-g')).toBeVisible()
+    await drawn(page)
     await page.mouse.up()
     await expect(page.locator('#data-part-1-mass')).toBeVisible()
     await page.context().close()
