@@ -38,6 +38,7 @@ mod vectors_helmholtz_duffing;
 mod vectors_oscillator_action;
 mod vectors_own_parameters;
 mod vectors_pendulum;
+mod vectors_quintic_action;
 mod vectors_second;
 mod vectors_sensitivity;
 mod vectors_starts;
