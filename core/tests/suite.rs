@@ -21,6 +21,7 @@ mod own_slopes;
 mod own_states;
 mod passages;
 mod pendulum_ends;
+mod quintic_knowledge;
 mod ruler;
 mod ruler_itself;
 mod vectors_action;

@@ -261,30 +261,15 @@ macro_rules! kernels {
                 },
             ),
         )?;
-        add(
-            $module,
-            concat!($name, "_phase"),
-            $set_up,
-            each(|made: &$core, [t]: [f64; 1]| [made.phase(t)]),
-        )?;
-        add(
-            $module,
-            concat!($name, "_period"),
-            $set_up,
-            each(|made: &$core, []: [f64; 0]| [made.period()]),
-        )?;
+        add($module, concat!($name, "_phase"), $set_up, each(|made: &$core, [t]: [f64; 1]| [made.phase(t)]))?;
+        add($module, concat!($name, "_period"), $set_up, each(|made: &$core, []: [f64; 0]| [made.period()]))?;
         add(
             $module,
             concat!($name, "_frequency"),
             $set_up,
             each(|made: &$core, []: [f64; 0]| [made.frequency()]),
         )?;
-        add(
-            $module,
-            concat!($name, "_action"),
-            $set_up,
-            each(|made: &$core, []: [f64; 0]| [made.action()]),
-        )?;
+        add($module, concat!($name, "_action"), $set_up, each(|made: &$core, []: [f64; 0]| [made.action()]))?;
         add(
             $module,
             concat!($name, "_regime"),

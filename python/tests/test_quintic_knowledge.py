@@ -124,7 +124,10 @@ def test_starts():
         (lambda: CubicQuintic.from_action_phase(0.05, 0.0, **wells), "about = None: must be given: next to"),
         (lambda: CubicQuintic.from_action_phase(-1.0, 0.0, **wells), "action = -1.0: must be finite and not negative"),
         (lambda: CubicQuintic.from_action_phase(1.0, 0.0, p=-1.0, q=0.0, s=0.0), "p, q, s = -1.0, 0.0, 0.0: must be"),
-        (lambda: CubicQuintic.from_action_phase(9.0, 0.0, p=1.0, q=0.0, s=-1.0), "action = 9.0: must be that of a motion"),
+        (
+            lambda: CubicQuintic.from_action_phase(9.0, 0.0, p=1.0, q=0.0, s=-1.0),
+            "action = 9.0: must be that of a motion",
+        ),
     ):
         with pytest.raises(ValueError) as caught:
             refused()

@@ -116,7 +116,8 @@ impl CubicQuintic {
             CubicQuintic::new(equilibrium, velocity, p, q, s).unwrap_or_else(|_| rest.clone())
         };
         // As for small swings.
-        let guess = (Scaled::from(action).shift(1) * rest.energy.stiffness(equilibrium).abs().sqrt()).sqrt().value();
+        let guess =
+            (Scaled::from(action).shift(1) * rest.energy.stiffness(equilibrium).abs().sqrt()).sqrt().value();
         let known = |orbit: &CubicQuintic| [orbit.action(), orbit.frequency()];
         let (velocity, orbit) = velocity_of_action(action, guess, &at, &known, equilibrium)?;
         let Some((turns, _)) = orbit.phase_turns() else {

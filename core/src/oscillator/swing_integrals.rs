@@ -112,9 +112,7 @@ impl SwingInterval<'_> {
             marks.push(match piece {
                 Piece::Whole => 0.0,
                 Piece::Below(division) => logarithm((Scaled::ONE + division) / (division * w)),
-                Piece::Above(division) => {
-                    logarithm(division * division * w / (Scaled::ONE + division))
-                }
+                Piece::Above(division) => logarithm(division * division * w / (Scaled::ONE + division)),
             });
         }
         let [low, high] = [f64::min, f64::max].map(|of| marks.iter().copied().fold(0.0, of));

@@ -77,7 +77,9 @@ impl<'a> SwingInterval<'a> {
                 let factors = [FALLS, [Scaled::ONE, upper / v0], [Scaled::ONE, total / v0]];
                 ([zero, inverse(v0)], inverse(v0), factors, None)
             }
-            (RootCase::Inside | RootCase::InsideDouble, Distances::Three([_, v1, v2])) if v2.is_positive() => {
+            (RootCase::Inside | RootCase::InsideDouble, Distances::Three([_, v1, v2]))
+                if v2.is_positive() =>
+            {
                 let factors = [[upper / v1, total / v2], [zero, lower / v2], [lower / v1, zero]];
                 ([inverse(v1), inverse(v2)], lower / (v1 * v2), factors, None)
             }
@@ -131,7 +133,8 @@ impl<'a> SwingInterval<'a> {
     /// Logarithms of the places beside the interval, as -E.
     pub fn singularities(&self) -> Vec<Scaled> {
         let beside = |[a, b]: &[Scaled; 2]| a.is_positive() && b.is_positive();
-        let mut found: Vec<Scaled> = self.factors.iter().filter(|x| beside(x)).map(|[a, b]| *a / *b).collect();
+        let mut found: Vec<Scaled> =
+            self.factors.iter().filter(|x| beside(x)).map(|[a, b]| *a / *b).collect();
         if beside(&self.ends) {
             found.push(self.ends[0] / self.ends[1]);
         }

@@ -165,7 +165,13 @@ impl Equation {
                 Letter::P => -u[k],
                 Letter::Q => -cube[k],
                 Letter::R => -square[k],
-                Letter::C => if k == 0 { Dd::ONE } else { Dd::ZERO },
+                Letter::C => {
+                    if k == 0 {
+                        Dd::ONE
+                    } else {
+                        Dd::ZERO
+                    }
+                }
                 Letter::S => -fifth[k],
             };
             let forced = [None, None].into_iter().chain(self.letters.iter().map(|letter| Some(*letter)));

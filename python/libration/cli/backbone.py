@@ -64,7 +64,10 @@ def backbone(
         hertz = frequency / math.tau
         columns: list[Column] = [("u0", unit, u0), ("period", "s", period), ("frequency", "Hz", hertz)]
         columns += [("frequency", "rad/s", frequency), ("action", "", action)]
-        parameters: list[Parameter] = [("libration", libration.__version__, ""), *((k, v, "") for k, v in given.items())]
+        parameters: list[Parameter] = [
+            ("libration", libration.__version__, ""),
+            *((k, v, "") for k, v in given.items()),
+        ]
         if table and options.out is not None:
             write_table(table, options.out, parameters, columns, style)
         if plot and options.plot is not None:

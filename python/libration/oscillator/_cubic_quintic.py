@@ -68,9 +68,7 @@ class CubicQuintic(OscillatorKnowledge):
 
     @classmethod
     @explained
-    def from_energy(
-        cls, energy: float, u0: float = 0.0, *, p: float, q: float, s: float, direction: float = 1
-    ) -> Self:
+    def from_energy(cls, energy: float, u0: float = 0.0, *, p: float, q: float, s: float, direction: float = 1) -> Self:
         """Oscillator that starts at `u0` with this energy.
 
         Parameters

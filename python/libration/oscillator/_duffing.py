@@ -15,6 +15,7 @@ from .._scalars import real, shown
 from ..pendulum import Pendulum
 from ._knowledge import OscillatorKnowledge
 
+
 class Duffing(OscillatorKnowledge):
     """The oscillator u'' + p u + r u**2 + q u**3 = c, exact for every sign, start and energy.
 
