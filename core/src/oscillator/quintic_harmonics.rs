@@ -14,8 +14,11 @@ use crate::float::series::quarter_turn;
 use crate::float::triple_double::Td;
 use crate::float::{Dd, HALF_PI, PI};
 
-/// Last harmonics of the blocks: each is four times the last but the first.
+/// Last harmonic of the first block; that of every other is twice the last.
 const FIRST_BLOCK: u64 = 32;
+
+/// Most harmonics: the work grows like their square.
+const MOST_HARMONICS: i64 = 1000;
 
 /// e^-DIGITS is 2^-108.
 const DIGITS: f64 = 75.0;
@@ -134,8 +137,8 @@ impl SwingSeries {
         let distortion = square.sqrt() / first.abs();
         let mut last = FIRST_BLOCK;
         while last < n && !quiet(&amplitudes) {
-            last *= 4;
-            Places::new(interval, quarter, crosses, last).add(&mut amplitudes, last, crosses);
+            last *= 2;
+            Places::new(interval, quarter, crosses, last).add(&mut amplitudes, last.min(n), crosses);
         }
         amplitudes.resize(n as usize, Dd::ZERO);
         SwingSeries { mean, amplitudes, distortion }
@@ -157,7 +160,7 @@ impl CubicQuintic {
         Some((series, interval.ends[1].sqrt()))
     }
 
-    /// The mean of u and the first n amplitudes of u and u' in the phase, n from 1 to 10^6; NaN where the motion does not repeat.
+    /// The mean of u and the first n amplitudes of u and u' in the phase, n from 1 to 1000; NaN where the motion does not repeat.
     ///
     /// **Error** at most 4 ulp of each amplitude, plus 2^-96 of the largest |u|. **Source** the definition, by the trapezoidal rule:
     /// swing_integrals.rs.
@@ -171,8 +174,8 @@ impl CubicQuintic {
     /// # Ok::<(), libration::Domain>(())
     /// ```
     pub fn fourier(&self, n: i64) -> Result<OscillatorFourier, Domain> {
-        if !(1..=1_000_000).contains(&n) {
-            return Err(Domain::new("n", n.to_string(), "from 1 to 1000000"));
+        if !(1..=MOST_HARMONICS).contains(&n) {
+            return Err(Domain::new("n", n.to_string(), "from 1 to 1000"));
         }
         let count = n as usize;
         if self.regime() == OscillatorRegime::Rest {

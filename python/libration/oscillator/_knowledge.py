@@ -103,7 +103,7 @@ class OscillatorKnowledge(Oscillator):
         Parameters
         ----------
         n : int
-            How many, from 1 to 1000000.
+            How many, from 1 to 1000000; to 1000 for `CubicQuintic`.
 
         Returns
         -------
