@@ -46,6 +46,28 @@ QUINTIC = [
     (triple_over, 6),
     (homoclinic_saddle, 2),
 ]
+# more of the cubic-quintic oscillator: generator, number of orbits, regimes
+QUINTIC_MORE = [
+    (cubic_quintic.signs, 10, "libration well"),
+    (cubic_quintic.zeros, 8, "libration well"),
+    (cubic_quintic.shallow, 3, "libration well"),
+    (cubic_quintic.homoclinic_zero, 6, "homoclinic"),
+    (cubic_quintic.homoclinic_saddle, 5, "homoclinic"),
+    (cubic_quintic.heteroclinic, 5, "heteroclinic"),
+    (cubic_quintic.heteroclinic_zero, 3, "heteroclinic"),
+    (cubic_quintic.triple_root, 3, "heteroclinic"),
+    (cubic_quintic.near_homoclinic_zero, 6, "libration well"),
+    (cubic_quintic.near_saddle, 12, "libration well"),
+    (cubic_quintic.near_heteroclinic_zero, 4, "libration well"),
+    (cubic_quintic.near_triple_root, 4, "libration well"),
+    (cubic_quintic.cubic, 2, "libration well"),
+    (cubic_quintic.turning, 4, "libration well"),
+    (cubic_quintic.start_zero, 4, "libration"),
+    (cubic_quintic.scales, 10, "libration well"),
+    (cubic_quintic.disparate, 5, "libration well"),
+    (cubic_quintic.linear, 1, "linear"),
+    (cubic_quintic.rest, 9, "rest"),
+]
 
 
 def wide(orbit):
@@ -86,9 +108,24 @@ def orbits():
             yield "quintic_signs", odd(orbit)
 
 
+def quintic_orbits():
+    """(stratum, orbit) of more bounded motions with a fifth power."""
+    draw = Draw(20161015)
+    for generator, count, regimes in QUINTIC_MORE:
+        found = (o for o in generator(draw) if cubic_quintic.regime(o) in regimes.split())
+        for orbit in first(found, count):
+            yield f"quintic_{generator.__name__}", odd(orbit)
+
+
 def falls(orbit):
     """A linear motion that does not repeat."""
     return orbit[3] == orbit[4] == 0 and orbit[2] <= 0
+
+
+def moves(orbit):
+    """Whether a motion with odd powers is a libration or in a well."""
+    u0, v0, p, _, q, s, _ = orbit
+    return cubic_quintic.regime((u0, v0, p, q, s)) in ("libration", "well")
 
 
 def letters(orbit):
@@ -119,6 +156,7 @@ def slope_rows(prefix, names):
         chosen += [(generator.__name__, orbit) for orbit in first(found, count)]
     for kind in ("turn", "through"):
         chosen += [(f"quintic_escape_{kind}", odd(o)) for o in first(cubic_quintic.escapes(draw, kind, 4), 4)]
+    chosen += list(quintic_orbits())[::2]
     found = []
     for k, (stratum, orbit) in enumerate(chosen):
         period, ahead, behind, unit = clock(*orbit[:2], letters(orbit))
@@ -157,6 +195,7 @@ def state_rows(prefix, names):
         chosen += [(generator.__name__, wide(o)) for o in first(found, 6)]
     for generator in (triple_centre, triple_outer, triple_over):
         chosen += [(f"quintic_{generator.__name__}", odd(o)) for o in first(generator(draw), 4)]
+    chosen += [(stratum, orbit) for stratum, orbit in quintic_orbits() if moves(orbit)]
     found = []
     for k, (stratum, orbit) in enumerate(chosen):
         whole = ScaledOrbit(tuple(map(Fraction, orbit[:2])), letters(orbit), [])
@@ -176,7 +215,7 @@ def state_rows(prefix, names):
 def rows(prefix, names):
     draw = Draw(20200229)
     found = []
-    for k, (stratum, orbit) in enumerate(orbits()):
+    for k, (stratum, orbit) in enumerate([*orbits(), *quintic_orbits()]):
         period, _, _, unit = clock(*orbit[:2], letters(orbit))
         span = period if mp.isfinite(period) else unit
         part = draw.sign() * draw.part() * (1e6 if k % 9 == 5 else 3)

@@ -120,7 +120,16 @@ __all__ = [
     "cs_rows_m",
     "cs_rows_mc",
     "cs_rows_q",
+    "cubic_quintic_action",
+    "cubic_quintic_escape_times",
+    "cubic_quintic_frequency",
+    "cubic_quintic_from_action_phase",
+    "cubic_quintic_from_energy",
     "cubic_quintic_motion",
+    "cubic_quintic_period",
+    "cubic_quintic_phase",
+    "cubic_quintic_regime",
+    "cubic_quintic_sensitivities",
     "cubic_quintic_u",
     "cubic_quintic_velocity",
     "dc_complex_k",
@@ -477,7 +486,14 @@ ds_rows_k: np.ufunc
 ds_rows_m: np.ufunc
 ds_rows_mc: np.ufunc
 ds_rows_q: np.ufunc
+cubic_quintic_action: np.ufunc
+cubic_quintic_escape_times: np.ufunc
+cubic_quintic_frequency: np.ufunc
 cubic_quintic_motion: np.ufunc
+cubic_quintic_period: np.ufunc
+cubic_quintic_phase: np.ufunc
+cubic_quintic_regime: np.ufunc
+cubic_quintic_sensitivities: np.ufunc
 cubic_quintic_u: np.ufunc
 cubic_quintic_velocity: np.ufunc
 dc_complex_k: np.ufunc
@@ -820,6 +836,13 @@ class CubicQuintic:
     def escape_time(self) -> float: ...
     @property
     def escape_time_backward(self) -> float: ...
+    @property
+    def action(self) -> float: ...
+    @property
+    def frequency(self) -> float: ...
+    @property
+    def distortion(self) -> float: ...
+    def fourier(self, /, n: int) -> tuple[float, np.ndarray, np.ndarray]: ...
     def u(self, /, t: float) -> np.float64: ...
     def velocity(self, /, t: float) -> np.float64: ...
     def motion(self, /, t: float) -> tuple[np.float64, np.float64]: ...
@@ -910,6 +933,12 @@ class DuffingForm:
     @staticmethod
     def table() -> list[tuple[str, list[str]]]: ...
 
+def cubic_quintic_from_action_phase(
+    action: float, phase: float, about: float | None, force: tuple[float, float, float]
+) -> tuple[float, float]: ...
+def cubic_quintic_from_energy(
+    energy: float, u0: float, direction: float, force: tuple[float, float, float]
+) -> tuple[float, float]: ...
 def duffing_of_pendulum(
     theta0: float,
     velocity0: float,

@@ -5,6 +5,7 @@
 mod approx;
 mod approx_period;
 mod damped;
+mod duffing_form;
 mod elliptic;
 mod fit;
 mod gradients;

@@ -1,20 +1,18 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
-use libration::oscillator::{
-    Companion, CubicQuintic as Quintic, Duffing as Cubic, DuffingForm as Form, duffing_rows_into,
-};
-use libration::{Domain, Frequency, Glaisher};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::PyValueError;
+use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, duffing_rows_into};
+use libration::{Domain, Frequency};
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
+use crate::duffing_form::{DuffingForm, Samples};
 use crate::orbit::{ROWS, float64, refused};
 use crate::signals;
-use crate::ufunc::{BLOCK, add, each, nothing, whole};
+use crate::ufunc::{add, each, nothing, whole};
 
 /// The class of one oscillator: its arguments, and the core's type that answers.
 macro_rules! oscillator {
-    ($name:ident, $core:ident, $set_up:expr, $document:literal, $($coefficient:ident),+; { $($more:tt)* }) => {
+    ($name:ident, $core:ident, $set_up:expr, $document:literal, $($coefficient:ident),+) => {
         #[doc = $document]
         #[pyclass(frozen, weakref, module = "libration._core")]
         pub struct $name {
@@ -116,7 +114,29 @@ macro_rules! oscillator {
                 self.oscillator.escape_time_backward()
             }
 
-            $($more)*
+            /// Action, (1/2 pi) closed integral of the velocity over u.
+            #[getter]
+            fn action(&self) -> f64 {
+                self.oscillator.action()
+            }
+
+            /// Mean angular frequency.
+            #[getter]
+            fn frequency(&self) -> f64 {
+                self.oscillator.frequency()
+            }
+
+            /// Harmonic distortion.
+            #[getter]
+            fn distortion(&self) -> f64 {
+                self.oscillator.distortion()
+            }
+
+            /// Mean, and the first `n` amplitudes of displacement and velocity.
+            fn fourier<'py>(&self, py: Python<'py>, n: i64) -> PyResult<(f64, Samples<'py>, Samples<'py>)> {
+                let series = self.oscillator.fourier(n).map_err(refused)?;
+                Ok((series.mean, series.u.into_pyarray(py), series.velocity.into_pyarray(py)))
+            }
         }
     };
 }
@@ -139,32 +159,7 @@ oscillator!(
     p,
     q,
     r,
-    c;
-    {
-        /// Action, (1/2 pi) closed integral of the velocity over u.
-        #[getter]
-        fn action(&self) -> f64 {
-            self.oscillator.action()
-        }
-
-        /// Mean angular frequency.
-        #[getter]
-        fn frequency(&self) -> f64 {
-            self.oscillator.frequency()
-        }
-
-        /// Harmonic distortion.
-        #[getter]
-        fn distortion(&self) -> f64 {
-            self.oscillator.distortion()
-        }
-
-        /// Mean, and the first `n` amplitudes of displacement and velocity.
-        fn fourier<'py>(&self, py: Python<'py>, n: i64) -> PyResult<(f64, Samples<'py>, Samples<'py>)> {
-            let series = self.oscillator.fourier(n).map_err(refused)?;
-            Ok((series.mean, series.u.into_pyarray(py), series.velocity.into_pyarray(py)))
-        }
-    }
+    c
 );
 oscillator!(
     CubicQuintic,
@@ -173,8 +168,7 @@ oscillator!(
     "u'' + p u + q u^3 + s u^5 = 0: what `libration.CubicQuintic` stands on.",
     p,
     q,
-    s;
-    {}
+    s
 );
 
 /// The start of a Duffing oscillator by its energy: u0 and velocity0.
@@ -193,6 +187,25 @@ fn duffing_from_action_phase(
     force: [f64; 4],
 ) -> PyResult<(f64, f64)> {
     let made = Cubic::from_action_phase(action, phase, about, force).map_err(refused)?;
+    Ok((made.u0(), made.velocity0()))
+}
+
+/// The start of a cubic-quintic oscillator by its energy: u0 and velocity0.
+#[pyfunction]
+fn cubic_quintic_from_energy(energy: f64, u0: f64, direction: f64, force: [f64; 3]) -> PyResult<(f64, f64)> {
+    let made = Quintic::from_energy(energy, u0, direction, force).map_err(refused)?;
+    Ok((made.u0(), made.velocity0()))
+}
+
+/// The start of a cubic-quintic oscillator by its action and phase: u0 and velocity0.
+#[pyfunction]
+fn cubic_quintic_from_action_phase(
+    action: f64,
+    phase: f64,
+    about: Option<f64>,
+    force: [f64; 3],
+) -> PyResult<(f64, f64)> {
+    let made = Quintic::from_action_phase(action, phase, about, force).map_err(refused)?;
     Ok((made.u0(), made.velocity0()))
 }
 
@@ -217,74 +230,6 @@ fn duffing_of_pendulum(
 fn pendulum_of_duffing(duffing: &Duffing) -> Option<(f64, f64, f64, f64)> {
     let Companion { scale, theta0, velocity0, omega2 } = duffing.oscillator.companion()?;
     Some((scale, theta0, velocity0, omega2))
-}
-
-/// One of the twelve forms by its two letters.
-fn glaisher(name: &str) -> PyResult<Glaisher> {
-    let found = Glaisher::ALL.into_iter().find(|which| which.name() == name);
-    found.ok_or_else(|| {
-        let names: Vec<&str> = Glaisher::ALL.iter().map(|which| which.name()).collect();
-        PyValueError::new_err(format!("form = {name}: must be one of {}", names.join(", ")))
-    })
-}
-
-/// An array of results.
-type Samples<'py> = Bound<'py, PyArray1<f64>>;
-
-/// c1 pq(Omega t + c2 | m): what `libration.DuffingForm` stands on.
-#[pyclass(frozen, weakref, module = "libration._core")]
-pub struct DuffingForm {
-    form: Form,
-}
-
-#[pymethods]
-impl DuffingForm {
-    #[new]
-    fn new(form: &str, p: f64, q: f64, c1: f64, c2: f64) -> PyResult<Self> {
-        Ok(Self { form: Form::new(glaisher(form)?, p, q, c1, c2).map_err(refused)? })
-    }
-
-    /// Omega.
-    #[getter]
-    fn rate(&self) -> f64 {
-        self.form.rate()
-    }
-
-    /// The parameter and its complement.
-    #[getter]
-    fn parameter(&self) -> (f64, f64) {
-        let parameter = self.form.parameter();
-        (parameter.m(), parameter.mc())
-    }
-
-    /// Displacement and velocity at the times `t`.
-    fn motion<'py>(
-        &self,
-        py: Python<'py>,
-        t: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Samples<'py>, Samples<'py>)> {
-        let t = t.as_slice()?;
-        let (mut u, mut velocity) = (vec![f64::NAN; t.len()], vec![f64::NAN; t.len()]);
-        signals::detached(py, |stop| {
-            let columns = u.chunks_mut(BLOCK).zip(velocity.chunks_mut(BLOCK));
-            for (t, (u, velocity)) in t.chunks(BLOCK).zip(columns) {
-                self.form.motion_into(t, u, velocity);
-                if stop(BLOCK) {
-                    break;
-                }
-            }
-        })?;
-        Ok((u.into_pyarray(py), velocity.into_pyarray(py)))
-    }
-
-    /// The regimes that each form serves, by their names.
-    #[staticmethod]
-    fn table() -> Vec<(&'static str, Vec<&'static str>)> {
-        let line = |(which, regimes): (Glaisher, Vec<_>)| {
-            (which.name(), regimes.into_iter().map(libration::OscillatorRegime::name).collect())
-        };
-        Form::table().into_iter().map(line).collect()
-    }
 }
 
 /// Adds the ufuncs of one oscillator under its name.
@@ -315,6 +260,27 @@ macro_rules! kernels {
                     made.motion_into(t, u, velocity);
                 },
             ),
+        )?;
+        add($module, concat!($name, "_phase"), $set_up, each(|made: &$core, [t]: [f64; 1]| [made.phase(t)]))?;
+        add($module, concat!($name, "_period"), $set_up, each(|made: &$core, []: [f64; 0]| [made.period()]))?;
+        add(
+            $module,
+            concat!($name, "_frequency"),
+            $set_up,
+            each(|made: &$core, []: [f64; 0]| [made.frequency()]),
+        )?;
+        add($module, concat!($name, "_action"), $set_up, each(|made: &$core, []: [f64; 0]| [made.action()]))?;
+        add(
+            $module,
+            concat!($name, "_regime"),
+            $set_up,
+            each(|made: &$core, []: [f64; 0]| [f64::from(made.regime() as u8)]),
+        )?;
+        add(
+            $module,
+            concat!($name, "_escape_times"),
+            $set_up,
+            each(|made: &$core, []: [f64; 0]| [made.escape_time_backward(), made.escape_time()]),
         )
     }};
 }
@@ -333,6 +299,15 @@ fn sensitivities(made: &Cubic, [t]: [&[f64]; 1], _: usize, mut columns: [&mut [f
     });
 }
 
+/// Rows of t of one cubic-quintic oscillator: the derivatives by u0, velocity0, p, q and s.
+fn quintic_sensitivities(made: &Quintic, [t]: [&[f64]; 1], _: usize, mut columns: [&mut [f64]; 10]) {
+    made.derivatives_into(t, &mut |row, derivatives| {
+        for (column, value) in columns.iter_mut().zip(derivatives.as_flattened()) {
+            column[row] = *value;
+        }
+    });
+}
+
 /// Adds the classes and the ufuncs.
 pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Duffing>()?;
@@ -343,25 +318,12 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, "duffing_rows", nothing, whole::<[f64; 2], _>(duffing_rows))?;
     module.add_function(wrap_pyfunction!(duffing_from_energy, module)?)?;
     module.add_function(wrap_pyfunction!(duffing_from_action_phase, module)?)?;
+    module.add_function(wrap_pyfunction!(cubic_quintic_from_energy, module)?)?;
+    module.add_function(wrap_pyfunction!(cubic_quintic_from_action_phase, module)?)?;
     let set_up = |given: [f64; 6]| duffing(given).ok();
     add(module, "duffing_sensitivities", set_up, whole::<[f64; 12], _>(sensitivities))?;
-    add(module, "duffing_phase", set_up, each(|made: &Cubic, [t]: [f64; 1]| [made.phase(t)]))?;
-    add(module, "duffing_period", set_up, each(|made: &Cubic, []: [f64; 0]| [made.period()]))?;
-    add(module, "duffing_frequency", set_up, each(|made: &Cubic, []: [f64; 0]| [made.frequency()]))?;
-    add(module, "duffing_action", set_up, each(|made: &Cubic, []: [f64; 0]| [made.action()]))?;
-    add(
-        module,
-        "duffing_regime",
-        set_up,
-        each(|made: &Cubic, []: [f64; 0]| [f64::from(made.regime() as u8)]),
-    )?;
-    add(
-        module,
-        "duffing_escape_times",
-        set_up,
-        each(|made: &Cubic, []: [f64; 0]| [made.escape_time_backward(), made.escape_time()]),
-    )?;
     kernels!(module, "duffing", Cubic, set_up)?;
     let set_up = |given: [f64; 5]| quintic(given).ok();
+    add(module, "cubic_quintic_sensitivities", set_up, whole::<[f64; 10], _>(quintic_sensitivities))?;
     kernels!(module, "cubic_quintic", Quintic, set_up)
 }

@@ -18,6 +18,7 @@ T = np.array([[0.1, 0.25, 0.3], [0.45, 0.6, 0.7]])
 PENDULUM = Pendulum(1.0, 0.2)
 DUFFING = Duffing(1.0, p=1.0, q=1.0)
 FORCE = {"p": 1.0, "q": 0.2, "r": 0.5}
+ODD = {"p": 1.0, "q": -0.5, "s": 0.1}
 QUINTIC = CubicQuintic(1.0, p=1.0, q=-0.5, s=0.1)
 FORM = DuffingForm("cn", 1.0, p=1.0, q=1.0)
 ANGLE = approx.angle("harmonic")
@@ -56,6 +57,14 @@ CALLS = {
         lambda t: libration.cubic_quintic_motion(t, 1.0, p=1.0, q=-0.5, s=0.1),
         [("u", None), ("velocity", None)],
     ),
+    "cubic_quintic_period": (lambda u: libration.cubic_quintic_period(u, **ODD), [("period", "s")]),
+    "cubic_quintic_frequency": (lambda u: libration.cubic_quintic_frequency(u, **ODD), [("frequency", "rad/s")]),
+    "cubic_quintic_action": (lambda u: libration.cubic_quintic_action(u, **ODD), [("action", None)]),
+    "cubic_quintic_phase": (lambda u: libration.cubic_quintic_phase(u, **ODD), [("phase", "rad")]),
+    "cubic_quintic_escape_times": (
+        lambda u: libration.cubic_quintic_escape_times(u, **ODD),
+        [("escape_time_backward", "s"), ("escape_time", "s")],
+    ),
     "duffing_period": (lambda u: libration.duffing_period(u, **FORCE), [("period", "s")]),
     "duffing_frequency": (lambda u: libration.duffing_frequency(u, **FORCE), [("frequency", "rad/s")]),
     "duffing_action": (lambda u: libration.duffing_action(u, **FORCE), [("action", None)]),
@@ -68,6 +77,7 @@ CALLS = {
     "Duffing.u": (DUFFING.u, [("u", None)]),
     "Duffing.velocity": (DUFFING.velocity, [("velocity", None)]),
     "Duffing.motion": (DUFFING.motion, [("u", None), ("velocity", None)]),
+    "CubicQuintic.phase": (QUINTIC.phase, [("phase", "rad")]),
     "CubicQuintic.u": (QUINTIC.u, [("u", None)]),
     "CubicQuintic.velocity": (QUINTIC.velocity, [("velocity", None)]),
     "CubicQuintic.motion": (QUINTIC.motion, [("u", None), ("velocity", None)]),
@@ -112,6 +122,7 @@ for name in elliptic.__all__:
 # Public functions and methods that take no array of any length, or make a matrix of every element.
 NO_ARRAYS = {
     "regime",
+    "cubic_quintic_regime",
     "duffing_regime",
     "sensitivities",
     "claims",
@@ -154,7 +165,15 @@ OTHERS = {
         "from_action_phase",
         "to_dataframe",
     },
-    "CubicQuintic": {"times", "plot", "to_dataframe"},
+    "CubicQuintic": {
+        "times",
+        "plot",
+        "fourier",
+        "sensitivities",
+        "from_energy",
+        "from_action_phase",
+        "to_dataframe",
+    },
     "DuffingForm": {"table"},
     "AngleFormula": {"of", "ranges"},
     "AngleApproximation": {"error"},

@@ -52,6 +52,19 @@ impl EnergyPolynomial {
     pub fn square_speed(&self, y: &Dyadic) -> Dyadic {
         &self.a + y * (&self.b + y * (&self.c + y * &self.d))
     }
+    /// -(p u + q u^3 + s u^5).
+    pub fn acceleration(&self, u: f64) -> Scaled {
+        let x = Dyadic::from(u);
+        let y = x.square();
+        let six = x * (&self.b + &y * (&self.c * 2.0 + (&y * &self.d) * 3.0));
+        six.to_scaled() / Scaled::from(6.0)
+    }
+    /// The derivative of the force but for its sign, p + 3 q u^2 + 5 s u^4.
+    pub fn stiffness(&self, u: f64) -> Scaled {
+        let y = Dyadic::from(u).square();
+        let six = &self.b + &y * (&self.c * 6.0 + (&y * &self.d) * 15.0);
+        -(six.to_scaled() / Scaled::from(6.0))
+    }
     /// Sign of the force times u where u^2 = y: of the derivative of the above.
     pub fn force_sign(&self, y: &Dyadic) -> i32 {
         (&self.b + y * (&self.c * 2.0 + (y * &self.d) * 3.0)).sign()

@@ -246,6 +246,14 @@ impl NonzeroEnergy {
         }
     }
 
+    /// From the factors of u'^2 where u^2 = y: |1 - v_i y|, or of a pair 1 - v0 y, |1 - v y|^2 and 1 - y Re v.
+    pub fn argument_of_factors(&self, factors: [Scaled; 3], y: Scaled) -> Scaled {
+        match self.roots {
+            Distances::Three(_) => self.base_of_three(factors, y),
+            Distances::One(_) => self.half_argument(factors, y),
+        }
+    }
+
     /// The argument of the pole.
     pub fn of_pole(&self) -> Scaled {
         match self.roots {

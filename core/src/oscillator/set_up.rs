@@ -62,7 +62,7 @@ impl EnergyCase {
         }
     }
 
-    fn outline(&self) -> Outline {
+    pub fn outline(&self) -> Outline {
         match self {
             EnergyCase::Nonzero(energy) => energy.outline(),
             EnergyCase::Zero(energy) => energy.outline(),

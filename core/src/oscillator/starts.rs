@@ -29,7 +29,7 @@ fn force_sign([p, q, r, c]: [f64; 4], u: f64) -> i32 {
     (Dyadic::from(c) - &x * (Dyadic::from(p) + &x * (Dyadic::from(r) + &x * q))).sign()
 }
 
-/// The stable equilibria: where the force falls through 0, to the last place or next to it.
+/// The stable equilibria of c - p u - r u^2 - q u^3, rising.
 pub(super) fn stable_equilibria(force: [f64; 4]) -> Vec<f64> {
     let [p, q, r, _] = force;
     // Where the stiffness p + 2 r u + 3 q u^2 is 0 the force turns.
@@ -40,7 +40,7 @@ pub(super) fn stable_equilibria(force: [f64; 4]) -> Vec<f64> {
         }
     } else {
         let root = (r * r - 3.0 * p * q).sqrt();
-        if !root.is_nan() {
+        if root > 0.0 {
             let large = -(r + root.copysign(r));
             turns.push(large / (3.0 * q));
             if large != 0.0 {
@@ -48,17 +48,22 @@ pub(super) fn stable_equilibria(force: [f64; 4]) -> Vec<f64> {
             }
         }
     }
+    equilibria_of(turns, &|u| force_sign(force, u))
+}
+
+/// Where a force falls through 0, to the last place or next to it, from where it turns and its exact sign.
+pub(super) fn equilibria_of(mut turns: Vec<f64>, sign: &dyn Fn(f64) -> i32) -> Vec<f64> {
     turns.retain(|u| u.is_finite());
     turns.push(f64::MAX);
     turns.sort_by(f64::total_cmp);
     let mut found = Vec::new();
     let mut from = -f64::MAX;
     for to in turns {
-        if force_sign(force, from) >= 0 && force_sign(force, to) <= 0 {
+        if sign(from) >= 0 && sign(to) <= 0 {
             let (mut low, mut high) = (ordered(from), ordered(to));
             while high.saturating_sub(low) > 1 {
                 let middle = (low >> 1) + (high >> 1) + (low & high & 1);
-                match force_sign(force, double(middle)) {
+                match sign(double(middle)) {
                     0 => (low, high) = (middle, middle),
                     1 => low = middle,
                     _ => high = middle,
@@ -73,6 +78,55 @@ pub(super) fn stable_equilibria(force: [f64; 4]) -> Vec<f64> {
     }
     found.dedup();
     found
+}
+
+/// The velocity at an equilibrium and the motion whose action is this one, from a guess; `known` has action and frequency.
+pub(super) fn velocity_of_action<Motion>(
+    action: f64,
+    guess: f64,
+    at: &dyn Fn(f64) -> Motion,
+    known: &dyn Fn(&Motion) -> [f64; 2],
+    equilibrium: f64,
+) -> Result<(f64, Motion), Domain> {
+    let (mut low, mut high) = (0.0, f64::INFINITY);
+    let mut velocity = if guess > 0.0 && guess.is_finite() { guess } else { 1.0 };
+    let mut orbit = at(velocity);
+    for _ in 0..STEPS {
+        let [found, frequency] = known(&orbit);
+        // Beyond every separatrix a motion has no action.
+        if found < action {
+            low = velocity
+        } else {
+            high = velocity
+        }
+        let next = velocity + (action - found) * frequency / velocity;
+        if (next - velocity).abs() <= 1e-16 * velocity || found == action {
+            break;
+        }
+        let inside = next > low && next < high;
+        let next = match (inside, high.is_finite()) {
+            (true, _) => next,
+            (_, true) => 0.5 * (low + high),
+            _ => 2.0 * velocity,
+        };
+        if next == velocity || next == low || next == high {
+            break;
+        }
+        velocity = next;
+        orbit = at(velocity);
+    }
+    let [found, _] = known(&orbit);
+    let missed = found.is_nan() || (found - action).abs() > 1e-10 * action;
+    if missed {
+        let of = |velocity: f64| if velocity.is_finite() { known(&at(velocity))[0] } else { f64::NAN };
+        let [below, above] = [low, high].map(|velocity| shown(of(velocity)));
+        let allowed = format!(
+            "that of a motion about the equilibrium {}: none between {below} and {above}",
+            shown(equilibrium)
+        );
+        return Err(Domain::new("action", shown(action), allowed));
+    }
+    Ok((velocity, orbit))
 }
 
 impl Duffing {
@@ -146,45 +200,8 @@ impl Duffing {
         // As for small swings.
         let stiffness = at(0.0).quartic.sigma.to_scaled();
         let guess = (crate::float::Scaled::from(action).shift(1) * stiffness.abs().sqrt()).sqrt().value();
-        let (mut low, mut high) = (0.0, f64::INFINITY);
-        let mut velocity = if guess > 0.0 && guess.is_finite() { guess } else { 1.0 };
-        let mut orbit = at(velocity);
-        for _ in 0..STEPS {
-            let found = orbit.action().value();
-            // Beyond every separatrix a motion has no action.
-            if found < action {
-                low = velocity
-            } else {
-                high = velocity
-            }
-            let next = velocity + (action - found) * orbit.frequency().value() / velocity;
-            if (next - velocity).abs() <= 1e-16 * velocity || found == action {
-                break;
-            }
-            let inside = next > low && next < high;
-            let next = match (inside, high.is_finite()) {
-                (true, _) => next,
-                (_, true) => 0.5 * (low + high),
-                _ => 2.0 * velocity,
-            };
-            if next == velocity || next == low || next == high {
-                break;
-            }
-            velocity = next;
-            orbit = at(velocity);
-        }
-        let found = orbit.action().value();
-        let missed = found.is_nan() || (found - action).abs() > 1e-10 * action;
-        if missed {
-            let below = at(low).action().value();
-            let allowed = format!(
-                "that of a motion about the equilibrium {}: none between {} and {}",
-                shown(equilibrium),
-                shown(below),
-                shown(at(high).action().value())
-            );
-            return Err(Domain::new("action", shown(action), allowed));
-        }
+        let known = |orbit: &EvenPowers| [orbit.action().value(), orbit.frequency().value()];
+        let (velocity, orbit) = velocity_of_action(action, guess, &at, &known, equilibrium)?;
         let Some(turns) = orbit.phase_turns() else {
             return Duffing::with_even_powers(equilibrium, velocity, force);
         };
@@ -201,14 +218,22 @@ fn equilibrium(about: Option<f64>, force: [f64; 4]) -> Result<f64, Domain> {
     for (name, value) in [("p", force[0]), ("q", force[1]), ("r", force[2]), ("c", force[3])] {
         Domain::check(name, value, value.is_finite(), "finite")?;
     }
-    let all = stable_equilibria(force);
+    about_given(about, &stable_equilibria(force), "p, q, r, c", &force)
+}
+
+/// The one of all stable equilibria next to a place, or the only one.
+pub(super) fn about_given(
+    about: Option<f64>,
+    all: &[f64],
+    names: &'static str,
+    force: &[f64],
+) -> Result<f64, Domain> {
     let places = all.iter().map(|u| shown(*u)).collect::<Vec<_>>().join(" or ");
-    match (&all[..], about) {
-        ([], _) => Err(Domain::new(
-            "p, q, r, c",
-            force.map(shown).join(", "),
-            "of a force with a stable equilibrium",
-        )),
+    match (all, about) {
+        ([], _) => {
+            let force = force.iter().map(|x| shown(*x)).collect::<Vec<_>>().join(", ");
+            Err(Domain::new(names, force, "of a force with a stable equilibrium"))
+        }
         ([only], None) => Ok(*only),
         (_, None) => Err(Domain::new("about", "None".to_string(), format!("given: next to {places}"))),
         (_, Some(about)) => {

@@ -57,6 +57,9 @@ pub(super) struct ZeroEnergy {
     pole: Option<Scaled>,
 }
 
+/// y at both ends, their difference, a factor, a power of y, and the values of two factors at both ends.
+pub(super) type Between = ([Scaled; 2], Scaled, Scaled, i32, [[Scaled; 2]; 2]);
+
 fn asinh(z: Scaled) -> Scaled {
     z * rf_of_roots([(Scaled::ONE + z.square()).sqrt(), Scaled::ONE, Scaled::ONE])
 }
@@ -223,6 +226,40 @@ impl ZeroEnergy {
         };
         let root = square.sqrt();
         u * rf_of_roots([sum, root, root])
+    }
+
+    /// Of a motion that stays: y at both ends and their difference, and u'^2 as a factor, a power of y and the values at both ends
+    /// of two factors.
+    pub fn between(&self) -> Option<Between> {
+        let [low, high] = self.roots;
+        let (zero, one) = (Scaled::ZERO, Scaled::ONE);
+        let gap = self.half.shift(1);
+        let size = self.p.abs();
+        let from_zero = |v: Scaled| ([zero, one / v], one / v);
+        match self.case {
+            SpeedCase::Cosine if low.is_positive() => {
+                let factors = [[zero, gap / low], [gap / high, zero]];
+                Some(([one / high, one / low], gap / (low * high), size, 1, factors))
+            }
+            SpeedCase::Above => {
+                let (ends, width) = from_zero(high);
+                if self.parabola {
+                    return Some((ends, width, self.half, 2, [[one, zero], [one, one]]));
+                }
+                Some((ends, width, size, 1, [[one, zero], [one, gap / high]]))
+            }
+            SpeedCase::AboveDouble if low.is_positive() => {
+                let (ends, width) = from_zero(low);
+                Some((ends, width, size, 1, [[one, zero]; 2]))
+            }
+            _ => None,
+        }
+    }
+
+    /// From |1 - v y| for both roots, of a cosine.
+    pub fn argument_of_factors(&self, [of_high, of_low, _]: [Scaled; 3], y: Scaled) -> Scaled {
+        let gap = y * self.half.shift(1);
+        arcsine((of_high / gap).sqrt(), (of_low / gap).sqrt())
     }
 
     pub fn outline(&self) -> Outline {

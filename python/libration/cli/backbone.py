@@ -1,9 +1,10 @@
-"""`libration duffing` with several --u0: how period, frequency and action change with the displacement, as a table and a picture."""
+"""`libration duffing` and `cubic-quintic` with several --u0: how period, frequency and action change with the displacement, as a table and a picture."""
 
 import math
 from typing import TYPE_CHECKING
 
 from libration.cli.files import STANDARD_OUTPUT, Column, Json, Parameter, strict, write_table
+from libration.cli.help import Topic
 from libration.cli.language import say, told
 from libration.cli.parameters import keyed
 from libration.cli.parser import refusal
@@ -18,6 +19,12 @@ if TYPE_CHECKING:
     from libration._arrays import Floats
 
 MOST = 1_000_000
+SEVERAL = Topic(
+    "several u0",
+    text="""\
+Displacements separated by commas, or a range FROM:TO:COUNT, give a table: regime, period, frequency and action of the
+motion from each of them; --plot draws the backbone curve, the displacement over the frequency.""",
+)
 
 
 def several(text: str | None) -> bool:
@@ -38,24 +45,30 @@ def starts(text: str, dimension: Dimension) -> "Floats":
     return np.linspace(first, last, whole("--u0", pieces[2], 2, MOST))
 
 
-def backbone(options: ResultOptions, u0: "Floats", velocity0: float, force: dict[str, float], unit: str) -> None:
-    """Print, write and draw the motions released at each displacement."""
+def backbone(
+    options: ResultOptions, family: str, u0: "Floats", velocity0: float, force: dict[str, float], unit: str
+) -> None:
+    """Print, write and draw the motions released at each displacement; `family` begins the names of the functions of arrays."""
     import numpy as np
 
-    from libration import __version__, duffing_action, duffing_frequency, duffing_period, duffing_regime
+    import libration
 
     check_targets(options)
     style, look = number_style(options), picture_look(options, options.plot)
     given = {"velocity0": velocity0, **force}
-    of = u0, velocity0
-    period, frequency, action = (each(*of, **force) for each in (duffing_period, duffing_frequency, duffing_action))
-    regime = duffing_regime(*of, **force)
+    period, frequency, action, regime = (
+        getattr(libration, f"{family}_{kind}")(u0, velocity0, **force)
+        for kind in ("period", "frequency", "action", "regime")
+    )
     with targets(options) as (table, plot):
         check_plot(options)
         hertz = frequency / math.tau
         columns: list[Column] = [("u0", unit, u0), ("period", "s", period), ("frequency", "Hz", hertz)]
         columns += [("frequency", "rad/s", frequency), ("action", "", action)]
-        parameters: list[Parameter] = [("libration", __version__, ""), *((k, v, "") for k, v in given.items())]
+        parameters: list[Parameter] = [
+            ("libration", libration.__version__, ""),
+            *((k, v, "") for k, v in given.items()),
+        ]
         if table and options.out is not None:
             write_table(table, options.out, parameters, columns, style)
         if plot and options.plot is not None:

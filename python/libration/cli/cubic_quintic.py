@@ -1,7 +1,9 @@
 """`libration cubic-quintic`: the motion of u'' + p u + q u^3 + s u^5 = 0, as `libration duffing`."""
 
+from libration.cli.backbone import SEVERAL, backbone, several, starts
 from libration.cli.oscillator import TOPICS, OscillatorOptions, oscillator_options, solve
-from libration.cli.parser import command
+from libration.cli.parser import Refusal, command
+from libration.cli.quantities import NUMBERS, plain
 
 DESCRIPTION = """\
 The exact motion of the cubic-quintic oscillator u'' + p u + q u^3 + s u^5 = 0 from any start: with one well,
@@ -17,7 +19,14 @@ def run(options: OscillatorOptions) -> None:
     """Solve what the words ask for."""
     from libration import CubicQuintic
 
-    solve(options, CubicQuintic, list(COEFFICIENTS), "--p 1 --q -0.5 --s 0.1 --u0 1")
+    if options.u0 is not None and several(options.u0):
+        missing = [f"--{name}" for name in COEFFICIENTS if getattr(options, name) is None]
+        if missing:
+            raise Refusal(f"missing {', '.join(missing)}; such as --p 1 --q -0.5 --s 0.1 --u0 0.1:2:20")
+        force = {name: plain(f"--{name}", getattr(options, name)) for name in COEFFICIENTS}
+        velocity0 = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
+        return backbone(options, "cubic_quintic", starts(options.u0, NUMBERS), velocity0, force, "")
+    return solve(options, CubicQuintic, list(COEFFICIENTS), "--p 1 --q -0.5 --s 0.1 --u0 1")
 
 
 COMMAND = command(
@@ -28,9 +37,11 @@ COMMAND = command(
     short="the same with a fifth power, + s u^5",
     parameters=oscillator_options(COEFFICIENTS),
     usage=["libration cubic-quintic", "--p P", "--q Q", "--s S", "--u0 U0", "[options]"],
-    topics=TOPICS,
+    topics=(*TOPICS, SEVERAL),
     examples=(
         "libration cubic-quintic --p 1 --q -0.5 --s 0.1 --u0 1",
         "libration cubic-quintic --p 1 --q -4 --s 3 --u0 1.2 --plot wells.png",
+        "libration cubic-quintic --p 1 --q -0.5 --s 0.1 --u0 0.1:2:20",
+        "libration cubic-quintic --p 1 --q -0.5 --s 0.1 --u0 0:2:500 --plot backbone.png",
     ),
 )

@@ -1,7 +1,6 @@
 """`libration duffing`: the motion of u'' + p u + r u^2 + q u^3 = c at many instants, its summary, a table and a plot."""
 
-from libration.cli.backbone import backbone, several, starts
-from libration.cli.help import Topic
+from libration.cli.backbone import SEVERAL, backbone, several, starts
 from libration.cli.oscillator import TOPICS, OscillatorOptions, oscillator_options, show, solve
 from libration.cli.parser import Refusal, Value, command, refusal
 from libration.cli.quantities import (
@@ -23,13 +22,6 @@ well or two, on a separatrix, or escaping to infinity in finite time."""
 COEFFICIENTS = {"p": "coefficient of the linear force", "q": "coefficient of the cubic force"}
 MORE = {"r": "coefficient of the quadratic force", "c": "constant force"}
 
-
-BACKBONE = Topic(
-    "several u0",
-    text="""\
-Displacements separated by commas, or a range FROM:TO:COUNT, give a table: regime, period, frequency and action of the
-motion from each of them; --plot draws the backbone curve, the displacement over the frequency.""",
-)
 MECHANICAL = {
     "mass": ("MASS", MASS, "mass, such as 1e-11kg: then what follows, u in m"),
     "stiffness": ("STIFFNESS", STIFFNESS, "linear stiffness, such as 10N/m"),
@@ -67,7 +59,8 @@ def run(options: DuffingOptions) -> None:
         raise Refusal("missing --u0")
     velocity0 = 0.0 if options.velocity0 is None else quantity("--velocity0", options.velocity0, speed)
     if several(options.u0):
-        return backbone(options, starts(options.u0, length), velocity0, force, "m" if mechanical else "")
+        unit = "m" if mechanical else ""
+        return backbone(options, "duffing", starts(options.u0, length), velocity0, force, unit)
     return show(options, Duffing, {"u0": quantity("--u0", options.u0, length), "velocity0": velocity0, **force})
 
 
@@ -110,7 +103,7 @@ COMMAND = command(
         *(Value(f"--{name}", meta, text, "a mass on a spring") for name, (meta, _, text) in MECHANICAL.items()),
     ],
     usage=["libration duffing", "--p P", "--q Q", "--u0 U0", "[options]"],
-    topics=(*TOPICS, BACKBONE),
+    topics=(*TOPICS, SEVERAL),
     examples=(
         "libration duffing --p 1 --q 0.5 --u0 2",
         "libration duffing --p -1 --q 1 --u0 1.4 --until 40s --plot wells.png",

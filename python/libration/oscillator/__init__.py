@@ -10,9 +10,18 @@ Examples
 """
 
 from ._cubic_quintic import CubicQuintic
-from ._duffing import Duffing, OscillatorFourier
+from ._duffing import Duffing
 from ._form import DuffingForm
+from ._knowledge import OscillatorFourier
 from ._oscillator import OscillatorRegime
+from ._quintic_rows import (
+    cubic_quintic_action,
+    cubic_quintic_escape_times,
+    cubic_quintic_frequency,
+    cubic_quintic_period,
+    cubic_quintic_phase,
+    cubic_quintic_regime,
+)
 from ._rows import (
     cubic_quintic_motion,
     duffing_action,
@@ -30,7 +39,13 @@ __all__ = [
     "DuffingForm",
     "OscillatorFourier",
     "OscillatorRegime",
+    "cubic_quintic_action",
+    "cubic_quintic_escape_times",
+    "cubic_quintic_frequency",
     "cubic_quintic_motion",
+    "cubic_quintic_period",
+    "cubic_quintic_phase",
+    "cubic_quintic_regime",
     "duffing_action",
     "duffing_escape_times",
     "duffing_frequency",
