@@ -75,7 +75,7 @@ first-answer: ## how long it takes from an empty folder to the first answer, by 
 # The newest that Debian has, with its own library of C.
 NEWEST ?= 3.15
 test-wheel-newest: wheel-x86_64
-	@test -d $(call INSTALLED,amd64-$(NEWEST)) || packages/debian.sh amd64 $(NEWEST) $(call INSTALLED,amd64-$(NEWEST))
+	@test -x $(call INSTALLED,amd64-$(NEWEST))/usr/bin/python$(NEWEST) || packages/debian.sh amd64 $(NEWEST) $(call INSTALLED,amd64-$(NEWEST))
 	@own=$(call INSTALLED,amd64-$(NEWEST)); $(TRY) $(call WHEEL_OF,manylinux*x86_64) --for x86_64 $(NEWEST) -- \
 	  $$own/lib64/ld-linux-x86-64.so.2 --library-path $$own/usr/lib/x86_64-linux-gnu $$own/usr/bin/python$(NEWEST)
 
@@ -83,7 +83,7 @@ test-wheel-newest: wheel-x86_64
 EMULATED ?= 3.14
 test-wheel-aarch64: wheel-aarch64
 	@$(call installed,qemu-aarch64,/usr/bin/qemu-aarch64,qemu-user)
-	@test -d $(call INSTALLED,arm64-$(EMULATED)) || packages/debian.sh arm64 $(EMULATED) $(call INSTALLED,arm64-$(EMULATED))
+	@test -x $(call INSTALLED,arm64-$(EMULATED))/usr/bin/python$(EMULATED) || packages/debian.sh arm64 $(EMULATED) $(call INSTALLED,arm64-$(EMULATED))
 	@$(TRY) $(call WHEEL_OF,manylinux*aarch64) --for aarch64 $(EMULATED) -- \
 	  qemu-aarch64 -L $(call INSTALLED,arm64-$(EMULATED)) $(call INSTALLED,arm64-$(EMULATED))/usr/bin/python$(EMULATED)
 
@@ -91,8 +91,8 @@ test-wheel-aarch64: wheel-aarch64
 WINE := /usr/lib/wine/wine64
 test-wheel-windows: wheel-windows
 	@$(call installed,wine64,$(WINE),wine64)
-	@test -d $(call INSTALLED,windows) || packages/windows.sh $(call INSTALLED,windows)
-	@WINEPREFIX=$(call INSTALLED,wine) WINEDEBUG=-all $(TRY) $(call WHEEL_OF,win_amd64) --for win_amd64 3.13 numpy==2.1.3 -- \
+	@test -f $(call INSTALLED,windows)/python/python.exe || packages/windows.sh $(call INSTALLED,windows)
+	@WINEPREFIX=$(call INSTALLED,wine) WINEDEBUG=-all WINEDLLOVERRIDES=mscoree,mshtml= $(TRY) $(call WHEEL_OF,win_amd64) --for win_amd64 3.13 numpy==2.1.3 -- \
 	  $(WINE) $(call INSTALLED,windows)/python/python.exe
 
 # What the source distribution builds, without Node; the truth is its own. One instruction set: what is asked is whether everything is there.

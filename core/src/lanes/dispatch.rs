@@ -4,35 +4,39 @@ use super::host;
 use super::instruction_set::InstructionSet;
 use super::lane::{Entry, Kernel};
 use super::pair::Pair;
+#[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
+use super::unfused::Unfused as One;
 #[cfg(target_feature = "simd128")]
 use super::wasm;
+#[cfg(any(one_instruction_set, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
+use core::primitive::f64 as One;
 
 /// The widest lane of `Plain`. WebAssembly cannot be asked what it has: its lanes are there if compiled for.
 #[cfg(target_feature = "simd128")]
 type WidePlain = Pair<wasm::F64x2>;
 #[cfg(not(target_feature = "simd128"))]
-type WidePlain = host::Plain;
+type WidePlain = One;
 
 /// The single vector of `Plain`.
 #[cfg(target_feature = "simd128")]
 type OnePlain = wasm::F64x2;
 #[cfg(not(target_feature = "simd128"))]
-type OnePlain = host::Plain;
+type OnePlain = One;
 
 /// The lane of four of `Plain`.
 #[cfg(target_feature = "simd128")]
 type FourPlain = WidePlain;
 #[cfg(not(target_feature = "simd128"))]
-type FourPlain = Pair<Pair<host::Plain>>;
+type FourPlain = Pair<Pair<One>>;
 
 /// Runs the kernel on lanes of width one of the instruction set in use.
 #[inline]
 pub fn single<K: Kernel>(kernel: K) -> K::Output {
     if host::ONLY_PLAIN {
-        return K::Place::enter::<host::Plain, K>(kernel);
+        return K::Place::enter::<One, K>(kernel);
     }
     match InstructionSet::in_use() {
-        InstructionSet::Plain => K::Place::enter::<host::Plain, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<One, K>(kernel),
         InstructionSet::Fused | InstructionSet::Avx512 => host::single_fused(kernel),
     }
 }
@@ -46,11 +50,11 @@ pub fn wide<K: Kernel>(kernel: K) -> K::Output {
         } else if K::VECTORS {
             K::Place::enter::<WidePlain, K>(kernel)
         } else {
-            K::Place::enter::<host::Plain, K>(kernel)
+            K::Place::enter::<One, K>(kernel)
         };
     }
     match InstructionSet::in_use() {
-        InstructionSet::Plain => K::Place::enter::<host::Plain, K>(kernel),
+        InstructionSet::Plain => K::Place::enter::<One, K>(kernel),
         InstructionSet::Fused => host::wide_fused(kernel),
         InstructionSet::Avx512 => host::wide_avx512(kernel),
     }

@@ -3,9 +3,6 @@
 use super::lane::Kernel;
 use super::pair::Pair;
 
-/// The lane of `Plain`.
-pub type Plain = f64;
-
 /// Whether `Plain` is the only set, known when compiled.
 pub const ONLY_PLAIN: bool = true;
 

@@ -10,9 +10,6 @@ use super::scalar::FIELD;
 use super::vector::vector;
 use core::arch::x86_64::*;
 
-/// The lane of `Plain`.
-pub type Plain = super::unfused::Unfused;
-
 /// Whether `Plain` is the only set, known when compiled.
 pub const ONLY_PLAIN: bool = false;
 
