@@ -23,6 +23,11 @@ EMPTY = {
     "nbformat": 4,
     "nbformat_minor": 5,
 }
+# All cells stay in the page, and nobody asks for news.
+SETTINGS = {
+    "notebook-extension/tracker": {"windowingMode": "none"},
+    "apputils-extension/notification": {"fetchNews": "false", "checkForUpdates": False},
+}
 
 
 def free_port() -> int:
@@ -48,9 +53,14 @@ def main() -> int:
     port, token = free_port(), secrets.token_hex(16)
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "pendulum.ipynb").write_text(json.dumps(EMPTY), encoding="utf-8")
+        for name, values in SETTINGS.items():
+            file = Path(folder, "settings", "@jupyterlab", f"{name}.jupyterlab-settings")
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(json.dumps(values), encoding="utf-8")
         words = ["-m", "jupyterlab", "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}"]
-        words += [f"--IdentityProvider.token={token}", f"--ServerApp.root_dir={folder}", "--LabApp.news_url="]
+        words += [f"--IdentityProvider.token={token}", f"--ServerApp.root_dir={folder}"]
         own = {f"JUPYTER_{name}_DIR": str(Path(folder, name.lower())) for name in ("CONFIG", "RUNTIME")}
+        own["JUPYTERLAB_SETTINGS_DIR"] = str(Path(folder, "settings"))
         server = subprocess.Popen([sys.executable, *words], cwd=folder, env=os.environ | own | {"HOME": folder})
         try:
             while not answers(f"http://127.0.0.1:{port}/api?token={token}"):

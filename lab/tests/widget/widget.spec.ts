@@ -34,7 +34,7 @@ test('a pendulum shows itself, and its sliders write to Python', async ({ page }
   await page.getByText('Idle').first().waitFor()
 
   await run(page, 'from libration import Pendulum\nPendulum(2.0, length=1.0)')
-  const drawn = page.locator('.widget')
+  const drawn = page.locator('.widget', { has: page.locator('.bob-drawing') })
   await expect(drawn).toHaveCount(1)
   await expect(drawn.locator('.bob-handle')).toBeVisible()
   await expect(drawn.locator('#period-value')).toHaveText(/2\.6/)
