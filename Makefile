@@ -26,7 +26,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-widget test-notebooks test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -321,6 +321,19 @@ $(TORCH)/.packages: requirements-torch.txt
 
 test-torch: $(TORCH)/.packages $(VENV)/.built ## gradients by PyTorch; installs it, 5 GB, the first time (10 minutes, then 1)
 	@PYTHONPATH=python $(TORCH)/bin/python -m pytest -q -o pythonpath=python/tests_jax --doctest-modules python/tests_torch python/libration/torch
+
+# JupyterLab and marimo in an environment of their own, over that of the tests.
+NOTEBOOKS := target/notebooks
+$(NOTEBOOKS)/.packages: requirements-notebooks.txt $(VENV)/.built
+	@$(PYTHON) -m venv $(NOTEBOOKS)
+	@$(NOTEBOOKS)/bin/python -m pip install --quiet -r requirements.txt -r requirements-notebooks.txt
+	@touch $@
+
+test-widget: $(NOTEBOOKS)/.packages chromium page ## a pendulum in JupyterLab, in Chromium: draws, and its sliders write to Python (2 minutes)
+	@PYTHONPATH=$(abspath python) $(NOTEBOOKS)/bin/python lab/tests/widget/run.py target/widget.png
+
+test-notebooks: $(NOTEBOOKS)/.packages page ## the notebooks as Jupyter reads them, and the apps in marimo (a minute)
+	@PYTHONPATH=$(abspath python) $(NOTEBOOKS)/bin/python -m pytest -q -p no:cacheprovider python/tests_notebooks
 
 test-arm: $(VENV)/.components ## the Rust tests through NEON, by Debian's qemu-user and gcc-aarch64-linux-gnu (20 minutes)
 	@command -v qemu-aarch64 >/dev/null && command -v $(CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER) >/dev/null || { \

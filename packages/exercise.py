@@ -122,7 +122,7 @@ def served(libration) -> str:
         threading.Thread(target=serving.serve_forever, daemon=True).start()
         page = urlopen(f"http://127.0.0.1:{serving.server_address[1]}/", timeout=60).read()
         serving.shutdown()
-    assert b"<title>" in page
+    assert b"<title>" in page and any(each.name == "widget.js" for each in files)
     return f"the lab, {sum(each.stat().st_size for each in files) / 1e6:.1f} MB"
 
 
@@ -132,9 +132,11 @@ def shell(libration) -> str:
     words = (
         [str(script)] if script.exists() else [*os.environ.get("RUNNER", "").split(), sys.executable, "-m", "libration"]
     )
-    run = subprocess.run([*words, "period", "--theta0", "150deg"], capture_output=True, text=True, encoding="utf-8")
-    assert run.returncode == 0 and "11.072252581475" in run.stdout, (words, run.stdout, run.stderr)
-    refused = subprocess.run([*words, "period", "--theta0", "nan"], capture_output=True, text=True, encoding="utf-8")
+    words = [*words, "period", "--lang"]
+    for lang, phase in (("en", "11.072252581475"), ("pt-BR", "11,072252581475"), ("es", "11,072252581475")):
+        run = subprocess.run([*words, lang, "--theta0", "150deg"], capture_output=True, text=True, encoding="utf-8")
+        assert run.returncode == 0 and phase in run.stdout, (words, run.stdout, run.stderr)
+    refused = subprocess.run([*words, "es", "--theta0", "nan"], capture_output=True, text=True, encoding="utf-8")
     assert refused.returncode == 2 and refused.stderr.count("\n") == 1, refused.stderr
     return Path(words[0]).name + " in the shell"
 

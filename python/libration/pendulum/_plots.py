@@ -172,6 +172,56 @@ class Plots(Crossings):
 
         return film(self, headline, path, form, title, lang, t=t, fps=fps, speed=speed, dpi=dpi)
 
+    def widget(self, lang: str = "") -> Any:
+        """The pendulum as a widget of Jupyter, VS Code, Colab and marimo: the lab's drawing, whose sliders write to Python.
+
+        A notebook shows it of itself where anywidget is installed; this gives the widget to keep.
+
+        Parameters
+        ----------
+        lang : str, default ""
+            `en`, `pt-BR` or `es`; by default the first of them that the browser asks for.
+
+        Returns
+        -------
+        anywidget.AnyWidget
+            Its traits `theta0`, `velocity0`, and `length` with `gravity` or `omega0`, follow the sliders, and the drawing follows
+            them; `observe` tells of changes. `pendulum` is the Pendulum that is drawn now.
+
+        Raises
+        ------
+        ImportError
+            If anywidget is missing: ``pip install 'libration[widget]'``.
+        FileNotFoundError
+            If the drawing is not part of the installation, as in a clone before ``make page``.
+        ValueError
+            If omega2 is not positive.
+
+        Examples
+        --------
+        >>> from libration import Pendulum
+        >>> try:
+        ...     widget = Pendulum(2.0, omega2=-1.0).widget()
+        ... except ValueError as error:
+        ...     print(error)
+        omega2 = -1.0: must be positive for a widget, which hangs from above
+        """
+        from ._widget import widget_of
+
+        return widget_of(self, lang)
+
+    def _repr_mimebundle_(self, **options: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What a notebook shows: the widget where anywidget is installed, else `_repr_html_`."""
+        from ._widget import bundle
+
+        return bundle(self, options)
+
+    def _display_(self) -> Any:
+        """What marimo shows."""
+        from ._widget import shown
+
+        return shown(self)
+
     def _repr_html_(self) -> str:
         """What a notebook shows: a drawing, regime and period, and the closed form with its numbers."""
         from ..plot._card import card
