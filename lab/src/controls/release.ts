@@ -3,11 +3,11 @@
 let pressed = false
 let waiting: (() => void)[] = []
 
-/** A key too: of a press that opens a list of the browser's own the release is not always told. */
-const ENDS = ['pointerup', 'pointercancel', 'keydown'] as const
+const ENDS = ['pointerup', 'pointercancel', 'contextmenu', 'keydown'] as const
 
 function released(): void {
   for (const each of ENDS) removeEventListener(each, released, true)
+  removeEventListener('pointermove', moved, true)
   pressed = false
   const acts = waiting
   waiting = []
@@ -17,11 +17,17 @@ function released(): void {
   })
 }
 
-/** A pointer went down. */
-export function press(): void {
-  if (pressed) return
+/** A release that was not told, as beyond the window. */
+function moved({ buttons }: PointerEvent): void {
+  if (buttons === 0) released()
+}
+
+/** A pointer went down. The list of a choice has its release for itself. */
+export function press({ button, target }: PointerEvent): void {
+  if (pressed || button !== 0 || (target as Element).closest('select')) return
   pressed = true
   for (const each of ENDS) addEventListener(each, released, true)
+  addEventListener('pointermove', moved, true)
 }
 
 /** Acts now, or while a pointer is down after its click. */

@@ -42,6 +42,8 @@ for (const [size, [width, height]] of Object.entries(SIZES)) {
       // A phone's page at its whole height, so that its play bar stands at the end; a text to read is too long for that.
       const tall = await page.evaluate(() => document.documentElement.scrollHeight)
       await page.setViewportSize({ width, height: width === 360 && !/derivation|handouts/.test(view) ? tall : height })
+      // A page of before may have been scrolled.
+      if (view !== 'derivation') await page.evaluate(() => scrollTo(0, 0))
       if (view === 'derivation') await expect(page.locator('.step.on h2')).toBeInViewport()
       await drawn(page)
       await expect(page.locator('.section-progress progress')).toHaveCount(0)
