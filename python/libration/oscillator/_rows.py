@@ -18,7 +18,7 @@ from .._arrays import Floats, Labelled, Mask, Real, Scalar
 from .._dispatch import Words, apply, has_dimensions
 from .._labels import Result
 from .._messages import explained
-from ._duffing import PHASE
+from ._knowledge import PHASE
 from ._oscillator import MOTION, OscillatorRegime
 
 PERIOD = Result("period", "s", "period")
