@@ -1,8 +1,8 @@
 """The oscillators beside the pendulum: measures set-ups, motions and rows, and writes docs/benchmarks-oscillators.md.
 
-    python bench/run_oscillators.py            measure, write bench/results/oscillators.json and the page: make bench-oscillators
-    python bench/run_oscillators.py --show     measure, and print the page
-    python bench/run_oscillators.py --page     write the page from the results as they are
+python bench/run_oscillators.py            measure, write bench/results/oscillators.json and the page: make bench-oscillators
+python bench/run_oscillators.py --show     measure, and print the page
+python bench/run_oscillators.py --page     write the page from the results as they are
 """
 
 import os

@@ -79,7 +79,10 @@ def test_arrays():
     force = {"p": p, "q": q, "r": r, "c": c}
     all_of_them = [spring(*start) for *start, _ in GIVEN]
     u, velocity = libration.duffing_motion(t, u0, velocity0, p, q, r=r, c=c)
-    rows = [libration.duffing_motion(t[i : i + 1], *start[:, None][:4], r=start[4:5], c=start[5:]) for i, start in each_row()]
+    rows = [
+        libration.duffing_motion(t[i : i + 1], *start[:, None][:4], r=start[4:5], c=start[5:])
+        for i, start in each_row()
+    ]
     alone = np.concatenate(rows, axis=1)
     assert same(u, alone[0]) and same(velocity, alone[1])
     back = libration.duffing_motion(*(each[::-1] for each in (t, u0, velocity0, p, q)), r=r[::-1], c=c[::-1])
