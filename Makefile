@@ -26,7 +26,7 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 endif
 
 MODULES := simd scalar second fit motions
-.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-widget test-notebooks test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-ensemble docs examples format lint clean kernels labdata
+.PHONY: $(MODULES:%=module-%) wasm help run quick quick-python papers page lab accuracy site test test-arm test-widget test-notebooks test-jax test-torch test-rows fuzz bench bench-full bench-elliptic bench-damped bench-oscillators bench-ensemble docs examples format lint clean kernels labdata
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1 /p' $(MAKEFILE_LIST) | awk '{printf "make %-15s", $$1; $$1=""; print}'
@@ -138,6 +138,9 @@ bench-full: $(VENV)/.built $(VENV)/.rivals ## the same with more orbits, sizes a
 
 bench-elliptic: $(VENV)/.built $(VENV)/.rivals ## elliptic functions beside SciPy's and mpmath's: docs/elliptic.md (5 minutes)
 	@$(PY) bench/run_elliptic.py
+
+bench-oscillators: $(VENV)/.built ## oscillators beside the pendulum: docs/benchmarks-oscillators.md (1 minute)
+	@$(PY) bench/run_oscillators.py
 
 bench-damped: $(VENV)/.built $(VENV)/.rivals ## motions with friction beside heyoka and SciPy: docs/benchmarks-damped.md (5 minutes)
 	@$(PY) bench/run_damped.py

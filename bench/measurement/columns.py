@@ -72,6 +72,8 @@ def drawn(count: int) -> dict[str, np.ndarray]:
         "cubic": (0.1, 3.0),
         "inside": (0.01, 0.99),
         "outside": (1.01, 9.0),
+        "quadratic": (-1.0, 1.0),
+        "constant": (-1.0, 1.0),
     }
     generator = np.random.default_rng(SEED)
     return {name: generator.uniform(low, high, count) for name, (low, high) in ranges.items()}
@@ -114,6 +116,7 @@ def beside_cosine(c: dict[str, np.ndarray], out: np.ndarray) -> list[Column]:
     many = np.linspace(0.0, 100.0, MILLION)
     cosine = partial(np.cos, many, out=np.empty(MILLION))
     state, pair = (c["theta"], c["velocity"]), (out, np.empty_like(out))
+    springs, even = (c["t"], *state, c["stiffness"], c["cubic"]), {"r": c["quadratic"], "c": c["constant"]}
     calls: dict[str, tuple[Callable, float]] = {"nome": (partial(elliptic.nome, m=c["m"], out=out), 8)}
     for name in THETAS:
         calls[name] = partial(getattr(elliptic, name), c["u"], q=c["q"], out=out), 80
@@ -133,9 +136,10 @@ def beside_cosine(c: dict[str, np.ndarray], out: np.ndarray) -> list[Column]:
         "`from_action_phase`": (partial(libration.from_action_phase, c["action"], c["phase"], out=pair), 100),
         "`sensitivities`": (partial(libration.sensitivities, c["t"], *state), 180),
         "`duffing_motion`": (
-            partial(libration.duffing_motion, c["t"], *state, c["stiffness"], c["cubic"], out=pair),
+            partial(libration.duffing_motion, *springs, out=pair),
             100,
         ),
+        "`duffing_motion` with r, c": (partial(libration.duffing_motion, *springs, **even, out=pair), 100),
     }
     return [Column(work, call, COSINE, cosine, limit / 8, MILLION) for work, (call, limit) in calls.items()]
 

@@ -27,6 +27,12 @@ def spring(u0, velocity0, p, q, r, c):
     return Duffing(u0, velocity0, p=p, q=q, r=r, c=c)
 
 
+def unit_of(row, name):
+    """4 ulp of the scale plus 2**-100 of the condition."""
+    scale = float(row[f"scale_{name}"])
+    return 4 * math.ulp(scale) + 2.0**-100 * float(row[f"cond_{name}"]) if scale < math.inf else math.inf
+
+
 def worst(spoil=1.0):
     """Largest errors of u and velocity, in 4 ulp of the scale plus 2**-100 of the condition."""
     largest, wrong = 0.0, 0
@@ -35,10 +41,20 @@ def worst(spoil=1.0):
         wrong += oscillator.regime != row["regime"]
         u, velocity = oscillator.motion(t)
         for got, name in ((u * spoil, "u"), (velocity, "velocity")):
-            scale = float(row[f"scale_{name}"])
-            unit = 4 * math.ulp(scale) + 2.0**-100 * float(row[f"cond_{name}"]) if scale < math.inf else math.inf
-            largest = max(largest, error(float(got), truth(row, name), unit))
+            largest = max(largest, error(float(got), truth(row, name), unit_of(row, name)))
     return largest, wrong
+
+
+def worst_of_rows(spoil=1.0):
+    """The same of rows with states of their own, in one call."""
+    t = [row[-1] for row in GIVEN]
+    u0, velocity0, p, q, r, c = (np.array([row[k] for row in GIVEN]) for k in range(6))
+    found = libration.duffing_motion(t, u0, velocity0, p, q, r=r, c=c)
+    largest = 0.0
+    for i, row in enumerate(ROWS):
+        for got, name in ((found[0][i] * spoil, "u"), (found[1][i], "velocity")):
+            largest = max(largest, error(float(got), truth(row, name), unit_of(row, name)))
+    return largest
 
 
 def test_truth():
@@ -46,10 +62,16 @@ def test_truth():
     largest, wrong = worst()
     assert wrong == 0
     assert largest <= 1.0
+    assert worst_of_rows() <= 1.0
+    assert worst_of_rows(spoil=1 + 2e-15) > 1.0
 
 
 def test_a_spoiled_motion_is_found():
     assert worst(spoil=1 + 2e-15)[0] > 1.0
+
+
+def each_row():
+    return enumerate(np.array(GIVEN)[:, :6])
 
 
 def test_arrays():
@@ -57,9 +79,14 @@ def test_arrays():
     force = {"p": p, "q": q, "r": r, "c": c}
     all_of_them = [spring(*start) for *start, _ in GIVEN]
     u, velocity = libration.duffing_motion(t, u0, velocity0, p, q, r=r, c=c)
-    even = (r != 0) | (c != 0)
-    alone = np.array([each.motion(float(at)) for each, at in zip(all_of_them, t, strict=True)]).T
-    assert same(u[even], alone[0][even]) and same(velocity[even], alone[1][even])
+    rows = [
+        libration.duffing_motion(t[i : i + 1], *start[:, None][:4], r=start[4:5], c=start[5:])
+        for i, start in each_row()
+    ]
+    alone = np.concatenate(rows, axis=1)
+    assert same(u, alone[0]) and same(velocity, alone[1])
+    back = libration.duffing_motion(*(each[::-1] for each in (t, u0, velocity0, p, q)), r=r[::-1], c=c[::-1])
+    assert same(back[0][::-1], u)
     for kind in ("period", "frequency", "action"):
         found = getattr(libration, f"duffing_{kind}")(u0, velocity0, **force)
         assert same(found, np.array([getattr(each, kind) for each in all_of_them]))

@@ -36,21 +36,6 @@ impl Words {
             Words::Long(words) => words,
         }
     }
-    /// Sets the word at the end of `length` words.
-    fn push(&mut self, length: usize, word: u64) {
-        match self {
-            Words::Short(words) if length < SHORT => words[length] = word,
-            Words::Short(words) => {
-                let mut long = words.to_vec();
-                long.push(word);
-                *self = Words::Long(long);
-            }
-            Words::Long(words) => {
-                words.truncate(length);
-                words.push(word);
-            }
-        }
-    }
     fn all_mut(&mut self) -> &mut [u64] {
         match self {
             Words::Short(words) => words,
@@ -65,16 +50,27 @@ impl Dyadic {
     fn words(&self) -> &[u64] {
         &self.words.all()[..self.length]
     }
-    /// Without the zero words at either end.
-    fn trimmed(negative: bool, power: i32, length: usize, mut words: Words) -> Dyadic {
-        let all = &mut words.all_mut()[..length];
-        let Some(last) = all.iter().rposition(|word| *word != 0) else { return Dyadic::ZERO };
-        let (high, mut low) = (last + 1, 0);
-        if all[0] == 0 {
-            low = all.iter().position(|word| *word != 0).unwrap_or(last);
-            all.copy_within(low..high, 0);
+    /// Zeros, to be filled and trimmed in place: a number is a few cache lines long, and a copy costs as much as a product.
+    fn zeros(negative: bool, power: i32, length: usize) -> Dyadic {
+        Dyadic { negative, power, length, words: Words::zeros(length) }
+    }
+    fn words_mut(&mut self) -> &mut [u64] {
+        &mut self.words.all_mut()[..self.length]
+    }
+    /// Leaves out the zero words at either end.
+    fn trim(&mut self) {
+        let words = self.words_mut();
+        let Some(last) = words.iter().rposition(|word| *word != 0) else {
+            (self.negative, self.power, self.length) = (false, 0, 0);
+            return;
+        };
+        let mut low = 0;
+        if words[0] == 0 {
+            low = words.iter().position(|word| *word != 0).unwrap_or(last);
+            words.copy_within(low..=last, 0);
         }
-        Dyadic { negative, power: power + 64 * low as i32, length: high - low, words }
+        self.power += 64 * low as i32;
+        self.length = last + 1 - low;
     }
     /// +1, 0 or -1.
     pub fn sign(&self) -> i32 {
@@ -86,15 +82,20 @@ impl Dyadic {
     }
     /// Rounded once, to a double-double of any range.
     pub fn to_scaled(&self) -> Scaled {
-        const HALF_WORD: f64 = 4_294_967_296.0;
-        // Three words hold at least 129 bits; two doubles hold a word.
-        let low = self.length.saturating_sub(3);
-        let mut value = Dd::ZERO;
-        for word in self.words()[low..].iter().rev() {
-            let word = Dd::sum((word >> 32) as f64 * HALF_WORD, (word & 0xffff_ffff) as f64);
-            value = value.scale(HALF_WORD * HALF_WORD) + word;
-        }
-        let value = Scaled::new(value, self.power + 64 * low as i32);
+        let words = self.words();
+        let [.., top] = words else { return Scaled::ZERO };
+        // The 128 bits from the first one on, of which 53 are the high word, and the others rounded to 53 the low word.
+        let word = |back: usize| if back < words.len() { words[words.len() - 1 - back] } else { 0 };
+        let zeros = top.leading_zeros();
+        let bits = (u128::from(*top) << 64 | u128::from(word(1))) << zeros;
+        let bits = bits | (u128::from(word(2)) << zeros) >> 64;
+        let (high, rest) = ((bits >> 75) as u64, bits & ((1 << 75) - 1));
+        let low = ((rest + (1 << 21)) >> 22) as u64;
+        const LAST: f64 = 1.0 / (1u64 << 53) as f64;
+        let value = Dd::ordered_sum(high as f64, low as f64 * LAST);
+        // The last bit of the high word.
+        let power = self.power + 64 * (words.len() as i32 - 1) + 11 - zeros as i32;
+        let value = Scaled::new(value, power);
         if self.negative { -value } else { value }
     }
     /// The square.
@@ -111,8 +112,8 @@ impl Dyadic {
         let power = a.power.min(b.power);
         let end = |x: &Dyadic| ((x.power - power) / 64) as usize + x.length + 2;
         let length = end(a).max(end(b));
-        let mut words = Words::zeros(length);
-        let all = &mut words.all_mut()[..length];
+        let mut found = Dyadic::zeros(a.negative, power, length);
+        let all = found.words_mut();
         add_shifted(all, a.words(), a.power - power, false);
         let subtracted = a.negative != negative;
         add_shifted(all, b.words(), b.power - power, subtracted);
@@ -124,7 +125,29 @@ impl Dyadic {
                 (*word, carry) = (!*word).overflowing_add(u64::from(carry));
             }
         }
-        Dyadic::trimmed(a.negative != below, power, length, words)
+        found.negative = a.negative != below;
+        found.trim();
+        found
+    }
+
+    /// Times a double.
+    fn times(&self, factor: f64) -> Dyadic {
+        let (word, power) = odd_mantissa(factor);
+        if self.length == 0 || word == 0 {
+            return Dyadic::ZERO;
+        }
+        let negative = self.negative != (factor < 0.0);
+        let mut found = Dyadic::zeros(negative, self.power + power, self.length + 1);
+        let mut carry = 0u128;
+        for (place, x) in found.words_mut().iter_mut().zip(self.words().iter().chain([&0])) {
+            let sum = u128::from(*x) * u128::from(word) + carry;
+            (*place, carry) = (sum as u64, sum >> 64);
+        }
+        // An odd factor leaves no zero word at the lower end.
+        if found.words()[self.length] == 0 {
+            found.length = self.length;
+        }
+        found
     }
 }
 
@@ -181,9 +204,8 @@ pub(crate) fn sum_of_products(products: &[&[f64]]) -> Scaled {
 }
 
 fn product(a: &Dyadic, b: &Dyadic) -> Dyadic {
-    let length = a.length + b.length;
-    let mut words = Words::zeros(length);
-    let all = &mut words.all_mut()[..length];
+    let mut found = Dyadic::zeros(a.negative != b.negative, a.power + b.power, a.length + b.length);
+    let all = found.words_mut();
     for (i, x) in a.words().iter().enumerate() {
         let mut carry = 0u128;
         for (place, y) in all[i..].iter_mut().zip(b.words()) {
@@ -192,7 +214,8 @@ fn product(a: &Dyadic, b: &Dyadic) -> Dyadic {
         }
         all[i + b.length] = carry as u64;
     }
-    Dyadic::trimmed(a.negative != b.negative, a.power + b.power, length, words)
+    found.trim();
+    found
 }
 
 /// An operator of values and references alike.
@@ -216,36 +239,23 @@ operator!(Mul mul: a, b => product(a, b));
 
 impl Mul<f64> for Dyadic {
     type Output = Dyadic;
-    fn mul(mut self, factor: f64) -> Dyadic {
-        let (word, power) = odd_mantissa(factor);
-        if self.length == 0 || word == 0 {
-            return Dyadic::ZERO;
-        }
-        let mut carry = 0u128;
-        for place in &mut self.words.all_mut()[..self.length] {
-            let sum = u128::from(*place) * u128::from(word) + carry;
-            (*place, carry) = (sum as u64, sum >> 64);
-        }
-        if carry != 0 {
-            self.words.push(self.length, carry as u64);
-            self.length += 1;
-        }
-        // An odd factor leaves no zero word at the lower end.
-        Dyadic { negative: self.negative != (factor < 0.0), power: self.power + power, ..self }
+    fn mul(self, factor: f64) -> Dyadic {
+        self.times(factor)
     }
 }
 
 impl Mul<f64> for &Dyadic {
     type Output = Dyadic;
     fn mul(self, factor: f64) -> Dyadic {
-        self.clone() * factor
+        self.times(factor)
     }
 }
 
 impl Neg for Dyadic {
     type Output = Dyadic;
-    fn neg(self) -> Dyadic {
-        Dyadic { negative: !self.negative && self.length > 0, ..self }
+    fn neg(mut self) -> Dyadic {
+        self.negative = !self.negative && self.length > 0;
+        self
     }
 }
 
@@ -274,6 +284,23 @@ mod tests {
         assert_eq!((&long - &long * 1.0).sign(), 0);
         assert_eq!((&long + &tiny - &long).to_scaled().value(), 5e-324);
         assert_eq!((&tiny - &long + long).to_scaled().value(), 5e-324);
+    }
+
+    /// Sums of powers of two far apart, whose high and low words are known.
+    #[test]
+    fn doubles_of_doubles_keep_all_bits() {
+        for (k, n) in [(1, 53), (10, 64), (52, 60), (63, 105), (64, 80), (100, 104)] {
+            let [first, second] = [k, n].map(|k: i32| 2f64.powi(-k));
+            let exact = of(1.0) + of(first) + of(second);
+            let found = exact.to_scaled().to_dd();
+            assert_eq!((exact - of(found.hi) - of(found.lo)).sign(), 0, "{k} {n}");
+            let minus = of(first) - of(1.0) - of(second);
+            let found = minus.to_scaled().to_dd();
+            assert_eq!((minus - of(found.hi) - of(found.lo)).sign(), 0, "{k} {n}");
+        }
+        let thirds = of(1.0 / 3.0).square() * of(1.0 / 3.0).square();
+        let rest = &thirds - of(thirds.to_scaled().to_dd().hi) - of(thirds.to_scaled().to_dd().lo);
+        assert!(rest.to_scaled().abs().value() < thirds.to_scaled().value() * 2f64.powi(-106));
     }
 
     #[test]

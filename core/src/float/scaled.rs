@@ -236,7 +236,11 @@ impl Mul for Scaled {
         if lead == 0.0 || !lead.is_finite() {
             return Scaled::from(lead);
         }
-        Scaled::new(self.part * other.part, self.power + other.power)
+        // Parts below 2 need no test of their range.
+        let (a, b) = (self.part, other.part);
+        let (hi, error) = a.hi.two_product_in_range(b.hi);
+        let part = Dd::ordered_sum(hi, error + (a.hi * b.lo + a.lo * b.hi));
+        Scaled::new(part, self.power + other.power)
     }
 }
 
@@ -255,7 +259,10 @@ impl Div for Scaled {
         if lead == 0.0 || !lead.is_finite() || !other.is_finite() {
             return Scaled::from(lead);
         }
-        Scaled::new(self.part / other.part, self.power - other.power)
+        // Two quotients of doubles: what they leave is below 2^-104.
+        let (first, part) = (lead, other.part);
+        let rest = self.part - part.times_in_range(first);
+        Scaled::new(Dd::ordered_sum(first, rest.hi / part.hi), self.power - other.power)
     }
 }
 

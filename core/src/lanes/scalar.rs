@@ -41,6 +41,11 @@ impl Lane for f64 {
         let product = self * factor;
         (product, host_product_error(self, factor, product))
     }
+    #[inline]
+    fn two_product_in_range(self, factor: f64) -> (f64, f64) {
+        let product = self * factor;
+        (product, host_product_error(self, factor, product))
+    }
     #[inline(always)]
     fn round(self) -> f64 {
         if f64::abs(self) < 2_251_799_813_685_248.0 { (self + ROUNDER) - ROUNDER } else { round_large(self) }

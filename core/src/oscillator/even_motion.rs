@@ -1,5 +1,6 @@
 //! Samples of a motion with even powers, and what an orbit is asked for.
 
+use super::even_interpolant::MeanByInterpolant;
 use super::even_lanes::{MeanFormula, ProductFormula};
 use super::even_powers::{EvenLanes, EvenPowers, EvenSolution};
 use super::regime::OscillatorRegime;
@@ -34,15 +35,18 @@ impl EvenPowers {
     fn evaluate<E: Evaluation<1, 2>>(&self, evaluation: E) -> E::Output {
         let start = [self.u0, self.velocity0];
         match (&self.lanes, &self.solution) {
-            (Some(EvenLanes::Mean(lanes)), EvenSolution::Mean(mean)) => match mean.curve.neville() {
-                Some(neville) if neville.by_hyperbolic() => {
-                    evaluation.of(&FromStart { formula: MeanFormula::<true>(lanes, neville), start })
+            (Some(EvenLanes::Mean(lanes)), EvenSolution::Mean(mean)) => {
+                let Some(neville) = mean.curve.neville() else { return evaluation.of(&Careful(self)) };
+                if let Some(polynomials) = lanes.by_polynomials(neville) {
+                    let formula = MeanByInterpolant(lanes, polynomials);
+                    return evaluation.of(&FromStart { formula, start });
                 }
-                Some(neville) => {
+                if neville.by_hyperbolic() {
+                    evaluation.of(&FromStart { formula: MeanFormula::<true>(lanes, neville), start })
+                } else {
                     evaluation.of(&FromStart { formula: MeanFormula::<false>(lanes, neville), start })
                 }
-                None => evaluation.of(&Careful(self)),
-            },
+            }
             (Some(EvenLanes::Product(lanes)), EvenSolution::Product(product)) => {
                 match product.curve.neville() {
                     Some(neville) if neville.hyperbolic() => {

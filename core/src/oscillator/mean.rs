@@ -34,12 +34,13 @@ impl Mean {
             quartic.force.sign() < 0
         };
         let weight = if quartic.linear() { curve.square } else { weight(quartic, &curve, upper) };
-        let [sine, cosine, _] = curve.pair(at_base);
+        let [sine, cosine, slope] = curve.pair(at_base);
         let sum = cosine.square() + weight * sine.square();
         let (u0, v0, force) =
             (quartic.u0.to_scaled(), quartic.velocity0.to_scaled(), quartic.force.to_scaled());
         let (base, way) = if moves {
-            let there = v0 / curve.sine(turned);
+            // S(2t) = 2 S C (S'C - SC').
+            let there = v0 / (sine * cosine * slope).shift(1);
             (u0 + there * sine.square() * sum, -(there * sum.square()) / weight)
         } else {
             (u0, force / weight.shift(1))
@@ -150,7 +151,7 @@ pub(super) fn polished(quartic: &Quartic, near: Scaled, size: Scaled, double_too
         if !u.is_finite() {
             return best;
         }
-        let [value, slope, bend] = quartic.values(u).map(|x| x.to_scaled());
+        let [value, slope, bend] = quartic.values(u);
         // A simple root, if the step is small beside the distance of the next.
         let mut step = -value / slope;
         let mut bent = (step * bend / slope).abs();
@@ -163,7 +164,8 @@ pub(super) fn polished(quartic: &Quartic, near: Scaled, size: Scaled, double_too
             return best;
         }
         best = Scaled::from(u) + step;
-        if step.is_zero() || step.power() < Scaled::from(u).power() - 54 {
+        // From the same double the next step would be the same.
+        if step.is_zero() || best.value() == u {
             return best;
         }
     }

@@ -146,22 +146,41 @@ impl Quartic {
     /// P' at a root known beyond a double: next to a double root it is a difference.
     pub fn slope(&self, u: Scaled) -> Scaled {
         let near = u.value();
-        let [_, slope, bend] = self.values(near).map(|x| x.to_scaled());
+        let [_, slope, bend] = self.values(near);
         (slope + bend * (u - Scaled::from(near))) / Scaled::from(6.0)
     }
 
-    /// 6 P, 6 P' and 6 P'' at a double, exactly.
-    pub fn values(&self, u: f64) -> [Dyadic; 3] {
+    /// 6 P, 6 P' and 6 P'' at a double: the first from a sum without rounding, and the others too where terms cancel.
+    pub fn values(&self, u: f64) -> [Scaled; 3] {
         let x = Dyadic::from(u) - &self.u0;
         // P = v^2 + 2 f x - sigma x^2 - 2 rho x^3/3 - q x^4/2, times 6.
         let value = &self.speed2 * 6.0
             + &x * (&self.force * 12.0
                 - &x * (&self.sigma * 6.0 + &x * (&self.rho * 4.0 + &x * &self.q * 3.0)));
-        let slope =
-            &self.force * 12.0 - &x * (&self.sigma * 12.0 + &x * (&self.rho * 12.0 + &x * &self.q * 12.0));
-        let bend = -(&self.sigma * 12.0 + &x * (&self.rho * 24.0 + &x * &self.q * 36.0));
-        [value, slope, bend]
+        let at = x.to_scaled();
+        let [force, sigma, rho, q] = [&self.force, &self.sigma, &self.rho, &self.q].map(|x| x.to_scaled());
+        // Their terms over 12.
+        let (second, third) = (rho * at, q * at.square());
+        let slopes = [force, -(sigma * at), -(second * at), -(third * at)];
+        let bends = [-sigma, -second.shift(1), -(third * 3.0)];
+        let (slope, bend) = match (kept(&slopes), kept(&bends)) {
+            (Some(slope), Some(bend)) => (slope * 12.0, bend * 12.0),
+            _ => {
+                let slope = &self.force * 12.0
+                    - &x * (&self.sigma * 12.0 + &x * (&self.rho * 12.0 + &x * &self.q * 12.0));
+                let bend = -(&self.sigma * 12.0 + &x * (&self.rho * 24.0 + &x * &self.q * 36.0));
+                (slope.to_scaled(), bend.to_scaled())
+            }
+        };
+        [value.to_scaled(), slope, bend]
     }
+}
+
+/// A sum of which a millionth of the terms is left.
+fn kept(terms: &[Scaled]) -> Option<Scaled> {
+    let sum = terms.iter().fold(Scaled::ZERO, |sum, term| sum + *term);
+    let size = terms.iter().fold(Scaled::ZERO, |sum, term| sum + term.abs());
+    (sum.abs() - size.shift(-20)).is_positive().then_some(sum)
 }
 
 impl Quartic {

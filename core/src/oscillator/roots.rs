@@ -7,14 +7,22 @@
 //! the roots themselves.
 //! Source: DLMF 1.11(iii).
 
-use crate::elliptic::integrals::carlson::rf_of_roots;
 use crate::float::Dd;
 use crate::float::dyadic::Dyadic;
-use crate::float::exponent::CARRIED;
+use crate::float::elementary::horner;
 use crate::float::scaled::Scaled;
-use crate::float::series::long_sin_cos;
 
 const THREE: f64 = 3.0;
+
+/// 2 cos of a third of the angle whose 2 cos is c in [0, 2], in powers of c: relative error 2e-9.
+pub(super) const THIRD_OF_ANGLE: [f64; 9] = [
+    1.73205081074, 0.166666399624, -0.0240525108652, 0.00615220798745, -0.00189059539648, 0.00058875466084,
+    -0.000155392754771, 2.79837585225e-05, -2.41656394568e-06,
+];
+
+/// The cube root of x in [1/2, 4), in powers of x: relative error 1e-3.
+pub(super) const CUBE_ROOT: [f64; 6] =
+    [0.471733055653, 0.814171285025, -0.400657487971, 0.13899632674, -0.0257088136328, 0.00191003724668];
 
 pub(super) fn less(a: Scaled, b: Scaled) -> bool {
     (a - b).is_negative()
@@ -54,31 +62,36 @@ pub(super) enum Distances {
 fn cube_root(x: Scaled) -> Scaled {
     let power = x.power().div_euclid(3);
     let value = x.shift(-3 * power).to_dd();
-    // In [1, 8); Newton's steps double the digits from a straight line with an error below 0.3.
-    let mut root = Dd::from(0.9 + 0.145 * value.hi);
-    for _ in 0..7 {
-        root = root - (root - value / root.square()) / Dd::from(THREE);
+    // In [1, 8); a straight line with an error below 0.07. Newton's steps double the digits, and the last counts those of a
+    // double-double.
+    let mut root = 0.9 + 0.145 * value.hi;
+    for _ in 0..4 {
+        root -= (root - value.hi / (root * root)) / THREE;
     }
-    Scaled::new(root, power)
+    let rest = Dd::from(root) - value / Dd::product(root, root);
+    Scaled::new(Dd::ordered_sum(root, -(rest.hi / THREE)), power)
+}
+
+/// The y in [sqrt 3, 2] with y^3 - 3y = c for c in [0, 2]: 2 cos of a third of the angle with 2 cos = c.
+fn third_of_angle(c: Dd) -> Dd {
+    // Newton's steps double the digits; the last counts those of a double-double. The slope is at least 6.
+    let near = horner(&THIRD_OF_ANGLE, c.hi);
+    let y = near - (near * (near * near - THREE) - c.hi) / (THREE * (near * near - 1.0));
+    let rest = (Dd::product(y, y) - Dd::from(THREE)) * y - c;
+    Dd::ordered_sum(y, -(rest.hi / (THREE * (y * y - 1.0))))
 }
 
 pub(super) fn three(p: Scaled, q: Scaled, root: Scaled, falling: bool) -> Roots {
-    // z = 2R cos(...) with 3 phi' = phi = atan2(root, |q|), root = 2 R^3 sin phi.
+    // z = 2R cos(...) with 3 phi' = phi, |q| = 2 R^3 cos phi, root = 2 R^3 sin phi. The far root z has the slope
+    // 3 R^2 (y^2 - 1) in y = z/R, the product of its distances from the others; and 27 root^2 is the discriminant.
     let r = p.abs().sqrt();
-    let half = if r.is_zero() {
-        Scaled::ZERO
+    let (across, along) = if r.is_zero() {
+        (Scaled::ZERO, Scaled::ZERO)
     } else {
-        root * rf_of_roots([q.abs(), r * r.square().shift(1), r * r.square().shift(1)])
+        let y = third_of_angle((q.abs() / (r * r.square())).to_dd());
+        let slope = Scaled::from(y.square() - Dd::ONE) * r.square();
+        ((root * Scaled::from(THREE).sqrt() / slope).shift(-1), (r * Scaled::from(y)).shift(-1))
     };
-    let third = half / Scaled::from(THREE);
-    let (sine, cosine) = if third.power() < -CARRIED || third.is_zero() {
-        (third, Scaled::ONE)
-    } else {
-        let (sine, cosine) = long_sin_cos(third.to_dd());
-        (Scaled::from(sine), Scaled::from(cosine))
-    };
-    let across = r * sine * Scaled::from(THREE).sqrt();
-    let along = r * cosine;
     let (far, near) = (along.shift(1), [across - along, -across - along]);
     let [wide, narrow] = [along * THREE + across, along * THREE - across];
     let close = across.shift(1);
