@@ -12,7 +12,9 @@ from sphinx.application import Sphinx
 def help_of(*words: str) -> str:
     """What `libration WORDS --help` prints, in lines that fit on a page."""
     command = [sys.executable, "-m", "libration", *words, "--help"]
-    run = subprocess.run(command, env={**os.environ, "COLUMNS": "88", "LC_ALL": "C.UTF-8"}, capture_output=True, text=True, check=True)
+    run = subprocess.run(
+        command, env={**os.environ, "COLUMNS": "88", "LC_ALL": "C.UTF-8"}, capture_output=True, text=True, check=True
+    )
     return run.stdout.rstrip()
 
 

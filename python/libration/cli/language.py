@@ -2,7 +2,7 @@
 
 A sentence is written in English where it is made, and told in the language where it is printed: by gettext if it is
 whole, else by its pattern, in which {} stands for what changes. A translation says which of these parts are sentences
-themselves, {0:told}, or numbers, {0:number}. What is not known stays English; checks/sentences.py says what is not known.
+themselves, {0:told}, or numbers, {0:number}. What is not known stays English; docs/sentences.py says what is not known.
 """
 
 import contextlib

@@ -1,7 +1,7 @@
 """Every sentence of the command line has its translations, none is left over, and the compiled catalogues are those of the texts.
 
-    python checks/sentences.py            what is missing or too many; exit code 1
-    python checks/sentences.py --update   writes new sentences into locales/ for a translator, and compiles
+    python docs/sentences.py            what is missing or too many; exit code 1
+    python docs/sentences.py --update   writes new sentences into locales/ for a translator, and compiles
 
 A sentence is a string with a blank and a word of three letters; what an f-string puts in is {}. Single words and what the
 core says stand in locales/ too: that all are there is seen by python/tests/test_cli_language.py, which runs the commands.
@@ -18,8 +18,6 @@ from pathlib import Path
 
 from babel.messages.mofile import read_mo, write_mo
 from babel.messages.pofile import read_po, write_po
-
-from tree import files, finish
 
 PACKAGE = "python/libration"
 BESIDE = "ensemble/_specification ensemble/_store ensemble/_workers papers/_works papers/_claim".split()
@@ -121,7 +119,7 @@ def findings(root: Path, update: bool = False) -> list[str]:
         with compiled.open("rb") as stream:
             held = {str(each.id): str(each.string) for each in read_mo(stream) if each.id}
         if held != {each: said for each, said in given.items() if said}:
-            found.append(f"{compiled.relative_to(root)}: is not that of the text; python checks/sentences.py --update")
+            found.append(f"{compiled.relative_to(root)}: is not that of the text; python docs/sentences.py --update")
     return found
 
 
@@ -137,8 +135,15 @@ def bytes_of(write, catalog, **options) -> bytes:
     return stream.getvalue()
 
 
+def files(root: Path, folder: str, suffix: str) -> list[Path]:
+    """The files under a folder."""
+    return sorted((root / folder).rglob(f"*{suffix}"))
+
+
 if __name__ == "__main__":
+    ROOT = Path(__file__).resolve().parents[1]
     if "--update" in sys.argv:
-        findings(Path(__file__).resolve().parents[1], update=True)
-        sys.argv.remove("--update")
-    finish(findings)
+        findings(ROOT, update=True)
+    lines = findings(ROOT)
+    print("\n".join(lines) or f"every sentence in {len(LANGUAGES)} languages")
+    sys.exit(bool(lines))
