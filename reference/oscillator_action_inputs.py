@@ -46,7 +46,7 @@ QUINTIC = [
     (triple_over, 6),
     (homoclinic_saddle, 2),
 ]
-# more of the cubic-quintic oscillator: generator, number of orbits, regimes
+# states of the cubic-quintic oscillator: generator, number of orbits, regimes
 QUINTIC_MORE = [
     (cubic_quintic.signs, 10, "libration well"),
     (cubic_quintic.zeros, 8, "libration well"),
@@ -109,7 +109,7 @@ def orbits():
 
 
 def quintic_orbits():
-    """(stratum, orbit) of more bounded motions with a fifth power."""
+    """(stratum, orbit) of more motions of the cubic-quintic oscillator that stay."""
     draw = Draw(20161015)
     for generator, count, regimes in QUINTIC_MORE:
         found = (o for o in generator(draw) if cubic_quintic.regime(o) in regimes.split())
@@ -156,7 +156,6 @@ def slope_rows(prefix, names):
         chosen += [(generator.__name__, orbit) for orbit in first(found, count)]
     for kind in ("turn", "through"):
         chosen += [(f"quintic_escape_{kind}", odd(o)) for o in first(cubic_quintic.escapes(draw, kind, 4), 4)]
-    chosen += list(quintic_orbits())[::2]
     found = []
     for k, (stratum, orbit) in enumerate(chosen):
         period, ahead, behind, unit = clock(*orbit[:2], letters(orbit))
@@ -215,7 +214,7 @@ def state_rows(prefix, names):
 def rows(prefix, names):
     draw = Draw(20200229)
     found = []
-    for k, (stratum, orbit) in enumerate([*orbits(), *quintic_orbits()]):
+    for k, (stratum, orbit) in enumerate(orbits()):
         period, _, _, unit = clock(*orbit[:2], letters(orbit))
         span = period if mp.isfinite(period) else unit
         part = draw.sign() * draw.part() * (1e6 if k % 9 == 5 else 3)

@@ -15,7 +15,7 @@ const BOUNDED: [[f64; 5]; 10] = [
     [0.3, -0.2, 1.0, -0.2, -0.1],
     [0.7, 0.0, 0.0, 0.0, 1.0],
     // E = 0 between two positive roots.
-    [1.0, 0.0, 1.0, -4.0, 3.0],
+    [1.0, 0.5, 1.0, -4.0, 2.25],
 ];
 
 fn orbit([u0, velocity0, p, q, s]: [f64; 5]) -> CubicQuintic {
@@ -124,7 +124,7 @@ fn it_grows_with_the_energy() {
     let mut last: Option<CubicQuintic> = None;
     for k in 1..800 {
         let one = orbit([0.0, 5e-4 * f64::from(k), 1.0, -4.0, 3.0]);
-        if let Some(last) = last.filter(|last| last.range().1 < 0.55 && one.range().1 < 0.55) {
+        if let Some(last) = last.filter(|last| last.range().1 < 0.5 && one.range().1 < 0.5) {
             let rise = one.action() - last.action();
             let middle = 0.5 * (1.0 / one.frequency() + 1.0 / last.frequency());
             let told = (one.energy() - last.energy()) * middle;

@@ -52,7 +52,7 @@ fn errors(row: &Row, spoil: [f64; 3]) -> [f64; 3] {
 #[test]
 fn action_frequency_and_phase_keep_their_last_digits() {
     let rows = odd(ACTIONS, ACTION_ROWS);
-    assert!(rows.len() > 40, "{}", rows.len());
+    assert!(rows.len() > 30, "{}", rows.len());
     let mut worst = [0.0_f64; 3];
     for row in &rows {
         let found = errors(row, [1.0; 3]);
@@ -167,7 +167,7 @@ fn starts_have_the_action() {
 #[test]
 fn without_a_fifth_power() {
     let rows: Vec<Row> = odd(ACTIONS, ACTION_ROWS).into_iter().filter(|row| row.hex("s") == 0.0).collect();
-    assert!(rows.len() > 10, "{}", rows.len());
+    assert!(rows.len() > 4, "{}", rows.len());
     for row in &rows {
         let [p, q, _] = force(row);
         let one = orbit(row);

@@ -10,6 +10,9 @@ use crate::float::{Dd, TWO_PI};
 /// Off by more than this share, the action of a state is mended by its velocity.
 const MENDED: f64 = 4e-14;
 
+/// Turns by which a state that is mended may miss its phase.
+const PHASE_KEPT: f64 = 1e-9;
+
 /// The sign of -(p u + q u^3 + s u^5), exactly.
 fn force_sign([p, q, s]: [f64; 3], u: f64) -> i32 {
     let x = Dyadic::from(u);
@@ -85,7 +88,8 @@ impl CubicQuintic {
     /// | `about` | next to the stable equilibrium that is meant; not needed where there is one only |
     /// | `[p, q, s]` | finite, with a stable equilibrium |
     ///
-    /// **Error** the action comes back within 1e-13. **Source** Newton's method with dJ/dE = 1/frequency.
+    /// **Error** the action comes back within 1e-13; of a swing far smaller than u itself, at its ends, within what rounding u makes of
+    /// it. **Source** Newton's method with dJ/dE = 1/frequency.
     ///
     /// # Errors
     /// A [`Domain`] that names the argument.
@@ -131,7 +135,10 @@ impl CubicQuintic {
         if (made.action() / action - 1.0).abs() <= MENDED {
             return Ok(made);
         }
-        orbit.with_its_energy(u, velocity, equilibrium)
+        let mended = orbit.with_its_energy(u, velocity, equilibrium)?;
+        // Next to a turning point what rounds u is far more of the phase than of the action: doubles do not hold both.
+        let off = mended.phase_turns().map_or(0.0, |(turns, _)| (Dd::from(phase) / TWO_PI - turns.start).hi);
+        Ok(if (off - off.round()).abs() < PHASE_KEPT { mended } else { made })
     }
 
     /// The state next to u on this orbit: where u is rounded, the velocity keeps the energy.

@@ -135,7 +135,8 @@ class CubicQuintic(OscillatorKnowledge):
 
         Notes
         -----
-        Error promised: the action comes back within 1e-13. Source: Newton's method, dJ/dE = 1/frequency.
+        Error promised: the action comes back within 1e-13; of a swing far smaller than the displacement, at its ends, within what
+        rounding the displacement makes of it. Source: Newton's method, dJ/dE = 1/frequency.
 
         Examples
         --------
