@@ -270,7 +270,7 @@ mod tests {
                 }
                 text.push(char::from(b'0' + (random(&mut state) % 10) as u8));
             }
-            if random(&mut state) % 2 == 0 {
+            if random(&mut state).is_multiple_of(2) {
                 text += &format!("e{}", random(&mut state) as i64 % 360);
             }
             agrees(&text);

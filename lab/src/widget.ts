@@ -3,7 +3,7 @@
 // The traits of Python are the start, and the length with gravity or omega0. What a hand changes goes to Python, what Python sets comes
 // here. Numbers that no hand has touched stay as Python gave them: the lab has them as doubles too.
 
-import { html, nothing, render as draw, type TemplateResult } from 'lit-html'
+import { render as draw, html, nothing, type TemplateResult } from 'lit-html'
 import { onResize, remPixels } from './controls/size'
 import { value } from './controls/value'
 import { nearestLanguage, Words } from './language'
