@@ -66,21 +66,19 @@ $(VENV)/.built: $(SOURCES) $(VENV)/.needed | kernels
 # Modules of WebAssembly, with vectors and without. Loops are written out for vectors where it pays, and nowhere else.
 NPM := wasm/npm
 DIST := $(NPM)/dist
-WASM_FLAGS := -C no-vectorize-loops -C no-vectorize-slp
+# The linker writes short calls where it is asked to.
+WASM_FLAGS := -C no-vectorize-loops -C no-vectorize-slp -C link-arg=--compress-relocations
 module-simd: WASM_FLAGS += -C target-feature=+simd128
 # What a page does not need at first.
 module-second: WHOLE := --features whole
-# What a page loads later is built with short calls, which the linker writes where it is asked to.
 CRATE := libration-wasm
 PROFILE := wasm
-SHORT := -C link-arg=--compress-relocations
 # The fit, with vectors, the reader, g from a period: packages of their own on the same libraries.
-module-fit: WASM_FLAGS += -C target-feature=+simd128 $(SHORT)
+module-fit: WASM_FLAGS += -C target-feature=+simd128
 module-fit: CRATE := libration-wasm-fit
 module-fit: BESIDE := reader period
 module-fit: PROFILE := wasm-fit
 # Springs and friction: a package of its own.
-module-motions: WASM_FLAGS += $(SHORT)
 module-motions: CRATE := libration-wasm-motions
 .PHONY: wasm-target
 wasm-target:

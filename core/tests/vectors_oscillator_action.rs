@@ -103,7 +103,7 @@ fn derivatives_keep_twelve_digits() {
 /// The action comes back within 1e-13, in the well that was meant.
 #[test]
 fn starts_have_the_action() {
-    let rows = duffing(STATES, 77);
+    let rows = duffing(STATES, 149);
     assert!(rows.len() > 50);
     for row in &rows {
         let (action, phase) = (row.hex("action"), row.hex("phase"));
