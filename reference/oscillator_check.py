@@ -10,7 +10,7 @@ import duffing
 import exact
 from table import counted, fail, mutated
 
-SAMPLES = {duffing.NAME: (duffing, 40), cubic_quintic.NAME: (cubic_quintic, 20)}
+SAMPLES = {duffing.NAME: (duffing, 20), cubic_quintic.NAME: (cubic_quintic, 10)}
 
 
 def check(name, every, rng):

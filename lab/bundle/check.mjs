@@ -17,7 +17,7 @@ const LATER = {
   reader: { most: 128_000, when: 'when Data from a file opens' },
   fit: { most: 152_000, when: 'with the first file' },
   period: { most: 36_000, when: 'when Data from a period opens' },
-  motions: { most: 107_000, when: 'when springs or friction open' },
+  motions: { most: 110_000, when: 'when springs or friction open' },
 }
 
 /** @param {string} folder @returns {string[]} */
