@@ -144,6 +144,7 @@ OTHERS = {
         "animate",
         "to_dataframe",
         "plot",
+        "widget",
         "plot_phase",
         "times",
         "turning_times",

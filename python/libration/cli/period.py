@@ -272,9 +272,10 @@ def print_one(swing: Swing, style: NumberStyle) -> None:
     lines.append(("T / T0", digits(ratio, style) if math.isfinite(ratio) else "infinite"))
     lines.append(("T * omega0", f"{digits(swing.phase, style)} rad" if math.isfinite(swing.phase) else "infinite"))
     lines.append(("turning angle", angle_text(motion, style)))
-    print_lines(lines)
     if upright(motion):
-        say("formulas none: but for the rounding of pi this is the upright balance, whose period is infinite")
+        none = "none: but for the rounding of pi this is the upright balance, whose period is infinite"
+        lines.append(("formulas", none))
+    print_lines(lines)
     if swing.compared:
         print()
         print_formulas(swing, style)

@@ -6,6 +6,7 @@ The drawing is page/widget.js, one module with the core inside, built from lab/ 
 from __future__ import annotations
 
 import functools
+import importlib
 import math
 from pathlib import Path
 from typing import Any
@@ -46,29 +47,29 @@ def drawn(pendulum: Any) -> dict[str, float | None]:
 @functools.cache
 def widget_kind() -> Any:
     """The class of the widget; made when anywidget is there."""
-    import anywidget
-    import traitlets
+    kind: Any = importlib.import_module("anywidget").AnyWidget
+    traits: Any = importlib.import_module("traitlets")
+    number = functools.partial(traits.Float, allow_none=True)
 
-    number = functools.partial(traitlets.Float, allow_none=True)
+    def drawn_now(self: Any) -> Any:
+        """The pendulum that is drawn now."""
+        given = {"omega0": self.omega0} if self.length is None else {"length": self.length, "gravity": self.gravity}
+        return self._kind(self.theta0, self.velocity0, **given)
 
-    class PendulumWidget(anywidget.AnyWidget):
-        """The lab's drawing of a pendulum; its traits follow its sliders."""
-
-        _esm = MODULE
-        theta0 = traitlets.Float(0.0).tag(sync=True)
-        velocity0 = traitlets.Float(0.0).tag(sync=True)
-        length = number(None).tag(sync=True)
-        gravity = number(None).tag(sync=True)
-        omega0 = number(None).tag(sync=True)
-        lang = traitlets.Unicode("").tag(sync=True)
-
-        @property
-        def pendulum(self) -> Any:
-            """The pendulum that is drawn now."""
-            given = {"omega0": self.omega0} if self.length is None else {"length": self.length, "gravity": self.gravity}
-            return self._kind(self.theta0, self.velocity0, **given)
-
-    return PendulumWidget
+    members = {
+        "__doc__": "The lab's drawing of a pendulum; its traits follow its sliders.",
+        "__module__": __name__,
+        "_esm": MODULE,
+        "theta0": traits.Float(0.0).tag(sync=True),
+        "velocity0": traits.Float(0.0).tag(sync=True),
+        "length": number(None).tag(sync=True),
+        "gravity": number(None).tag(sync=True),
+        "omega0": number(None).tag(sync=True),
+        "lang": traits.Unicode("").tag(sync=True),
+        "pendulum": property(drawn_now),
+    }
+    # The base is known only where anywidget is installed, so that type checkers cannot read a class statement.
+    return type("PendulumWidget", (kind,), members)
 
 
 class Shown:
