@@ -11,6 +11,7 @@ mod formula;
 mod fused;
 mod instruction_set;
 mod lane;
+mod last_made;
 mod pair;
 mod scalar;
 #[cfg(all(any(target_arch = "x86_64", target_arch = "aarch64"), not(one_instruction_set)))]
@@ -39,3 +40,4 @@ pub use formula::{BETWEEN, Columns, Evaluation, Formula, Once, Sampler, Second, 
 pub use instruction_set::InstructionSet;
 pub(crate) use lane::compiled_once;
 pub use lane::{COMPACT, Kernel, Lane, PIECES, ROUNDER, WIDEST};
+pub(crate) use last_made::LastMade;

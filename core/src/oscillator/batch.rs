@@ -4,19 +4,19 @@
 
 use super::addition_theorem::{PerRow, SharedStart};
 use super::duffing::Duffing;
-use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, repeats, wide};
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, LastMade, repeats, wide};
 
-/// The formula that a row asks for.
-mod class {
-    /// None of the lanes': next to a separatrix, out of range, or not finite.
+/// The formula that a row asks for, with even powers or without; the roots are e1, e2, e3 with them.
+pub(super) mod class {
+    /// None of the lanes': next to a separatrix, out of range, not finite, or escaping for certain with even powers.
     pub const FALLBACK: usize = 0;
     /// Real roots, and m <= 1/2.
     pub const CIRCULAR: usize = 1;
     /// Real roots, and m > 1/2.
     pub const HYPERBOLIC: usize = 2;
-    /// Complex roots, and m <= 1/2.
+    /// Two complex roots, and m <= 1/2.
     pub const PAIR_CIRCULAR: usize = 3;
-    /// Complex roots, and m > 1/2.
+    /// Two complex roots, and m > 1/2.
     pub const PAIR_HYPERBOLIC: usize = 4;
     /// How many.
     pub const COUNT: usize = 5;
@@ -130,7 +130,7 @@ pub fn duffing_motion_into(arguments: [&[f64]; 5], [u, velocity]: [&mut [f64]; 2
         let arguments = arguments.map(|argument| &argument[rows.clone()]);
         block(&mut sorted, arguments, [&mut u[rows.clone()], &mut velocity[rows]]);
     }
-    let mut kept: Option<([u64; 4], Option<Duffing>)> = None;
+    let mut made = LastMade::new();
     for row in 0..rows {
         if u[row].is_finite() && velocity[row].is_finite() {
             continue;
@@ -141,11 +141,7 @@ pub fn duffing_motion_into(arguments: [&[f64]; 5], [u, velocity]: [&mut [f64]; 2
         if escaped || t.is_nan() {
             continue;
         }
-        let key = [u0, velocity0, p, q].map(f64::to_bits);
-        if kept.as_ref().is_none_or(|(last, _)| *last != key) {
-            kept = Some((key, Duffing::new(u0, velocity0, p, q).ok()));
-        }
-        if let Some((_, Some(orbit))) = &kept {
+        if let Some(orbit) = made.of([u0, velocity0, p, q], || Duffing::new(u0, velocity0, p, q).ok()) {
             (u[row], velocity[row]) = orbit.motion(t);
         }
     }

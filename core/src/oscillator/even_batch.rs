@@ -2,11 +2,11 @@
 //! block is sorted by the formula that its rows ask for, and every class is evaluated over lanes (even_rows.rs). Rows that the lanes
 //! leave out, escapes, separatrices and what is next to them, are answered by a [`Duffing`] of the row.
 
-use super::batch::duffing_motion_into;
+use super::batch::{class, duffing_motion_into};
 use super::duffing::Duffing;
 use super::even_rows::{EvenPerRow, EvenSharedStart};
-use super::even_start::{ClassifyEven, class};
-use crate::lanes::{BLOCK, Classes, Columns, Evaluation, repeats, wide};
+use super::even_start::ClassifyEven;
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, LastMade, repeats, wide};
 
 /// Blocks sorted by class.
 type Sorted = Classes<7, 2, { class::COUNT }>;
@@ -48,19 +48,15 @@ fn with_even_powers(sorted: &mut Option<Sorted>, arguments: [&[f64]; 7], [u, vel
         let arguments = arguments.map(|argument| &argument[rows.clone()]);
         block(sorted, arguments, [&mut u[rows.clone()], &mut velocity[rows]]);
     }
-    let mut kept: Option<([u64; 6], Option<Duffing>)> = None;
+    let mut made = LastMade::new();
     for row in 0..rows {
         if u[row].is_finite() && velocity[row].is_finite() {
             continue;
         }
         let [t, start @ ..] = arguments.map(|column| column[row]);
-        let key = start.map(f64::to_bits);
-        if kept.as_ref().is_none_or(|(last, _)| *last != key) {
-            let [u0, velocity0, force @ ..] = start;
-            kept = Some((key, Duffing::with_even_powers(u0, velocity0, force).ok()));
-        }
-        let orbit = kept.as_ref().and_then(|(_, orbit)| orbit.as_ref());
-        (u[row], velocity[row]) = orbit.map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t));
+        let [u0, velocity0, force @ ..] = start;
+        let orbit = made.of(start, || Duffing::with_even_powers(u0, velocity0, force).ok());
+        (u[row], velocity[row]) = orbit.as_ref().map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t));
     }
 }
 

@@ -4,27 +4,12 @@
 //! terms cancel goes elsewhere. e1 and the gaps come from the one root of Z^3 - 3 I Z = 2 |J| that is far from the others, by Newton's
 //! steps, and from the discriminant. Source: as there.
 
+use super::batch::class;
 use super::roots::{CUBE_ROOT, THIRD_OF_ANGLE};
 use crate::float::Dd;
 use crate::float::elementary::horner;
 use crate::float::unnormalised::Unnormalised;
 use crate::lanes::{Formula, Lane};
-
-/// The formula that a row asks for.
-pub(super) mod class {
-    /// None of the lanes': next to a separatrix, out of range, escaping for certain, or not finite.
-    pub const FALLBACK: usize = 0;
-    /// e1, e2, e3 are real, and m <= 1/2.
-    pub const CIRCULAR: usize = 1;
-    /// They are real, and m > 1/2.
-    pub const HYPERBOLIC: usize = 2;
-    /// Two are complex, and m <= 1/2.
-    pub const PAIR_CIRCULAR: usize = 3;
-    /// Two are complex, and m > 1/2.
-    pub const PAIR_HYPERBOLIC: usize = 4;
-    /// How many.
-    pub const COUNT: usize = 5;
-}
 
 /// What is not 0 lies between these, and so does the size of the discriminant: products of several, with their errors, stay in
 /// range.

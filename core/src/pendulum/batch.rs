@@ -10,7 +10,7 @@ use crate::elliptic::theta::neville_lanes::LEAST_COMPLEMENT;
 use crate::float::PI;
 use crate::float::angle_reduction::FAR;
 use crate::float::elementary::sine;
-use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, Once, repeats, wide};
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, LastMade, Once, repeats, wide};
 use core::cell::Cell;
 
 /// The formula that a row asks for.
@@ -175,14 +175,11 @@ pub(super) fn fill(
 /// assert_eq!(format!("{:.9} {:.9}", theta[0], velocity[1]), "-0.306200958 -0.502884034");
 /// ```
 pub fn motion_into([t, theta0, velocity0, omega0]: [&[f64]; 4], results: [&mut [f64]; 2]) {
-    let mut kept: Option<([u64; 3], Option<Orbit>)> = None;
+    let mut made = LastMade::new();
     fill([theta0, velocity0, t, omega0], results, |[theta, velocity, t, omega0]| {
-        let key = [theta, velocity, omega0].map(f64::to_bits);
-        if kept.as_ref().is_none_or(|(last, _)| *last != key) {
-            let frequency = Frequency::from_omega0(omega0).ok();
-            kept = Some((key, frequency.and_then(|frequency| Orbit::new(theta, velocity, frequency).ok())));
-        }
-        let orbit = kept.as_ref().and_then(|(_, orbit)| orbit.as_ref());
-        orbit.map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t))
+        let orbit = made.of([theta, velocity, omega0], || {
+            Frequency::from_omega0(omega0).and_then(|of| Orbit::new(theta, velocity, of)).ok()
+        });
+        orbit.as_ref().map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t))
     });
 }

@@ -17,7 +17,7 @@ use super::sensitivity::Sensitivity;
 use crate::elliptic::theta::neville_lanes::Point;
 use crate::float::Dd;
 use crate::float::unnormalised::Unnormalised;
-use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane};
+use crate::lanes::{BLOCK, Classes, Columns, Evaluation, Formula, Lane, LastMade};
 
 /// Least |1 - kappa^2|: below, too many of a double's digits cancel.
 const LEAST_COMPLEMENT: f64 = 1e-4;
@@ -152,18 +152,17 @@ pub fn sensitivities_into(arguments: [&[f64]; 4], mut derivatives: [&mut [f64]; 
             _ => columns.fill(f64::NAN),
         });
     }
-    let mut kept: Option<([u64; 3], Option<Sensitivity>)> = None;
+    let mut made = LastMade::new();
     for row in 0..rows {
         if derivatives.iter().all(|column| !column[row].is_nan()) {
             continue;
         }
         let [t, theta, velocity, omega0] = arguments.map(|column| column[row]);
-        let key = [theta, velocity, omega0].map(f64::to_bits);
-        if kept.as_ref().is_none_or(|(last, _)| *last != key) {
+        let sensitivity = made.of([theta, velocity, omega0], || {
             let orbit = Frequency::from_omega0(omega0).and_then(|of| Orbit::new(theta, velocity, of));
-            kept = Some((key, orbit.ok().map(|orbit| Sensitivity::new(&orbit))));
-        }
-        let known = kept.as_ref().and_then(|(_, of)| of.as_ref()).map(|of| of.at(t).rows());
+            orbit.ok().map(|orbit| Sensitivity::new(&orbit))
+        });
+        let known = sensitivity.as_ref().map(|of| of.at(t).rows());
         for (i, column) in derivatives.iter_mut().enumerate() {
             column[row] = known.map_or(f64::NAN, |rows| rows[i / 3][i % 3]);
         }
