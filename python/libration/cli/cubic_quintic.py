@@ -1,8 +1,8 @@
 """`libration cubic-quintic`: the motion of u'' + p u + q u^3 + s u^5 = 0, as `libration duffing`."""
 
 from libration.cli.backbone import SEVERAL, backbone, several, starts
-from libration.cli.oscillator import TOPICS, OscillatorOptions, oscillator_options, solve
-from libration.cli.parser import Refusal, command
+from libration.cli.oscillator import TOPICS, OscillatorOptions, oscillator_options, plain_numbers, required, solve
+from libration.cli.parser import command
 from libration.cli.quantities import NUMBERS, plain
 
 DESCRIPTION = """\
@@ -20,10 +20,8 @@ def run(options: OscillatorOptions) -> None:
     from libration import CubicQuintic
 
     if options.u0 is not None and several(options.u0):
-        missing = [f"--{name}" for name in COEFFICIENTS if getattr(options, name) is None]
-        if missing:
-            raise Refusal(f"missing {', '.join(missing)}; such as --p 1 --q -0.5 --s 0.1 --u0 0.1:2:20")
-        force = {name: plain(f"--{name}", getattr(options, name)) for name in COEFFICIENTS}
+        required(options, COEFFICIENTS, "--p 1 --q -0.5 --s 0.1 --u0 0.1:2:20")
+        force = plain_numbers(options, COEFFICIENTS)
         velocity0 = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
         return backbone(options, "cubic_quintic", starts(options.u0, NUMBERS), velocity0, force, "")
     return solve(options, CubicQuintic, list(COEFFICIENTS), "--p 1 --q -0.5 --s 0.1 --u0 1")

@@ -1,7 +1,15 @@
 """`libration duffing`: the motion of u'' + p u + r u^2 + q u^3 = c at many instants, its summary, a table and a plot."""
 
 from libration.cli.backbone import SEVERAL, backbone, several, starts
-from libration.cli.oscillator import TOPICS, OscillatorOptions, oscillator_options, show, solve
+from libration.cli.oscillator import (
+    TOPICS,
+    OscillatorOptions,
+    oscillator_options,
+    plain_numbers,
+    required,
+    show,
+    solve,
+)
 from libration.cli.parser import Refusal, Value, command, refusal
 from libration.cli.quantities import (
     CUBIC,
@@ -12,7 +20,6 @@ from libration.cli.quantities import (
     QUADRATIC,
     SPEED,
     STIFFNESS,
-    plain,
     quantity,
 )
 
@@ -66,10 +73,8 @@ def run(options: DuffingOptions) -> None:
 
 def plainly(options: DuffingOptions) -> dict[str, float]:
     """The coefficients as plain numbers, or a Refusal."""
-    missing = [f"--{name}" for name in COEFFICIENTS if getattr(options, name) is None]
-    if missing:
-        raise Refusal(f"missing {', '.join(missing)}; such as --p 1 --q 0.5 --u0 0.1:2:20")
-    return {name: plain(f"--{name}", text) for name in OF if (text := getattr(options, name)) is not None}
+    required(options, COEFFICIENTS, "--p 1 --q 0.5 --u0 0.1:2:20")
+    return plain_numbers(options, OF)
 
 
 def stated(options: DuffingOptions) -> dict[str, float]:
@@ -77,10 +82,7 @@ def stated(options: DuffingOptions) -> dict[str, float]:
     for name, other in OF.items():
         if getattr(options, name) is not None:
             raise Refusal(f"--{name} and a mass with stiffnesses: give one of both; beside --mass it is --{other}")
-    missing = [f"--{name}" for name in ("mass", "stiffness") if getattr(options, name) is None]
-    if missing:
-        example = "--mass 1e-11kg --stiffness 10N/m --cubic 1e12N/m3 --u0 1um"
-        raise Refusal(f"missing {', '.join(missing)}; such as {example}")
+    required(options, ("mass", "stiffness"), "--mass 1e-11kg --stiffness 10N/m --cubic 1e12N/m3 --u0 1um")
     found = {
         name: quantity(f"--{name}", text, dimension)
         for name, (_, dimension, _) in MECHANICAL.items()

@@ -45,8 +45,8 @@ class Catalogue(gettext.GNUTranslations):
     def patterns(self) -> list[tuple[re.Pattern[str], str]]:
         """Expressions of the sentences with places, those with more fixed letters first."""
         made = [(each.replace("{}", ""), each) for each in self._catalog if "{}" in each]
-        kept = sorted((rest, each) for rest, each in made if len(re.findall("[A-Za-z]", rest)) >= FEWEST_LETTERS)
-        kept.sort(key=lambda each: -len(each[0]))
+        kept = [(rest, each) for rest, each in made if len(re.findall("[A-Za-z]", rest)) >= FEWEST_LETTERS]
+        kept.sort(key=lambda both: (-len(both[0]), both))
         return [(re.compile(re.escape(each).replace(r"\{\}", "(.*?)") + r"\Z", re.DOTALL), each) for _, each in kept]
 
     def found(self, text: str) -> str | None:

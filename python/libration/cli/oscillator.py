@@ -4,7 +4,7 @@ Everything that can be refused is refused before the motion is evaluated; files 
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -85,14 +85,22 @@ def solve(
 
     The coefficients `names` are required, those of `more` are 0 if not given.
     """
-    typed: dict[str, str | None] = {name: getattr(options, name) for name in (*names, "u0")}
-    missing = [f"--{name}" for name, text in typed.items() if text is None]
-    if missing:
-        raise Refusal(f"missing {', '.join(missing)}; such as {so}")
-    given = {name: plain(f"--{name}", text) for name, text in typed.items() if text is not None}
-    given |= {name: plain(f"--{name}", text) for name in more if (text := getattr(options, name)) is not None}
+    required(options, (*names, "u0"), so)
+    given = plain_numbers(options, (*names, "u0", *more))
     given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
     show(options, kind, given)
+
+
+def required(options: OscillatorOptions, names: Iterable[str], so: str) -> None:
+    """A Refusal that names the options that are not given, with an example."""
+    missing = [f"--{name}" for name in names if getattr(options, name) is None]
+    if missing:
+        raise Refusal(f"missing {', '.join(missing)}; such as {so}")
+
+
+def plain_numbers(options: OscillatorOptions, names: Iterable[str]) -> dict[str, float]:
+    """The options that are given, as numbers without units."""
+    return {name: plain(f"--{name}", text) for name in names if (text := getattr(options, name)) is not None}
 
 
 def show(options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]", given: dict[str, float]) -> None:

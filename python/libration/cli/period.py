@@ -251,8 +251,7 @@ def columns(swings: Sequence[Swing], names: Sequence[str]) -> list[Column]:
 def print_several(swings: Sequence[Swing], names: Sequence[str], style: NumberStyle) -> None:
     """A row for each swing, a column for each formula."""
     seconds = swings[0].given.has_frequency
-    say(f"{'period in s' if seconds else 'T / T0, the period over that of small swings'}")
-    print()
+    say("period in s\n" if seconds else "T / T0, the period over that of small swings\n")
     print_table(
         list(map(Told, ["theta0", *names])),
         [[each.typed, *(style.aligned(each.value(name), 6) for name in names)] for each in swings],
@@ -273,8 +272,9 @@ def print_one(swing: Swing, style: NumberStyle) -> None:
     lines.append(("T * omega0", f"{digits(swing.phase, style)} rad" if math.isfinite(swing.phase) else "infinite"))
     lines.append(("turning angle", angle_text(motion, style)))
     if upright(motion):
-        none = "none: but for the rounding of pi this is the upright balance, whose period is infinite"
-        lines.append(("formulas", none))
+        lines.append(
+            ("formulas", "none: but for the rounding of pi this is the upright balance, whose period is infinite")
+        )
     print_lines(lines)
     if swing.compared:
         print()

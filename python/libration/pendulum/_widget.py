@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 MODULE = Path(__file__).parents[1] / "page" / "widget.js"
-STANDARD = 9.80665
 PLAIN, VIEW = "text/plain", "text/html"
 
 
@@ -40,8 +39,7 @@ def drawn(pendulum: Any) -> dict[str, float | None]:
     start = {"theta0": float(pendulum.theta0), "velocity0": float(pendulum.velocity0)}
     if length is None:
         return {**start, "omega0": float(pendulum.omega0)}
-    gravity = STANDARD if pendulum.gravity is None else float(pendulum.gravity)
-    return {**start, "length": float(length), "gravity": gravity}
+    return {**start, "length": float(length), "gravity": float(pendulum.gravity)}
 
 
 @functools.cache
@@ -95,5 +93,4 @@ def bundle(pendulum: Any, options: dict[str, Any]) -> tuple[dict[str, Any], dict
     found = shown(pendulum)
     made = {} if isinstance(found, Shown) else found._repr_mimebundle_(**options)
     data, metadata = made if isinstance(made, tuple) else (made, {})
-    still = found._html if isinstance(found, Shown) else pendulum._repr_html_()
-    return {**data, PLAIN: repr(pendulum), VIEW: still}, metadata
+    return {**data, PLAIN: repr(pendulum), VIEW: pendulum._repr_html_()}, metadata
