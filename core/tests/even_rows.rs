@@ -2,13 +2,10 @@
 //! within the promise of an orbit each, in every regime.
 
 use crate::on_every_set;
-use crate::oscillator::Spread;
-use crate::ruler::{distance, same, ulp};
+use crate::oscillator::{Spread, rows_keep_their_promise};
+use crate::ruler::same;
 use libration::Duffing;
 use libration::oscillator::duffing_rows_into;
-
-/// The promise, in ulps of the scale; the difference of two that keep it is twice that.
-const BOUND: f64 = 4.0;
 
 /// Rows of t, u0, velocity0, p, q, r, c of every kind, from the middle of each regime to next to its edges.
 fn mixed(count: usize) -> Vec<[f64; 7]> {
@@ -104,33 +101,7 @@ fn scales(orbit: &Duffing, u: f64, velocity: f64) -> [f64; 2] {
     [own[0].max(low.abs()).max(high.abs()), own[1].max((2.0 * fall).max(0.0).sqrt())]
 }
 
-/// The worst distances of u and u' from an orbit each, in ulps of their scales.
-fn worst(rows: &[[f64; 7]], orbits: &[Option<Duffing>], spoil: f64) -> [f64; 2] {
-    let mut worst = [0.0f64; 2];
-    let [u, velocity] = motions(rows);
-    for (i, (row, orbit)) in rows.iter().zip(orbits).enumerate() {
-        let known = orbit.as_ref().map_or([f64::NAN; 2], |orbit| orbit.motion(row[0]).into());
-        let scales = orbit.as_ref().map_or([1.0; 2], |orbit| scales(orbit, known[0], known[1]));
-        for (k, got) in [u[i], velocity[i]].into_iter().enumerate() {
-            let error = distance(got * spoil, [known[k], 0.0], ulp(scales[k]));
-            if error > 2.0 * BOUND && spoil == 1.0 {
-                println!("{i} {row:?} {error} {got} {}", known[k]);
-            }
-            worst[k] = worst[k].max(error);
-        }
-    }
-    worst
-}
-
 #[test]
 fn rows_are_within_the_promise_of_an_orbit_each() {
-    let rows = mixed(6000);
-    on_every_set(|set| {
-        let orbits: Vec<Option<Duffing>> = rows.iter().map(|row| orbit(*row)).collect();
-        let found = worst(&rows, &orbits, 1.0);
-        println!("{set:?} {found:.2?}");
-        assert!(found.iter().all(|error| *error <= 2.0 * BOUND), "{set:?} {found:?}");
-        let spoiled = worst(&rows[..600], &orbits[..600], 1.0 + 12.0 * f64::EPSILON);
-        assert!(spoiled.iter().all(|error| *error > 2.0 * BOUND), "{set:?} {spoiled:?}");
-    });
+    rows_keep_their_promise(&mixed(6000), motions, orbit, scales);
 }

@@ -1,5 +1,7 @@
 //! What the tests of the oscillators share.
 
+use crate::on_every_set;
+use crate::ruler::{distance, ulp};
 use libration::{Duffing, DuffingForm, Glaisher};
 
 /// Reproducible numbers in [0, 1).
@@ -55,4 +57,41 @@ pub fn example(which: Glaisher, c2: f64) -> Option<DuffingForm> {
         (-1.5, -0.5),
     ];
     grid.iter().find_map(|(p, q)| DuffingForm::new(which, *p, *q, 1.0, c2).ok())
+}
+
+/// The promise of rows, in ulps of the scale; the difference of two that keep it is twice that.
+const BOUND: f64 = 4.0;
+
+/// Rows, whose first number is the time, beside an orbit each, on every instruction set; spoiled ones are found.
+pub fn rows_keep_their_promise<const N: usize>(
+    rows: &[[f64; N]],
+    motions: fn(&[[f64; N]]) -> [Vec<f64>; 2],
+    orbit: fn([f64; N]) -> Option<Duffing>,
+    scales: fn(&Duffing, f64, f64) -> [f64; 2],
+) {
+    // The worst distances of u and u' from an orbit each, in ulps of their scales.
+    let worst = |rows: &[[f64; N]], orbits: &[Option<Duffing>], spoil: f64| {
+        let mut worst = [0.0f64; 2];
+        let [u, velocity] = motions(rows);
+        for (i, (row, orbit)) in rows.iter().zip(orbits).enumerate() {
+            let known = orbit.as_ref().map_or([f64::NAN; 2], |orbit| orbit.motion(row[0]).into());
+            let scales = orbit.as_ref().map_or([1.0; 2], |orbit| scales(orbit, known[0], known[1]));
+            for (k, got) in [u[i], velocity[i]].into_iter().enumerate() {
+                let error = distance(got * spoil, [known[k], 0.0], ulp(scales[k]));
+                if error > 2.0 * BOUND && spoil == 1.0 {
+                    println!("{i} {row:?} {error} {got} {}", known[k]);
+                }
+                worst[k] = worst[k].max(error);
+            }
+        }
+        worst
+    };
+    on_every_set(|set| {
+        let orbits: Vec<Option<Duffing>> = rows.iter().map(|row| orbit(*row)).collect();
+        let found = worst(rows, &orbits, 1.0);
+        println!("{set:?} {found:.2?}");
+        assert!(found.iter().all(|error| *error <= 2.0 * BOUND), "{set:?} {found:?}");
+        let spoiled = worst(&rows[..600], &orbits[..600], 1.0 + 12.0 * f64::EPSILON);
+        assert!(spoiled.iter().all(|error| *error > 2.0 * BOUND), "{set:?} {spoiled:?}");
+    });
 }
