@@ -96,6 +96,8 @@ export class Store {
     this.#state = { ...this.#state, ...patch }
     if (patch.t !== undefined) this.clock.seek(patch.t)
     if (patch.speed !== undefined) this.clock.speed = patch.speed
+    // The row of a curve may go from under the pointer, which then never leaves it.
+    if ('view' in patch || 'curves' in patch || 'periods' in patch) this.#session = { ...this.#session, pointed: null }
     this.changed()
   }
 

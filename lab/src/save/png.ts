@@ -7,11 +7,8 @@ const MM_PER_INCH = 25.4
 
 export const pixelsOf = (mm: number): number => Math.round((mm / MM_PER_INCH) * DOTS_PER_INCH)
 
-// Chromium may load the fonts of an image when it is first drawn, and leaves the text out until then.
-const FONTS_MS = 200
-
-/** Draws an SVG over a whole canvas; `fonts` are those of `fontRules`. `again` draws once more when these are surely there. */
-export async function paint(svg: string, canvas: HTMLCanvasElement, fonts: string, again = false): Promise<void> {
+/** Draws an SVG over a whole canvas; `fonts` are those of `fontRules`. */
+export async function paint(svg: string, canvas: HTMLCanvasElement, fonts: string): Promise<void> {
   const withFonts = svg.replace(/<svg[^>]*>/, (root) => `${root}<style>${fonts}</style>`)
   const image = new Image()
   // In pixels of the canvas: an image is drawn once, at its own size.
@@ -19,15 +16,9 @@ export async function paint(svg: string, canvas: HTMLCanvasElement, fonts: strin
   try {
     await image.decode()
     const context = canvas.getContext('2d', { willReadFrequently: true }) as CanvasRenderingContext2D
-    const draw = (): void => {
-      context.fillStyle = '#ffffff'
-      context.fillRect(0, 0, canvas.width, canvas.height)
-      context.drawImage(image, 0, 0, canvas.width, canvas.height)
-    }
-    draw()
-    if (!again) return
-    await new Promise((done) => setTimeout(done, FONTS_MS))
-    draw()
+    context.fillStyle = '#ffffff'
+    context.fillRect(0, 0, canvas.width, canvas.height)
+    context.drawImage(image, 0, 0, canvas.width, canvas.height)
   } finally {
     URL.revokeObjectURL(image.src)
   }
@@ -76,7 +67,7 @@ export async function png(svg: string): Promise<Uint8Array<ArrayBuffer>> {
   )
   const canvas = document.createElement('canvas')
   Object.assign(canvas, { width, height })
-  await paint(svg, canvas, await fontRules(), true)
+  await paint(svg, canvas, await fontRules())
   const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'))
   if (!blob) throw new Error('the browser gave no PNG')
   return withDensity(new Uint8Array(await blob.arrayBuffer()), DOTS_PER_INCH)

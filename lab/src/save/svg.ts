@@ -154,6 +154,8 @@ export class Studio {
   draw(template: TemplateResult): string {
     render(template, this.#host)
     const drawing = this.#host.querySelector('svg') as SVGSVGElement
+    // The same picture wherever the pointer is.
+    for (const each of drawing.querySelectorAll('.faded')) each.classList.remove('faded')
     const copy = drawing.cloneNode(true) as SVGSVGElement
     inline(drawing, copy, 1)
     opened(copy)

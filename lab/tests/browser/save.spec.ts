@@ -125,6 +125,35 @@ test('story 15: every chart is an SVG of its own, with text as text, the same fr
   await large.context().close()
 })
 
+test('story 15: a picture shows every curve whichever is pointed at; one that goes is forgotten', async ({ lab }) => {
+  const link = `${LINK}&curves=linear,fourier:4,rk45`
+  await show(lab, link)
+  const row = lab.locator('.compare li.row').nth(1)
+  const faded = lab.locator('[data-chart=angle] .c.faded')
+  const whole = await svgOf(lab, 'angle')
+  await row.locator('input').focus()
+  await expect(faded).toHaveCount(3)
+  const pointed = await savedText(lab, async () => {
+    await menuOf(lab, 'angle').dispatchEvent('click')
+    await row.hover()
+    await expect(faded).toHaveCount(3)
+    await lab.getByRole('menuitem', { name: /^SVG/ }).dispatchEvent('click')
+  })
+  expect(pointed).toBe(whole)
+  // The row is gone, or the view is another one, with the pointer where it was.
+  for (const leave of [
+    () => row.getByRole('button').last().dispatchEvent('click'),
+    () => show(lab, `view=period&${link}`),
+  ]) {
+    await lab.mouse.move(0, 0)
+    await show(lab, link)
+    await row.hover()
+    await expect(faded).toHaveCount(3)
+    await leave()
+    await expect(lab.locator('.faded')).toHaveCount(0)
+  }
+})
+
 test('story 15: a PNG has 300 dots per inch at its width, and the font of the page', async ({ lab }) => {
   // What is given to be drawn, beside its drawing.
   await lab.evaluate(() => {
