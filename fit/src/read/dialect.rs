@@ -7,6 +7,7 @@ use std::cell::RefCell;
 use super::lines::{Line, comment, lines};
 use super::numbers;
 use super::refusal::Refusal;
+use crate::decimal;
 
 /// More columns than this are no record of a pendulum; the limit keeps memory near the size of the file.
 pub(super) const MOST_COLUMNS: usize = 4096;
@@ -49,13 +50,25 @@ impl Dialect {
     /// The dialect of a text.
     pub(super) fn of(text: &str) -> Result<Dialect, Refusal> {
         let (mut numeric, mut worded) = (Vec::new(), Vec::new());
-        for line in lines(text).filter(|line| comment(line.text).is_none()) {
+        let mut above = "";
+        for line in lines(text) {
+            if let Some(remark) = comment(line.text) {
+                if numeric.is_empty() {
+                    above = remark;
+                }
+                continue;
+            }
             short_enough(line)?;
             let start = line.text.trim_start().trim_start_matches('"').bytes().next().unwrap_or(b' ');
             if matches!(start, b'0'..=b'9' | b'+' | b'-' | b'.' | b',' | b';' | b'(' | b'[' | 0xe2) {
                 numeric.push(line.text);
-            } else if worded.len() < SAMPLE && line.text.bytes().any(|byte| byte.is_ascii_digit()) {
-                worded.push(line.text);
+            } else {
+                if numeric.is_empty() {
+                    above = line.text;
+                }
+                if worded.len() < SAMPLE && line.text.bytes().any(|byte| byte.is_ascii_digit()) {
+                    worded.push(line.text);
+                }
             }
             if numeric.len() == SAMPLE {
                 break;
@@ -66,7 +79,7 @@ impl Dialect {
         if clocked {
             sample = sample.into_iter().map(without_clock).collect();
         }
-        let (separator, names) = separator(&sample);
+        let (separator, names) = separator(&sample, above);
         Ok(Dialect { clocked, names, ..Dialect::separated(separator) })
     }
 
@@ -118,8 +131,25 @@ fn short_enough(line: Line<'_>) -> Result<(), Refusal> {
     Err(Refusal::fault(Some(line.number), reason))
 }
 
-/// The separator that the lines agree on, and the names of pairs or vectors.
-fn separator(sample: &[&str]) -> (Separator, Vec<String>) {
+/// Whether lines such as `57,395` are one column under one name, not two of whole numbers; then it is no counter.
+fn one_decimal_column(sample: &[&str], above: &str) -> bool {
+    let named = above.contains(char::is_alphabetic) && !above.contains([',', ';', '\t', '|']);
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let parts = |line: &'_ str| {
+        let (whole, decimals) = line.trim().split_once(',').unwrap_or((line.trim(), "0"));
+        let places = whole.trim_start_matches(['+', '-', '\u{2212}']);
+        (digits(places) && digits(decimals)).then(|| whole.to_owned())
+    };
+    if !named || !sample.iter().all(|line| numbers::is_missing(line) || parts(line).is_some()) {
+        return false;
+    }
+    let wholes: Vec<f64> =
+        sample.iter().filter_map(|line| decimal::number(&parts(line)?.replace("\u{2212}", "-"))).collect();
+    !wholes.windows(2).all(|pair| pair[1] > pair[0])
+}
+
+/// The separator that the lines agree on under the line `above`, and the names of pairs or vectors.
+fn separator(sample: &[&str], above: &str) -> (Separator, Vec<String>) {
     if share(sample, |line| pairs(line).next().is_some()) > 0.5 {
         let mut names: Vec<String> = Vec::new();
         // A pair may be missing in some lines; the names of a few lines are all names.
@@ -146,6 +176,9 @@ fn separator(sample: &[&str]) -> (Separator, Vec<String>) {
     }
     if share(sample, |line| line.contains('|')) > 0.5 {
         return (Separator::One('|'), Vec::new());
+    }
+    if share(sample, |line| line.contains(',')) > 0.5 && one_decimal_column(sample, above) {
+        return (Separator::One(';'), Vec::new());
     }
     // Between digits only, and blanks beside it: the comma of `0,1 18,5` is a decimal mark, that of `0.1, 18.5` is not.
     let decimal = |line: &str| {

@@ -99,9 +99,10 @@ fn refuse_decimal_commas(
     if dialect.separator != Separator::One(',') || width < 4 || width % 2 == 1 {
         return Ok(());
     }
-    if names.is_some_and(|names| names * 2 != width) {
+    if names == Some(width) {
         return Ok(());
     }
+    let halved = names.is_some_and(|names| names * 2 == width);
     let mut digits = vec![None; width];
     let mut cells = Vec::new();
     for row in rows {
@@ -115,7 +116,7 @@ fn refuse_decimal_commas(
             let fraction = k % 2 == 0 || !cell.starts_with(['-', '+']);
             // Decimals of a column written to a fixed number of places have one length.
             let fixed = k % 2 == 0 || *digits[k].get_or_insert(cell.len()) == cell.len();
-            if !whole || !fraction || names.is_none() && !fixed {
+            if !whole || !fraction || !halved && !fixed {
                 return Ok(());
             }
         }

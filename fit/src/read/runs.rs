@@ -34,6 +34,21 @@ fn needed(chosen: &Chosen) -> Vec<usize> {
     }
 }
 
+/// Tells of the samples that are missing between rows, but for lines that are told of as no rows.
+fn tell_missing(missing: &[usize], table: &Table<'_>, dropped: &mut Vec<Dropped>) {
+    for (row, pair) in missing.windows(2).enumerate() {
+        if pair[0] < pair[1] && table.lines_above(row + 1).next().is_none() {
+            for line in 1..=pair[1] - pair[0] {
+                leave_out(
+                    dropped,
+                    "an empty line, for a sample that is missing",
+                    table.lines[row] as usize + line,
+                );
+            }
+        }
+    }
+}
+
 /// The rows of a group, cut into recordings.
 pub(super) fn runs_of(
     table: &Table<'_>,
@@ -74,11 +89,15 @@ pub(super) fn runs_of(
         .find(|k| table.heads[*k].meaning == Some(Meaning::Index) && profiles[*k].counter());
     let mut stamps: Vec<(usize, f64)> = Vec::new();
     let shared = group.name.is_empty();
+    let missing = if rate.is_some() && index.is_none() { table.samples_missing() } else { Vec::new() };
     for row in 0..table.lines.len() {
         let time = match (selection.time, rate) {
             (Some(column), _) => table.columns[column][row],
             (None, Some(rate)) => {
-                index.map_or(row as f64, |k| table.columns[k][row] - profiles[k].least) / rate
+                index.map_or_else(
+                    || (row + missing[row]) as f64,
+                    |k| table.columns[k][row] - profiles[k].least,
+                ) / rate
             }
             (None, None) => row as f64,
         };
@@ -103,6 +122,7 @@ pub(super) fn runs_of(
         });
         leave_out(&mut dropped, &reason, table.lines[row] as usize);
     }
+    tell_missing(&missing, table, &mut dropped);
     if swings || selection.time.is_none() {
         if !stamps.is_empty() {
             let notes = Rc::new((understood, dropped));

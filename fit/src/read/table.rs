@@ -262,6 +262,32 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
+    /// How many samples are missing above each row where every line is an instant: lines without a row, but for comments
+    /// and headers that return. As many empty lines as stand between all rows only space them.
+    pub(super) fn samples_missing(&self) -> Vec<usize> {
+        let between = |row: usize| -> usize {
+            let lines_between = self.lines[row] - self.lines[row - 1] - 1;
+            if lines_between == 0 || self.restarts.binary_search(&row).is_ok() {
+                return 0;
+            }
+            lines_between as usize - self.lines_above(row).filter(|line| comment(line.text).is_some()).count()
+        };
+        let between: Vec<usize> = (1..self.lines.len()).map(between).collect();
+        let spacing = between.iter().copied().min().unwrap_or(0);
+        let mut missing = 0;
+        let more = between.iter().map(|lines| {
+            missing += (lines + 1) / (spacing + 1) - 1;
+            missing
+        });
+        core::iter::once(0).chain(more).collect()
+    }
+
+    /// The lines that are not empty between a row and the row above it.
+    pub(super) fn lines_above(&self, row: usize) -> impl Iterator<Item = Line<'a>> {
+        let (above, here) = (self.starts[row - 1] as usize, self.starts[row] as usize);
+        lines(&self.text[above..here]).skip(1)
+    }
+
     /// What separates its cells.
     pub(super) fn separator(&self) -> Separator {
         self.dialect.separator
