@@ -35,6 +35,17 @@ def test_what_is_printed(file, capsys):
         assert text in printed
 
 
+def test_counts_at_a_rate(tmp_path, capsys):
+    counts = tmp_path / "counts.txt"
+    counts.write_text("\n".join(str(round(each * 4096 / 360)) for each in swing()) + "\n")
+    said = []
+    for rate in ("25/s", "25Hz", "25 1/s", "25fps"):
+        assert main(["fit", str(counts), "--unit", "angle=4096/rev", "--rate", rate, "--json"]) == 0
+        said.append(json.loads(capsys.readouterr().out))
+    assert said[0]["omega0"]["value"] == pytest.approx(math.sqrt(9.81 / 0.8) * (T.size / 24 / 25), rel=3e-3)
+    assert all(each == said[0] for each in said)
+
+
 def test_json(file, capsys):
     assert main(["fit", file, "--length", "80.0(1)cm", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)

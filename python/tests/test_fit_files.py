@@ -156,3 +156,19 @@ def test_missing_packages_are_named(content, package, tmp_path, monkeypatch):
     monkeypatch.setattr(importlib, "import_module", without)
     with pytest.raises(ValueError, match=rf"needs {package}: pip install 'libration\[files\]'"):
         fit(path)
+
+
+STATED = [
+    ({"length": "0.65 m"}, "length = '0.65 m': must be a number or (value, standard uncertainty)"),
+    ({"length": (0.65, 0.002, 1.0)}, "length = (0.65, 0.002, 1.0): must be a number or (value, standard uncertainty)"),
+    ({"units": {"angle": "deg"}}, "arrays are in s and rad: np.radians(values)"),
+]
+
+
+@pytest.mark.parametrize(("stated", "message"), STATED)
+def test_what_is_stated_of_arrays(stated, message):
+    with pytest.raises(ValueError) as refusal:
+        fit(np.arange(9.0), np.cos(np.arange(9.0)), **stated)
+    assert message in str(refusal.value)
+    with pytest.raises(TypeError, match="values = 10+[.]+: must be real numbers"):
+        fit([0.0, 1.0, 2.0], 10**400)

@@ -98,7 +98,7 @@ libration solve --linear, --quadratic and --dry take. The poorest model that the
         "uncertainty",
         text="""\
 After the GUM, k = 1: noise with its correlation in time, the choice of the friction model, and length, scale and clock.
-A length is given as 0.650±0.010, 0.650+-0.010, 65.0(10)cm or 65cm±1%. With --monte-carlo the interval that holds 95 % of the draws stands beside it.
+A length is given as 0.650±0.010, 0.650+-0.010, '65.0(10)cm' or 65cm±1%. With --monte-carlo the interval that holds 95 % of the draws stands beside it.
 """,
     ),
     Topic(

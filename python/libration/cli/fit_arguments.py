@@ -21,7 +21,7 @@ MOST = 100_000
 DENSITY = Dimension("densities", {"kg/m3": ONE, "g/cm3": Decimal(1000)}, {})
 VISCOSITY = Dimension("kinematic viscosities", {"m2/s": ONE, "mm2/s": Decimal("1e-6")}, {})
 MASS = Dimension("masses", {"kg": ONE, "g": Decimal("0.001"), "mg": Decimal("1e-6"), "lb": Decimal("0.45359237")}, {})
-RATE = Dimension("rates", {"1/s": ONE, "Hz": ONE}, {"fps": ONE})
+RATE = Dimension("rates", {"1/s": ONE, "Hz": ONE}, {"/s": ONE, "fps": ONE})
 
 
 class FitOptions(PictureOptions):

@@ -42,9 +42,10 @@ def measure(name: str, given: Any) -> tuple[float, float]:
     """Value and standard uncertainty of a number, a pair, or a value of `uncertainties`."""
     if hasattr(given, "nominal_value"):
         return float(given.nominal_value), float(given.std_dev)
-    if isinstance(given, tuple | list):
-        if len(given) < 2:
-            raise ValueError(f"{name} = {shown(given)}: must be a number or (value, standard uncertainty)")
+    pair = isinstance(given, tuple | list | np.ndarray) and np.ndim(given) > 0
+    if isinstance(given, str) or (pair and len(given) != 2):
+        raise ValueError(f"{name} = {shown(given)}: must be a number or (value, standard uncertainty)")
+    if pair:
         return real(name, given[0]), real(f"uncertainty of {name}", given[1])
     return real(name, given), 0.0
 
@@ -148,8 +149,9 @@ def of_each(source: Any, values: Any, quantity: str, stated: Mapping[str, Any]) 
     if values is not None:
         needless = [name for name, each in stated.items() if each and name != "length"]
         if needless:
+            advice = "; arrays are in s and rad: np.radians(values)" if needless[0] == "units" else ""
             raise ValueError(
-                f"{needless[0]} = {shown(stated[needless[0]])}: is for files and data frames, not for arrays"
+                f"{needless[0]} = {shown(stated[needless[0]])}: is for files and data frames, not for arrays{advice}"
             )
         return [of_arrays(source, values, quantity)]
     try:
@@ -195,5 +197,5 @@ def reals(name: str, given: Any) -> Any:
         if kind == "c":
             raise TypeError
         return np.ma.filled(np.ma.asarray(given, dtype=float), np.nan)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{name} = {shown(given)}: must be real numbers") from None
