@@ -170,5 +170,5 @@ def test_what_is_stated_of_arrays(stated, message):
     with pytest.raises(ValueError) as refusal:
         fit(np.arange(9.0), np.cos(np.arange(9.0)), **stated)
     assert message in str(refusal.value)
-    with pytest.raises(TypeError, match="values = 10+[.]+: must be real numbers"):
+    with pytest.raises(TypeError, match=r"values = 10+[.]+: must be real numbers"):
         fit([0.0, 1.0, 2.0], 10**400)
