@@ -51,7 +51,7 @@ def worst(spoil=1.0):
 
 
 def test_actions_frequencies_and_phases_are_true():
-    assert len(ROWS) > 30
+    assert len(ROWS) > 120
     assert worst() <= 1.0
     assert worst(spoil=1 + 2e-15) > 1.0
 
