@@ -133,7 +133,9 @@ def letters(orbit):
 
 
 # rows that would take minutes: many hundreds of rates after the start on a separatrix, nearly symmetric, or a triple root
-SLOW = ("os-0056", "os-0074", "oa-0155", "oa-0156")
+SLOW = tuple(
+    "os-0056 os-0074 os-0154 os-0155 os-0159 oa-0155 oa-0156 oa-0220 oa-0236 oa-0237 oa-0238 oa-0261 oa-0262 oa-0263 oa-0264".split()
+)
 ESCAPES = [
     (even.outside, 5),
     (even.over_one_barrier, 5),
@@ -156,6 +158,7 @@ def slope_rows(prefix, names):
         chosen += [(generator.__name__, orbit) for orbit in first(found, count)]
     for kind in ("turn", "through"):
         chosen += [(f"quintic_escape_{kind}", odd(o)) for o in first(cubic_quintic.escapes(draw, kind, 4), 4)]
+    chosen += list(quintic_orbits())[::2]
     found = []
     for k, (stratum, orbit) in enumerate(chosen):
         period, ahead, behind, unit = clock(*orbit[:2], letters(orbit))
@@ -214,7 +217,7 @@ def state_rows(prefix, names):
 def rows(prefix, names):
     draw = Draw(20200229)
     found = []
-    for k, (stratum, orbit) in enumerate(orbits()):
+    for k, (stratum, orbit) in enumerate([*orbits(), *quintic_orbits()]):
         period, _, _, unit = clock(*orbit[:2], letters(orbit))
         span = period if mp.isfinite(period) else unit
         part = draw.sign() * draw.part() * (1e6 if k % 9 == 5 else 3)

@@ -50,7 +50,7 @@ def cite(*names: str, form: str = "text") -> str:
     ----------
     *names : str
         Keys of the references: `libration` itself (the default), `salas2019`, `lima2019`, `horsley2025`, `dlmf`, `landau1976`,
-        `jorba2005`, `gum2008`; `all` is all of them.
+        `jorba2005`, `gum2008`, `postma2005`, `jafari2011`, `martinis1987`, `martinis2002`; `all` is all of them.
     form : str, default "text"
         `text`, a line each, or `bibtex`.
 

@@ -66,6 +66,7 @@ REFUSED = [
     "compare --theta0 1 --with nothing",
     "duffing --u0 1",
     "duffing --u0 1 --mass 0kg --stiffness 1N/m",
+    "cubic-quintic --u0 1 --mass 1kg --stiffness 1N/m --quintic 1N/m3",
     "gravity",
     "gravity --latitude 45",
     "fit",

@@ -90,7 +90,7 @@ def test_command(capsys, tmp_path):
     assert f"period                 {spring.period:.15g} s" in capsys.readouterr().out
     for bad, message in [
         ("--p 1", "missing --q, --s, --u0; such as --p 1 --q -0.5 --s 0.1 --u0 1"),
-        ("--p 1 --q 1 --S 1", "unknown option '--S'; did you mean --s or --samples?"),
+        ("--p 1 --q 1 --S 1", "unknown option '--S'; did you mean --s or --samples or --stiffness?"),
         ("--p 1 --q 1 --s 1m --u0 1", "--s = 1m: must be a plain number, without a unit"),
     ]:
         assert main(["cubic-quintic", *bad.split()]) == 2

@@ -51,12 +51,13 @@ def worst(spoil=1.0):
 
 
 def test_actions_frequencies_and_phases_are_true():
-    assert len(ROWS) > 30
+    assert len(ROWS) > 120
     assert worst() <= 1.0
     assert worst(spoil=1 + 2e-15) > 1.0
 
 
-def test_actions_and_series():
+def test_series_are_the_motion():
+    """The sum of a series is u and velocity, and action times frequency the mean of velocity^2."""
     for given in BOUNDED:
         one = spring(*given)
         mean, u, velocity = one.fourier(90)
@@ -67,8 +68,12 @@ def test_actions_and_series():
         assert abs(one.action * one.frequency / np.mean(one.velocity(t) ** 2) - 1) < 1e-13
         assert abs(one.distortion - math.sqrt(float((u[1:] ** 2).sum())) / abs(float(u[0]))) < 1e-14
         assert one.fourier(3).u.tolist() == u[:3].tolist()
+
+
+def test_motions_without_a_swing():
     assert spring(0.0, 0.0, 1.0, 1.0, 1.0).action == 0.0
     assert math.isnan(spring(2.0, 0.0, 1.0, 0.0, -1.0).action)
+    assert math.isnan(spring(2.0, 0.0, 1.0, 0.0, -1.0).frequency)
     with pytest.raises(ValueError, match=r"^n = 0: must be from 1 to 1000$"):
         spring(1.0, 0.0, 1.0, 1.0, 1.0).fourier(0)
 
@@ -146,6 +151,10 @@ def test_arrays():
         assert same(found, np.array([getattr(each, kind) for each in alone]))
     assert same(libration.cubic_quintic_phase(u0, velocity0, **force), np.array([each.phase(0.0) for each in alone]))
     assert libration.cubic_quintic_regime(u0, velocity0, **force).tolist() == [each.regime for each in alone]
+    t = [0.7, -3.0, 40.0]
+    assert same(libration.cubic_quintic_motion(t, 1.2, p=1.0, q=-2.5, s=1.0)[0], spring(1.2, 0.0, 1.0, -2.5, 1.0).u(t))
+    two = libration.cubic_quintic_motion(0.7, [1.2, math.inf], p=1.0, q=-2.5, s=1.0)[0]
+    assert two[0] == spring(1.2, 0.0, 1.0, -2.5, 1.0).u(0.7) and math.isnan(two[1])
     behind, ahead = libration.cubic_quintic_escape_times([2.0, 0.5, math.inf], p=1.0, q=0.0, s=-1.0)
     one = CubicQuintic(2.0, p=1.0, q=0.0, s=-1.0)
     assert (behind[0], ahead[0], ahead[1]) == (one.escape_time_backward, one.escape_time, math.inf)
@@ -164,3 +173,52 @@ def test_several_starts(capsys, tmp_path):
     assert picture.read_bytes()[1:4] == b"PNG" and len(table.read_text().splitlines()) > 18
     assert main("cubic-quintic --p 1 --q -2.5 --u0 0.2:1.9:18".split()) == 2
     assert capsys.readouterr().err.startswith("libration cubic-quintic: missing --s; such as --p 1")
+
+
+BEAM = "--mass 1e-11kg --stiffness 10N/m --cubic 1e12N/m3 --quintic 1e23N/m^5"
+FORCE = {"p": 10.0 / 1e-11, "q": 1e12 / 1e-11, "s": 1e23 / 1e-11}
+
+
+def test_mass_and_stiffnesses(capsys, tmp_path):
+    table = tmp_path / "a.csv"
+    words = f"cubic-quintic {BEAM} --u0 1um --velocity0 -0.2m/s --until 20us --samples 5 --out {table}".split()
+    assert main([*words, "--json"]) == 0
+    answer, one = json.loads(capsys.readouterr().out), CubicQuintic(1e-6, -0.2, **FORCE)
+    assert [answer[name] for name in ("u0", "velocity0", "p", "q", "s")] == [1e-6, -0.2, *FORCE.values()]
+    assert (answer["period_s"], answer["frequency_Hz"]) == (one.period, one.frequency / math.tau)
+    assert "t [s],u [m],velocity [m/s]" in table.read_text().splitlines()
+    assert main(words) == 0
+    said = capsys.readouterr().out
+    assert f"frequency              {one.frequency / math.tau:.15g} Hz\n" in said
+    assert f"range of u             {one.range[0]:.15g} to {one.range[1]:.15g} m\n" in said
+    assert main(f"cubic-quintic {BEAM} --u0 0.1um,1µm --json".split()) == 0
+    motions = json.loads(capsys.readouterr().out)["motions"]
+    assert [each["frequency_Hz"] for each in motions] == [
+        CubicQuintic(u0, **FORCE).frequency / math.tau for u0 in (1e-7, 1e-6)
+    ]
+    # What is not given is 0, and raised digits are read.
+    assert main("cubic-quintic --mass 1e-11kg --stiffness 10N/m --cubic 1e12N/m³ --u0 1um --json".split()) == 0
+    assert json.loads(capsys.readouterr().out)["period_s"] == CubicQuintic(1e-6, **FORCE | {"s": 0.0}).period
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("--mass 1kg --s 1 --u0 1", "--s and a mass with stiffnesses: give one of both; beside --mass it is --quintic"),
+        ("--quintic 1N/m5 --u0 1m", f"missing --mass, --stiffness; such as {BEAM.replace('^', '')} --u0 1um"),
+        ("--mass 1kg --stiffness 1N/m", f"missing --u0; such as {BEAM.replace('^', '')} --u0 1um"),
+        ("--mass 0kg --stiffness 1N/m --u0 1m", "--mass = 0kg: must be above 0"),
+        (
+            "--mass 1kg --stiffness 1N/m --quintic 1N/m3 --u0 1m",
+            "--quintic = 1N/m3: unknown unit 'N/m3'; quintic stiffnesses take N/m5",
+        ),
+        (
+            "--mass 1kg --stiffness 1N/m --force 1N --u0 1m",
+            "unknown option '--force'; see libration cubic-quintic --help",
+        ),
+        ("--p 1 --q 1 --s 1 --u0 1m", "--u0 = 1m: must be a plain number, without a unit"),
+    ],
+)
+def test_what_a_mass_refuses(words, message, capsys):
+    assert main(["cubic-quintic", *words.split()]) == 2
+    assert capsys.readouterr().err == f"libration cubic-quintic: {message}\n"

@@ -5,7 +5,9 @@ from libration.cli.parser import Flag, Options, Refusal, Words, command
 
 DESCRIPTION = """\
 Prints how to cite libration; with a NAME, or with `all`, the papers, books and standards that it rests on."""
-NAMES = ("libration", "salas2019", "lima2019", "horsley2025", "dlmf", "landau1976", "jorba2005", "gum2008")
+NAMES = tuple(
+    "libration salas2019 lima2019 horsley2025 dlmf landau1976 jorba2005 gum2008 postma2005 jafari2011 martinis1987 martinis2002".split()
+)
 
 
 class CiteOptions(Options):

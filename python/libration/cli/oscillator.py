@@ -4,7 +4,7 @@ Everything that can be refused is refused before the motion is evaluated; files 
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import click
@@ -65,30 +65,16 @@ def oscillator_options(coefficients: dict[str, str], more: dict[str, str] | None
     """The options of a spring; `coefficients` says what each is, and `more` those that are 0 if not given."""
     group = "the oscillator"
     return [
-        *(Value(f"--{name}", name.upper(), f"{text} (required)", group) for name, text in coefficients.items()),
+        *(
+            Value(f"--{name}", name.upper(), f"{text} (required without --mass)", group)
+            for name, text in coefficients.items()
+        ),
         *(Value(f"--{name}", name.upper(), f"{text} (default 0)", group) for name, text in (more or {}).items()),
         Value("--u0", "U0", "initial displacement (required)", group),
         Value("--velocity0", "VELOCITY0", "initial velocity (default 0)", group),
         *instant_options(),
         *result_options("t, u and velocity", "u(t) and the phase portrait"),
     ]
-
-
-def solve(
-    options: OscillatorOptions,
-    kind: "type[Duffing] | type[CubicQuintic]",
-    names: Sequence[str],
-    so: str,
-    more: Sequence[str] = (),
-) -> None:
-    """Solve what the words ask for, write the files, print the summary; `so` is an example for who forgets an option.
-
-    The coefficients `names` are required, those of `more` are 0 if not given.
-    """
-    required(options, (*names, "u0"), so)
-    given = plain_numbers(options, (*names, "u0", *more))
-    given["velocity0"] = 0.0 if options.velocity0 is None else plain("--velocity0", options.velocity0)
-    show(options, kind, given)
 
 
 def required(options: OscillatorOptions, names: Iterable[str], so: str) -> None:
@@ -103,8 +89,10 @@ def plain_numbers(options: OscillatorOptions, names: Iterable[str]) -> dict[str,
     return {name: plain(f"--{name}", text) for name in names if (text := getattr(options, name)) is not None}
 
 
-def show(options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]", given: dict[str, float]) -> None:
-    """Solve the motion that the numbers give, write the files, print the summary."""
+def show(
+    options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]", given: dict[str, float], unit: str
+) -> None:
+    """Solve the motion that the numbers give, write the files, print the summary; `unit` is that of u, none if it may be any."""
     check_instants(options)
     check_targets(options)
     style, look = number_style(options), picture_look(options, options.plot)
@@ -114,7 +102,7 @@ def show(options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]",
         times, source = instants(options)
         u, velocity = motion.motion(times)
         if table and options.out is not None:
-            columns: list[Column] = [("t", "s", times), ("u", "", u), ("velocity", "1/s", velocity)]
+            columns: list[Column] = [("t", "s", times), ("u", unit, u), ("velocity", f"{unit or 1}/s", velocity)]
             write_table(table, options.out, parameters(given, motion), columns, style)
         if plot and options.plot is not None:
             from libration.plot import plot_oscillator
@@ -127,7 +115,7 @@ def show(options: OscillatorOptions, kind: "type[Duffing] | type[CubicQuintic]",
         answer |= {"first_t_s": float(times[0]), "last_t_s": float(times[-1]), "files": files}
         print(strict(answer))
     elif options.out != STANDARD_OUTPUT:
-        print_text(motion, times, u, source, files, style)
+        print_text(motion, times, u, source, files, style, unit)
 
 
 def parameters(given: dict[str, float], motion: "Duffing | CubicQuintic") -> list[Parameter]:
@@ -137,6 +125,7 @@ def parameters(given: dict[str, float], motion: "Duffing | CubicQuintic") -> lis
     low, high = motion.range
     found = [
         ("period", motion.period, "s"),
+        ("frequency", motion.frequency / math.tau, "Hz"),
         ("lowest_u", low, ""),
         ("highest_u", high, ""),
         ("energy", motion.energy, ""),
@@ -157,6 +146,7 @@ def print_text(
     source: str | None,
     files: list[str],
     style: NumberStyle,
+    unit: str,
 ) -> None:
     """The summary for people."""
     import numpy as np
@@ -171,10 +161,11 @@ def print_text(
         return digits(value, style) if math.isfinite(value) else "beyond the largest double, 1.8e308,"
 
     low, high = motion.range
-    lines = [
-        ("regime", str(motion.regime)),
-        ("period", time(motion.period, "none, it does not repeat")),
-        ("range of u", f"{bound(low)} {told('to')} {bound(high)}"),
+    lines = [("regime", str(motion.regime)), ("period", time(motion.period, "none, it does not repeat"))]
+    if math.isfinite(motion.period):
+        lines.append(("frequency", f"{digits(motion.frequency / math.tau, style)} Hz"))
+    lines += [
+        ("range of u", f"{bound(low)} {told('to')} {bound(high)} {unit}".rstrip()),
         ("energy", f"{size(motion.energy)} per unit mass, 0 at rest at u = 0"),
         ("escapes at", time(motion.escape_time, "never")),
         ("came from infinity at", time(motion.escape_time_backward, "never")),

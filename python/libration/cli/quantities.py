@@ -45,7 +45,7 @@ class Dimension:
 
 # Letters that look alike, as keyboards and spreadsheets write them: the degree sign, the ordinal of Portuguese and
 # Spanish, the ring above; the micro sign and the Greek mu; raised digits and a raised minus.
-LETTERS = str.maketrans({"\xba": "°", "\u02da": "°", "\u03bc": "µ", "²": "2", "¹": "1", "⁻": "-"})
+LETTERS = str.maketrans({"\xba": "°", "\u02da": "°", "\u03bc": "µ", "²": "2", "³": "3", "⁵": "5", "¹": "1", "⁻": "-"})
 
 
 def spelled(unit: str) -> str:
@@ -121,6 +121,7 @@ MASS = Dimension(
 STIFFNESS = Dimension("stiffnesses", {"N/m": ONE, "mN/m": MILLI, "kN/m": Decimal(1000), "N/mm": Decimal(1000)}, {})
 QUADRATIC = Dimension("quadratic stiffnesses", {"N/m2": ONE}, {})
 CUBIC = Dimension("cubic stiffnesses", {"N/m3": ONE}, {})
+QUINTIC = Dimension("quintic stiffnesses", {"N/m5": ONE}, {})
 FORCE = Dimension("forces", {"N": ONE, "mN": MILLI, "µN": MICRO, "nN": Decimal("1e-9")}, {"uN": MICRO})
 SPEED = Dimension("velocities", {"m/s": ONE, "mm/s": MILLI, "µm/s": MICRO}, {"um/s": MICRO})
 # Units that mean different things to different people, or have a name in other languages, and what to write instead.
