@@ -125,7 +125,7 @@ papers: $(VENV)/.packages $(VENV)/.built ## draw the figures of the three papers
 	@libration papers
 
 accuracy: $(VENV)/.packages $(VENV)/.built ## errors of libration and of the SciPy recipe on every row of the truth (20 s)
-	@$(PY) bench/accuracy.py
+	@$(PY) bench/accuracy.py && $(PY) bench/accuracy_springs.py
 
 bench: $(VENV)/.built $(VENV)/.rivals ## time and error of libration and its rivals, promised times: docs/benchmarks.md (15 minutes)
 	@$(PY) bench/run.py

@@ -65,6 +65,7 @@ def said(capsys, tmp_path, monkeypatch):
         (["solve", "-o", "a.csv"], "did you mean --out?"),
         (["duffing", "--alpha", "1"], "did you mean --p?"),
         (["duffing", "--x0", "1"], "did you mean --u0?"),
+        (["duffing", "--p", "1", "--q", "1", "--u0", "1,5"], "or be decimal; write '1;5' or 1.5"),
         (["cubic-quintic", "--alpha", "1"], "did you mean --p?"),
         (["period", "--", "--theta0", "1"], "unknown option '--theta0'; options stand before --"),
         (["period", "150"], "unknown word '150'; a value follows its option, and several are joined by commas"),

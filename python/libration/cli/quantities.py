@@ -216,7 +216,7 @@ def quantities(option: str, text: str, dimension: Dimension) -> list[float]:
 
 
 def unmistakable(text: str, pieces: Sequence[str], dimension: Dimension) -> list[str]:
-    """How to write a list with a comma between digits: a unit after each value, a point in place of the comma, or both.
+    """How to write a list with a comma between digits: a unit after each value, or a point in place of the comma.
 
     A value without a unit has that of the last one; angles that are large without one are meant in degrees.
     """
@@ -224,6 +224,9 @@ def unmistakable(text: str, pieces: Sequence[str], dimension: Dimension) -> list
     large = any(number is not None and not unit and abs(float(number)) > math.tau for number, unit in read)
     unit = read[-1][1] or ("deg" if dimension is ANGLE and large else next(iter(dimension.units)))
     apart = ",".join(piece if has_unit(piece) else f"{piece.strip()}{unit}" for piece in pieces)
+    if not unit:
+        # A shell takes a semicolon that is not in quotes for the end of the command.
+        apart = f"'{';'.join(map(str.strip, pieces))}'"
     decimal = BETWEEN_DIGITS.sub(".", text)
     return [apart, decimal] if all(parts(piece)[0] for piece in decimal.split(",")) else [apart]
 
