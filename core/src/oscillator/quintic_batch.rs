@@ -1,6 +1,6 @@
 //! Motion of rows with a quintic force and states of their own: (t, u0, velocity0, p, q, s) each. A block of them is sorted by the
-//! formula that its rows ask for, and every class is evaluated over lanes (quintic_rows.rs). Rows that the lanes leave out, escapes,
-//! separatrices and what is next to them, are answered by a [`CubicQuintic`] of the row.
+//! formula that its rows ask for, and every class is evaluated over lanes (quintic_rows.rs). Rows that the lanes leave out, next
+//! to a separatrix or to an escape, and from a barrier of which two roots are complex, are answered by a [`CubicQuintic`] of the row.
 
 use super::batch::class;
 use super::cubic_quintic::CubicQuintic;
@@ -21,7 +21,7 @@ fn from_shared_start(class: usize, start: [f64; 5], t: &[f64], results: [&mut [f
     }
 }
 
-/// Up to a block of rows, by their classes; NaN for the fallback.
+/// Up to a block of rows, by their classes; NaN for the fallback, infinite beyond an escape.
 fn block(sorted: &mut SortedQuintic, arguments: [&[f64]; 6], results: [&mut [f64]; 2]) {
     let [t, start @ ..] = arguments;
     let mut codes = [0.0; BLOCK];
@@ -67,10 +67,17 @@ pub fn cubic_quintic_rows_into(arguments: [&[f64]; 6], [u, velocity]: [&mut [f64
             continue;
         }
         let [t, start @ ..] = arguments.map(|column| column[row]);
+        let escaped = u[row].is_infinite();
+        (u[row], velocity[row]) = (f64::NAN, f64::NAN);
+        if escaped || t.is_nan() {
+            continue;
+        }
         let orbit = made.of(start, || {
             let [u0, velocity0, p, q, s] = start;
             CubicQuintic::new(u0, velocity0, p, q, s).ok()
         });
-        (u[row], velocity[row]) = orbit.as_ref().map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t));
+        if let Some(orbit) = orbit {
+            (u[row], velocity[row]) = orbit.motion(t);
+        }
     }
 }

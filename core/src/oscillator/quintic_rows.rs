@@ -1,5 +1,5 @@
 //! u'' + p u + q u^3 + s u^5 = 0 from a start, over lanes and without the phase of the start: every row may have a start and
-//! coefficients of its own. For motions that stay; escapes are left out.
+//! coefficients of its own.
 //!
 //! With a real root v of C(v) (nonzero_energy.rs) and g = 1 - v u0^2, x = u/sqrt(1 - v u^2) obeys Duffing's equation, and Euler's addition
 //! theorem for it (addition_theorem.rs) gives
@@ -9,6 +9,7 @@
 //! least. The root with C'(v) and g of different signs makes d a sum: the middle one of a motion through 0, else that with the largest
 //! e. Where two roots are complex d is a difference. There all is divided by sqrt g, whose digits are those of u0', and where the two
 //! terms of n differ in sign n and d are (u0^2 - 2E g S^2) and (u0 g S' - u0' S)/sqrt g, which have the same ratio.
+//! Escapes end where M is 0 for the first time.
 //! Floor: 1700 operations; for eight rows at two a cycle of 3 GHz 35 ns a row, for four 71.
 //! Source: derived; DLMF 22.8(i), 23.6, 22.13(i).
 
@@ -31,6 +32,12 @@ const SHARP: f64 = 1e-6;
 
 /// How far from 0 the end of a motion must be, as part of its terms.
 const BOUNDED: f64 = 1e-9;
+
+/// So near to the start, as part of it, u may be on either side of it.
+const BESIDE: f64 = 1e-9;
+
+/// The theta functions are good to 2^-57 of a time: in so much of it u may change by so many times its size, which makes 2 ulp of u'.
+const MOST_CHANGE: f64 = 6.0;
 
 /// Least M: below, the products have no range.
 const LEAST: f64 = 1e-180;
@@ -65,6 +72,8 @@ pub(super) struct QuinticStartOnLanes<L: Lane, const PAIR: bool, const HYPERBOLI
     scale: Unnormalised<L>,
     /// So many half periods keep their digits; 0 where none do.
     within: L,
+    /// 1 where it escapes, else 0.
+    escaping: L,
 }
 
 impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> QuinticStartOnLanes<L, PAIR, HYPERBOLIC> {
@@ -91,20 +100,20 @@ impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> QuinticStartOnLanes<L, P
         let (mixed, square2) = (m * mc, square.square());
         let e = if PAIR { e1 } else { tight(Unnormalised::select(by_d, e2, e1)) };
         let f = if PAIR { square2 } else { square2 * Unnormalised::select(by_d, -mixed, mc) };
-        // 2E times the root at the far end of the motion, with its sign.
+        // The root at the far end of the motion, times |2E|.
         let end = if PAIR {
             e1.hi
         } else {
             let oval = L::select(positive, e3.hi, e2.hi);
             L::select(by_d, e1.hi, oval)
         };
-        let (sum, end_size) = (end + third.hi, end.abs());
+        let (sum, size) = (end + third.hi, end.abs() + third.hi.abs());
         let end = L::select(positive, sum, -sum);
-        let least = (end_size + third.hi.abs()) * L::splat(BOUNDED);
-        let stays = L::select(least.less(end), one, zero);
         // Outside the oval with less energy than 0 it escapes.
-        let outside = if PAIR { one } else { L::select(by_d, one, zero) };
-        let stays = L::select(positive, stays, stays - stays * outside);
+        let end = if PAIR { end } else { L::select(by_d, L::select(positive, end, -size), end) };
+        let least = size * L::splat(BOUNDED);
+        let escaping = L::select(end.less(-least), one, zero);
+        let stays = L::select(least.less(end), one, escaping);
         let known = if HYPERBOLIC {
             left.abs()
         } else if PAIR {
@@ -157,6 +166,7 @@ impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> QuinticStartOnLanes<L, P
             rate,
             scale,
             within: stays * known * energy_left * L::splat(MANY),
+            escaping,
         }
     }
 
@@ -214,19 +224,51 @@ impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> QuinticStartOnLanes<L, P
         let u = n * inverse;
         let velocity = tight(way) * d * self.weight * (inverse * inverse.square());
         // Where M is small beside its terms, u changes fast.
-        let whole = of_d.hi.abs() + of_n.hi.abs();
-        let smooth = (whole * L::splat(SHARP)).less(sum.hi);
-        let known = L::select(
-            (turns.abs() + L::splat(1.0)).less(self.within),
-            (u.hi + u.lo) * (sign * self.units.length),
-            nan,
-        );
-        let known = L::select(L::splat(LEAST).less(sum.hi), known, nan);
-        let u = L::select(smooth, known, nan);
+        let least = (of_d.hi.abs() + of_n.hi.abs()) * L::splat(SHARP);
+        let u = (u.hi + u.lo) * (sign * self.units.length);
         let velocity = (velocity.hi + velocity.lo) * (sign * self.units.velocity);
-        let start = t.equal(zero);
-        let velocity = L::select(u.equal(u), velocity, nan);
+        let mut ended = L::select(least.larger(L::splat(LEAST)).less(sum.hi), zero, nan);
+        let escaping = zero.less(self.escaping);
+        if L::any(escaping) {
+            let found = self.ended([t, turns, f.hi], [u, velocity], ended);
+            let found = L::select(sum.hi.less(-least), L::splat(f64::INFINITY), found);
+            ended = L::select(escaping, found, ended);
+        }
+        let known = (turns.abs() + L::splat(1.0)).less(self.within);
+        let ended = L::select(known, ended, nan);
+        let (start, moving) = (t.equal(zero), ended.equal(zero));
+        let (u, velocity) = (L::select(moving, u, ended), L::select(moving, velocity, ended));
         [L::select(start, self.u0, u), L::select(start, self.velocity0, velocity)]
+    }
+
+    /// Of an escaping motion that is at u with this velocity: `near` before its end, infinite beyond, NaN where u changes too fast.
+    #[inline(always)]
+    fn ended(&self, [t, turns, f]: [L; 3], [u, velocity]: [L; 2], near: L) -> L {
+        let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
+        let end = L::splat(f64::INFINITY);
+        let way = one.copysign(t);
+        // |u| repeats after this many half periods, and between it ends, and comes back from infinity to where it was at first.
+        let whole = L::splat(if PAIR { 2.0 } else { 1.0 });
+        let passed = (turns + f).abs();
+        let inward = (self.u0 * self.velocity0 * way).less(zero);
+        let grows = zero.less(u * velocity * way);
+        let (size, first) = (u.abs(), self.u0.abs());
+        let (growing, falling) = (
+            L::select(inward, near, L::select(size.less(first), end, near)),
+            L::select(inward, L::select(size.less(first), near, end), end),
+        );
+        let found = L::select(grows, growing, falling);
+        // What is next to the start is so at the beginning, or else there again; growing from within it is on its way out.
+        let beside = (size - first).abs().less(first * L::splat(BESIDE));
+        let begins = L::select(passed.less(whole * half), near, end);
+        let begins = L::select(grows, L::select(inward, near, begins), begins);
+        let found = L::select(beside, begins, found);
+        // The values are those of a time that is off by 2^-57 of the distance from the nearest multiple of K.
+        let quarter = f.abs().smaller((half - f.abs()).abs());
+        let change = (velocity * quarter / (self.rate.hi * self.units.rate)).abs();
+        let slow = change.less(size.larger(first) * L::splat(MOST_CHANGE));
+        let found = L::select(found.equal(end), end, L::select(slow, found, L::splat(f64::NAN)));
+        L::select(passed.less(whole), found, end)
     }
 }
 

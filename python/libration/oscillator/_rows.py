@@ -156,7 +156,7 @@ def cubic_quintic_motion(t: Any, u0: Any, velocity0: Any = 0.0, *, p: Any, q: An
     -----
     Error promised: that of `CubicQuintic.u` and `CubicQuintic.velocity`. Where neither the start nor a coefficient has dimensions, an
     oscillator is set up once and the digits are those of its methods. Else every element is computed from its own start, at vector
-    speed where the motion stays; its digits do not depend on shape, order, strides or chunks. Source: DLMF 22.13(iii), 22.8.
+    speed; its digits do not depend on shape, order, strides or chunks. Source: DLMF 22.13(iii), 22.8.
 
     Examples
     --------
