@@ -23,6 +23,7 @@ mod own_states;
 mod passages;
 mod pendulum_ends;
 mod quintic_knowledge;
+mod quintic_rows;
 mod ruler;
 mod ruler_itself;
 mod vectors_action;

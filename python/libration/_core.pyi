@@ -129,6 +129,7 @@ __all__ = [
     "cubic_quintic_period",
     "cubic_quintic_phase",
     "cubic_quintic_regime",
+    "cubic_quintic_rows",
     "cubic_quintic_sensitivities",
     "cubic_quintic_u",
     "cubic_quintic_velocity",
@@ -493,6 +494,7 @@ cubic_quintic_motion: np.ufunc
 cubic_quintic_period: np.ufunc
 cubic_quintic_phase: np.ufunc
 cubic_quintic_regime: np.ufunc
+cubic_quintic_rows: np.ufunc
 cubic_quintic_sensitivities: np.ufunc
 cubic_quintic_u: np.ufunc
 cubic_quintic_velocity: np.ufunc

@@ -1,6 +1,8 @@
 //! The nonlinear springs as Python objects, and their ufuncs.
 
-use libration::oscillator::{Companion, CubicQuintic as Quintic, Duffing as Cubic, duffing_rows_into};
+use libration::oscillator::{
+    Companion, CubicQuintic as Quintic, Duffing as Cubic, cubic_quintic_rows_into, duffing_rows_into,
+};
 use libration::{Domain, Frequency};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
@@ -290,6 +292,11 @@ fn duffing_rows((): &(), rows: [&[f64]; 7], _: usize, columns: [&mut [f64]; 2]) 
     duffing_rows_into(rows, columns);
 }
 
+/// Rows of t, u0, velocity0, p, q and s, each a motion of its own.
+fn cubic_quintic_rows((): &(), rows: [&[f64]; 6], _: usize, columns: [&mut [f64]; 2]) {
+    cubic_quintic_rows_into(rows, columns);
+}
+
 /// Rows of t of one Duffing oscillator: the derivatives of u and of the velocity by u0, velocity0, p, q, r and c.
 fn sensitivities(made: &Cubic, [t]: [&[f64]; 1], _: usize, mut columns: [&mut [f64]; 12]) {
     made.derivatives_into(t, &mut |row, derivatives| {
@@ -316,6 +323,7 @@ pub fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(duffing_of_pendulum, module)?)?;
     module.add_function(wrap_pyfunction!(pendulum_of_duffing, module)?)?;
     add(module, "duffing_rows", nothing, whole::<[f64; 2], _>(duffing_rows))?;
+    add(module, "cubic_quintic_rows", nothing, whole::<[f64; 2], _>(cubic_quintic_rows))?;
     module.add_function(wrap_pyfunction!(duffing_from_energy, module)?)?;
     module.add_function(wrap_pyfunction!(duffing_from_action_phase, module)?)?;
     module.add_function(wrap_pyfunction!(cubic_quintic_from_energy, module)?)?;

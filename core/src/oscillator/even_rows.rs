@@ -51,7 +51,7 @@ impl<L: Lane, const PAIR: bool, const HYPERBOLIC: bool> EvenStartOnLanes<L, PAIR
         let [u0, velocity0, _, q, ..] = given;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let start = Start::new(given);
-        let CurveOnLanes { e1, square, m, mc } = curve::<L, PAIR, HYPERBOLIC>(&start);
+        let CurveOnLanes { e1, square, m, mc } = curve::<L, PAIR, HYPERBOLIC>(&start.invariants);
         let left = start.left();
         let Start { v2, q_v2, rho, sigma, force, rho_force, .. } = start;
         let twelfth = Unnormalised::splat(TWELFTH);

@@ -15,12 +15,12 @@ use crate::lanes::{Formula, Lane};
 /// range.
 const SMALL: f64 = 1e-30;
 const LARGE: f64 = 1e30;
-const LEAST_SIZE: f64 = 1e-180;
-const MOST_SIZE: f64 = 1e180;
+pub(super) const LEAST_SIZE: f64 = 1e-180;
+pub(super) const MOST_SIZE: f64 = 1e180;
 
 /// Least part of the terms of the discriminant that must be left of them: next to a separatrix, and where m tends to 0.
-const NEAR_SEPARATRIX: f64 = 1e-9;
-const SMALL_SWINGS: f64 = 1e-16;
+pub(super) const NEAR_SEPARATRIX: f64 = 1e-9;
+pub(super) const SMALL_SWINGS: f64 = 1e-16;
 
 /// 1/12.
 pub(super) const TWELFTH: Dd = Dd::new(0.08333333333333333, 4.625929269271485e-18);
@@ -34,7 +34,7 @@ pub(super) fn double<L: Lane>(value: L) -> Unnormalised<L> {
 }
 
 #[inline(always)]
-fn number<L: Lane>(value: f64) -> Unnormalised<L> {
+pub(super) fn number<L: Lane>(value: f64) -> Unnormalised<L> {
     Unnormalised::from_double(L::splat(value))
 }
 
@@ -49,6 +49,13 @@ pub(super) fn tight<L: Lane>(value: Unnormalised<L>) -> Unnormalised<L> {
     value.tight().into()
 }
 
+/// I, J and the discriminant I^3 - J^2.
+pub(super) struct Invariants<L: Lane> {
+    pub i: Unnormalised<L>,
+    pub j: Unnormalised<L>,
+    pub discriminant: Unnormalised<L>,
+}
+
 /// The quartic at the start of a row per lane, and its invariants as in quartic.rs.
 pub(super) struct Start<L: Lane> {
     pub v2: Unnormalised<L>,
@@ -57,11 +64,8 @@ pub(super) struct Start<L: Lane> {
     pub sigma: Unnormalised<L>,
     pub force: Unnormalised<L>,
     pub rho_force: Unnormalised<L>,
-    pub i: Unnormalised<L>,
-    pub j: Unnormalised<L>,
-    /// I^3 - J^2.
-    pub discriminant: Unnormalised<L>,
-    /// The sum of the sizes of its terms.
+    pub invariants: Invariants<L>,
+    /// The sum of the sizes of the terms of the discriminant.
     pub size: L,
 }
 
@@ -98,13 +102,13 @@ impl<L: Lane> Start<L> {
             sigma * (q_v2 * number(18.0) + (rho_force * six + sigma2)) + q * force.square() * number(27.0);
         let j = tight(j - rho.square() * v2 * six);
         let discriminant = tight(i.square() * i - j.square());
-        Start { v2, q_v2, rho, sigma, force, rho_force, i, j, discriminant, size }
+        Start { v2, q_v2, rho, sigma, force, rho_force, invariants: Invariants { i, j, discriminant }, size }
     }
 
     /// What is left of the terms of the discriminant.
     #[inline(always)]
     pub fn left(&self) -> L {
-        self.discriminant.hi.abs() / self.size
+        self.invariants.discriminant.hi.abs() / self.size
     }
 }
 
@@ -120,8 +124,8 @@ impl Formula<6, 1> for ClassifyEven {
         let fallback = code(class::FALLBACK);
         let start = Start::new(given);
         let left = start.left();
-        let above = zero.less(start.j.hi);
-        let three = zero.less(start.discriminant.hi);
+        let above = zero.less(start.invariants.j.hi);
+        let three = zero.less(start.invariants.discriminant.hi);
         let real = L::select(above, code(class::CIRCULAR), code(class::HYPERBOLIC));
         let pair = L::select(above, code(class::PAIR_CIRCULAR), code(class::PAIR_HYPERBOLIC));
         // With two complex roots and no force that holds it a motion escapes.
@@ -153,14 +157,14 @@ fn inverse_slope<L: Lane>(z: L, i: L) -> L {
 /// The Z >= 0 of Z^3 - 3 I Z = 2 |J| that is farthest from the other roots: a double to nine digits, and two of Newton's steps, the
 /// second on the rest in double-double.
 #[inline(always)]
-fn far_root<L: Lane, const PAIR: bool>(start: &Start<L>) -> Unnormalised<L> {
+fn far_root<L: Lane, const PAIR: bool>(invariants: &Invariants<L>) -> Unnormalised<L> {
     let three = L::splat(3.0);
-    let i = start.i.hi;
-    let sign = L::splat(2.0).copysign(start.j.hi);
-    let twice_j = start.j.scale(sign);
+    let i = invariants.i.hi;
+    let sign = L::splat(2.0).copysign(invariants.j.hi);
+    let twice_j = invariants.j.scale(sign);
     let near = if PAIR {
         // Cardano's t = (|J| + sqrt(J^2 - I^3))^1/3, and Z = t + I/t without a difference.
-        let cube = twice_j.hi.mul_add(L::splat(0.5), start.discriminant.hi.abs().sqrt());
+        let cube = twice_j.hi.mul_add(L::splat(0.5), invariants.discriminant.hi.abs().sqrt());
         let third = (cube.exponent() * L::splat(1.0 / 3.0)).round();
         let x = cube * (third * L::splat(-3.0)).exp2_integer();
         // In [1/2, 4): by Halley's step.
@@ -175,7 +179,7 @@ fn far_root<L: Lane, const PAIR: bool>(start: &Start<L>) -> Unnormalised<L> {
     };
     let rest = near * (near * near - three * i) - twice_j.hi;
     let z = near - rest * inverse_slope(near, i);
-    let rest = (double(z).square() - start.i * number(3.0)) * double(z) - twice_j;
+    let rest = (double(z).square() - invariants.i * number(3.0)) * double(z) - twice_j;
     Dd::ordered_sum(z, -((rest.hi + rest.lo) * inverse_slope(z, i))).into()
 }
 
@@ -188,10 +192,12 @@ pub(super) struct CurveOnLanes<L: Lane> {
 }
 
 #[inline(always)]
-pub(super) fn curve<L: Lane, const PAIR: bool, const HYPERBOLIC: bool>(start: &Start<L>) -> CurveOnLanes<L> {
-    let z = far_root::<L, PAIR>(start);
+pub(super) fn curve<L: Lane, const PAIR: bool, const HYPERBOLIC: bool>(
+    invariants: &Invariants<L>,
+) -> CurveOnLanes<L> {
+    let z = far_root::<L, PAIR>(invariants);
     let z_square = z.square();
-    let above = tight(z_square - start.i);
+    let above = tight(z_square - invariants.i);
     let three_z = z * number(3.0);
     let twelfth = Unnormalised::splat(TWELFTH);
     if PAIR {
@@ -201,12 +207,12 @@ pub(super) fn curve<L: Lane, const PAIR: bool, const HYPERBOLIC: bool>(start: &S
         let (sum, twice_h) = (h + half, scaled(h, 2.0));
         let inverse = (twice_h * sum).inverse();
         let large = sum.square() * inverse;
-        let small = tight(scaled(z_square * number(3.0), 0.25) - start.i * number(3.0)) * inverse;
+        let small = tight(scaled(z_square * number(3.0), 0.25) - invariants.i * number(3.0)) * inverse;
         let (m, mc) = if HYPERBOLIC { (large, small) } else { (small, large) };
         return CurveOnLanes { e1: if HYPERBOLIC { -z } else { z }, square: h * twelfth, m, mc };
     }
     // The gap of the two other roots; all of Z = 12 e.
-    let root = start.discriminant.scale(L::splat(1.0).copysign(start.discriminant.hi)).root();
+    let root = invariants.discriminant.scale(L::splat(1.0).copysign(invariants.discriminant.hi)).root();
     let close = (root * Unnormalised::splat(TWO_ROOTS_OF_3)).over(above);
     let (wide, narrow) = (scaled(three_z + close, 0.5), scaled(three_z - close, 0.5));
     let inverse = wide.inverse();

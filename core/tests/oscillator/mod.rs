@@ -2,7 +2,7 @@
 
 use crate::on_every_set;
 use crate::ruler::{distance, ulp};
-use libration::{Duffing, DuffingForm, Glaisher};
+use libration::{CubicQuintic, Duffing, DuffingForm, Glaisher};
 
 /// Reproducible numbers in [0, 1).
 pub struct Spread(pub u64);
@@ -62,19 +62,37 @@ pub fn example(which: Glaisher, c2: f64) -> Option<DuffingForm> {
 /// The promise of rows, in ulps of the scale; the difference of two that keep it is twice that.
 const BOUND: f64 = 4.0;
 
+/// An oscillator set up alone.
+pub trait Orbit {
+    /// u and u' at a time.
+    fn at(&self, t: f64) -> [f64; 2];
+}
+
+impl Orbit for Duffing {
+    fn at(&self, t: f64) -> [f64; 2] {
+        self.motion(t).into()
+    }
+}
+
+impl Orbit for CubicQuintic {
+    fn at(&self, t: f64) -> [f64; 2] {
+        self.motion(t).into()
+    }
+}
+
 /// Rows, whose first number is the time, beside an orbit each, on every instruction set; spoiled ones are found.
-pub fn rows_keep_their_promise<const N: usize>(
+pub fn rows_keep_their_promise<const N: usize, O: Orbit>(
     rows: &[[f64; N]],
     motions: fn(&[[f64; N]]) -> [Vec<f64>; 2],
-    orbit: fn([f64; N]) -> Option<Duffing>,
-    scales: fn(&Duffing, f64, f64) -> [f64; 2],
+    orbit: fn([f64; N]) -> Option<O>,
+    scales: fn(&O, f64, f64) -> [f64; 2],
 ) {
     // The worst distances of u and u' from an orbit each, in ulps of their scales.
-    let worst = |rows: &[[f64; N]], orbits: &[Option<Duffing>], spoil: f64| {
+    let worst = |rows: &[[f64; N]], orbits: &[Option<O>], spoil: f64| {
         let mut worst = [0.0f64; 2];
         let [u, velocity] = motions(rows);
         for (i, (row, orbit)) in rows.iter().zip(orbits).enumerate() {
-            let known = orbit.as_ref().map_or([f64::NAN; 2], |orbit| orbit.motion(row[0]).into());
+            let known = orbit.as_ref().map_or([f64::NAN; 2], |orbit| orbit.at(row[0]));
             let scales = orbit.as_ref().map_or([1.0; 2], |orbit| scales(orbit, known[0], known[1]));
             for (k, got) in [u[i], velocity[i]].into_iter().enumerate() {
                 let error = distance(got * spoil, [known[k], 0.0], ulp(scales[k]));
@@ -87,7 +105,7 @@ pub fn rows_keep_their_promise<const N: usize>(
         worst
     };
     on_every_set(|set| {
-        let orbits: Vec<Option<Duffing>> = rows.iter().map(|row| orbit(*row)).collect();
+        let orbits: Vec<Option<O>> = rows.iter().map(|row| orbit(*row)).collect();
         let found = worst(rows, &orbits, 1.0);
         println!("{set:?} {found:.2?}");
         assert!(found.iter().all(|error| *error <= 2.0 * BOUND), "{set:?} {found:?}");

@@ -154,8 +154,9 @@ def cubic_quintic_motion(t: Any, u0: Any, velocity0: Any = 0.0, *, p: Any, q: An
 
     Notes
     -----
-    The digits are those of the methods of `CubicQuintic`. Error promised: that of `CubicQuintic.u` and `CubicQuintic.velocity`.
-    Source: DLMF 22.13(iii).
+    Error promised: that of `CubicQuintic.u` and `CubicQuintic.velocity`. Where neither the start nor a coefficient has dimensions, an
+    oscillator is set up once and the digits are those of its methods. Else every element is computed from its own start, at vector
+    speed; its digits do not depend on shape, order, strides or chunks. Source: DLMF 22.13(iii), 22.8.
 
     Examples
     --------
@@ -163,7 +164,9 @@ def cubic_quintic_motion(t: Any, u0: Any, velocity0: Any = 0.0, *, p: Any, q: An
     >>> libration.cubic_quintic_motion(1.0, [0.5, 1.0], p=1.0, q=1.0, s=1.0)[0].round(6)
     array([0.217924, 0.041949])
     """
-    return apply(_core.cubic_quintic_motion, t, u0, velocity0, p, q, s, results=MOTION)
+    start = u0, velocity0, p, q, s
+    kernel = _core.cubic_quintic_motion if _one_oscillator(*start) else _core.cubic_quintic_rows
+    return apply(kernel, t, *start, results=MOTION)
 
 
 @explained
