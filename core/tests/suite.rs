@@ -25,6 +25,7 @@ mod pendulum_ends;
 mod quintic_knowledge;
 mod ruler;
 mod ruler_itself;
+mod short_steps;
 mod vectors_action;
 mod vectors_approx_angle;
 mod vectors_approx_period;
