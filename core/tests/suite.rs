@@ -11,6 +11,7 @@ mod duffing;
 mod duffing_forms;
 mod duffing_rows;
 mod elliptic_ends;
+mod ensemble;
 mod even_rows;
 mod identities;
 mod instruction_sets;

@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from .. import _core
 from .._arrays import Floats
 from ..elliptic import complete_k, nome
 from ..pendulum import action, from_action_phase
@@ -35,7 +36,9 @@ def ratio_of(shape: str, u: Floats, edge: float) -> Floats:
     if shape == "parabolic":
         # 1 - sqrt(1 - u) without its cancellation.
         return u / (1.0 + np.sqrt(1.0 - u))
-    return -np.log1p(u * math.expm1(-edge))
+    ratio = np.empty_like(u)
+    _core.exponential(u, math.expm1(-edge), ratio)
+    return ratio
 
 
 def density(shape: str, ratio: Floats) -> Floats:
