@@ -178,11 +178,12 @@ def _of_block(theta0: Floats, velocity0: Floats, time: float, plan: Plan, counts
     """The sums of a block but for its histogram, which is added to `counts`."""
     theta, velocity = motion(time, theta0, velocity0, plan.omega0) if time else (theta0.copy(), velocity0)
     wrap(theta, np.zeros(theta.size, dtype=np.int64))
-    found = _core.moments(theta, velocity)
+    found: Any = _core.moments(theta, velocity)
     if found is None:
         good = np.isfinite(theta) & np.isfinite(velocity)
         theta, velocity = theta[good], velocity[good]
         found = _core.moments(theta, velocity)
+    mean, products = map(np.array, found)
     many = theta.size
     totals = []
     for name, function in plan.means.items():
@@ -195,7 +196,7 @@ def _of_block(theta0: Floats, velocity0: Floats, time: float, plan: Plan, counts
     if plan.bins:
         columns = [_quantity(name, theta, velocity, plan.omega0) for name in plan.bins]
         _core.histogram(columns, list(plan.bins.values()), counts)
-    return Sums(many, *map(np.array, found), 0, totals)
+    return Sums(many, mean, products, 0, totals)
 
 
 def _quantity(name: str, theta: Floats, velocity: Floats, omega0: float) -> Any:
