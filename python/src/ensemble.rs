@@ -62,7 +62,6 @@ fn wrap(
 
 /// Moves states by all steps in place, shared out to the threads.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)] // three columns of states and three of steps
 fn steps(
     py: Python<'_>,
     mut theta: PyReadwriteArray1<'_, f64>,

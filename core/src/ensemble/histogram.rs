@@ -34,8 +34,8 @@ pub fn histogram_into(columns: &[&[f64]], bins: &[Bins], counts: &mut [i64]) {
         for (column, bins) in columns.iter().zip(bins) {
             place(&column[from..to], *bins, &mut places, &mut inside);
         }
-        for row in 0..to - from {
-            counts[if inside[row] { places[row] } else { cells }] += 1;
+        for (place, inside) in places.iter().zip(inside).take(to - from) {
+            counts[if inside { *place } else { cells }] += 1;
         }
     }
 }

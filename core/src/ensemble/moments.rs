@@ -41,6 +41,7 @@ pub fn moments(theta: &[f64], velocity: &[f64]) -> Option<Moments> {
 
 /// Sums over all particles, by eights.
 #[inline(always)]
+#[allow(clippy::needless_range_loop)] // by places, so that it takes several at a time
 fn summed<const N: usize>(a: &[f64], b: &[f64], terms: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
     let mut sums = [[0.0; SIDE]; N];
     let (mut first, mut second) = (a.chunks_exact(SIDE), b.chunks_exact(SIDE));

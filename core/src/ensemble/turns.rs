@@ -34,7 +34,8 @@ fn wrapped(angle: &mut f64) -> i64 {
         return 0;
     }
     // Every comparison is false for NaN.
-    if !(angle.abs() < FARTHEST) {
+    let near = angle.abs() < FARTHEST;
+    if !near {
         *angle = f64::NAN;
         return 0;
     }

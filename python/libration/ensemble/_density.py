@@ -55,13 +55,15 @@ def rms(shape: str, scale: float) -> float:
     return math.sqrt(np.sum(weights * squares) / np.sum(weights))
 
 
+@lru_cache(maxsize=8)
 def largest_rms(shape: str) -> float:
     """The rms angle that bunches of this shape inside the bucket stay below, or reach."""
     return rms(shape, EDGE) if shape == "parabolic" else FULL
 
 
+@lru_cache(maxsize=64)
 def scale_of(shape: str, sigma_theta: float) -> float:
-    """The scale, over omega0, whose matched bunch has this rms angle; the caller has seen that there is one."""
+    """The scale, over omega0, whose matched bunch has this rms angle; the caller has seen that there is one. Kept: chunks ask again."""
     # Small bunches have sigma**2 of 1, 1/2 and 1/3 of the scale; larger ones never have twice that.
     low, high = 0.5 * sigma_theta**2, 1e12 if shape == "gaussian" else EDGE
     while low < (middle := math.sqrt(low * high)) < high:
