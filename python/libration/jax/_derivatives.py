@@ -32,7 +32,7 @@ def _allowed(found: MotionParts, *given: Any) -> Any:
 def _evaluated(known: Known, slopes: bool, given: tuple[Any, ...], halves: bool = False) -> Any:
     """Angle, velocity and acceleration, and the derivatives' factor: 1, or NaN where they are beyond the floats."""
     found = assembled(known, slopes, *given, halves=halves)
-    functions = jacobi(found.halved() if halves else found)
+    functions = jacobi(found, halves)
     values = apart(lambda: state(found, functions, given[3], halves), given[0])
     allowed = _allowed(found, *given)
     steep = (found.complement == 0) & (abs(found.argument) > np.log(float(np.finfo(given[0].dtype).max)) / 2)

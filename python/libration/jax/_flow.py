@@ -1,9 +1,9 @@
 """The motion from its parts: Jacobi's functions by theta functions of the smaller nome, then their addition theorem.
 
-Where the parameter is above 1/2 the theta functions are those of the complement, of an imaginary argument. Next to the middle of the
-half period the argument is counted from there, so that cn has its digits at its zero; not before, where the middle moves far more
-with the parameter than the functions do, and second derivatives would cancel. Every function is a product of sine or cosine and a
-polynomial in the nome q and h = 2 q cos(2z), which is bounded by sqrt(q) + q^1.5, and by 0.31 where hyperbolic.
+Where the parameter is above 1/2 the theta functions are those of the complement, of an imaginary argument. Beyond a quarter
+of the half period the argument is counted from its middle, so that cn has its digits at its zero; for second derivatives only next
+to it, as the middle moves far more with the parameter than the functions do before. Every function is a product of sine or cosine
+and a polynomial in the nome q and h = 2 q cos(2z), which is bounded by sqrt(q) + q^1.5, then by 0.31.
 Source: DLMF 20.2(i), 20.7(viii), 22.2, 22.6(iv), 22.8(i), 22.17(i).
 """
 
@@ -18,7 +18,7 @@ from ._double_words import TWO_PI, apart, parts, two_sum
 from ._set_up import MotionParts, Nome
 
 HALF_PI = float(TWO_PI / 4)
-# From the middle; before it h is at most exp(-1.4), or 0.31 where the nome is large.
+# Of the middle, for second derivatives; before it h is at most exp(-1.4), or 0.31 where the nome is large.
 NEAR_MIDDLE = 0.7
 
 
@@ -33,15 +33,19 @@ def theta_quotients(q: Any, h: Any) -> tuple[Any, Any, Any, Any]:
     return first, second, even + odd, even - odd
 
 
-def jacobi(given: MotionParts) -> tuple[Any, Any, Any]:
-    """sn, cn and dn of the argument, which is at most K."""
+def jacobi(given: MotionParts, halves: bool = False) -> tuple[Any, Any, Any]:
+    """sn, cn and dn of the argument, which is at most K; with `halves` of half of it, for second derivatives."""
+    if halves:
+        given = given._replace(argument=given.argument / 2, argument_low=given.argument_low / 2)
     found = given.nome
 
     def place() -> Any:
         sign = jnp.where(given.argument < 0, -1, 1).astype(given.argument.dtype)
         v, low = sign * given.argument, sign * given.argument_low
         rest = 0.5 * given.half_period - v
-        folded = (given.complement > 0) & jnp.where(found.hyperbolic, rest < NEAR_MIDDLE, v > given.half_period / 4)
+        folded = (given.complement > 0) & (v > given.half_period / 4)
+        if halves:
+            folded &= ~found.hyperbolic | (rest < NEAR_MIDDLE)
         error = two_sum(*map(stop_gradient, (0.5 * given.half_period, -v)))[1]
         low = jnp.where(folded, error + 0.5 * given.half_period_low - low, low)
         return sign, jnp.where(folded, rest, v), low, folded

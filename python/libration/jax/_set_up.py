@@ -55,10 +55,6 @@ class MotionParts(NamedTuple):
     argument: Any
     argument_low: Any
 
-    def halved(self) -> "MotionParts":
-        """Those of half the argument."""
-        return self._replace(argument=self.argument / 2, argument_low=self.argument_low / 2)
-
 
 def nome(parameter: Any, complement: Any) -> Nome:
     """By 2 e = (1 - r)/(1 + r), r = sqrt of the modulus, without a difference; the next term of q is below 1e-23."""
