@@ -4,7 +4,7 @@
 
 Complete integrals: in y = mc and L = -ln y, K = P + L Q, E = 1 + y (P + L Q), B = (E - mc K)/m = P + y L Q, and
 (1 - m B)/mc = P + L Q with polynomials P, Q. They are fitted on nodes that crowd next to y = 0, by least squares of relative
-errors with Lawson's reweighting. Form: Cody, Math. Comp. 19 (1965) 105. Logarithm, R_C: Chebyshev interpolation.
+errors with Lawson's reweighting. Form: Cody, Math. Comp. 19 (1965) 105. Logarithm, arctangent, R_C: Chebyshev interpolation.
 Series of R_F and R_J in E2, E3, E4, E5: DLMF 19.19.7 in rational numbers, with 1/(2 N + 1) and 3/(2 N + 3). Nome: reversion
 of lambda = theta2(q^4)/(2 theta3(q^4)), DLMF 19.5.5.
 """
@@ -115,6 +115,14 @@ def nome_series(terms: int) -> list[int]:
     return h
 
 
+def arctangent_rest(square: mpf) -> mpf:
+    """(atan r - r)/r^3 in r^2."""
+    if square < mpf(10) ** -9:
+        return -mpf(1) / 3 + square / 5 - square * square / 7
+    r = sqrt(square)
+    return (atan(r) - r) / r**3
+
+
 def rc_rest(e: mpf) -> mpf:
     """(R_C(1, 1 + e) - 1)/e."""
     if abs(e) < mpf(10) ** -9:
@@ -131,6 +139,9 @@ def main() -> None:
     near = mpf("0.172")
     coefficients, error = chebyfit(rc_rest, [-near, near], 15, error=True)
     printed("R_C", error * near, coefficients[::-1])
+    last = mpf("0.111")
+    coefficients, error = chebyfit(arctangent_rest, [0, last], 10, error=True)
+    printed("ARCTANGENT of a short step", error * last, coefficients[::-1])
     for name, terms in (("K", 11), ("E", 10), ("B", 12), ("G", 11)):
         error, p, q = fitted(name, terms)
         printed(f"{name}: P", error, p)

@@ -10,6 +10,7 @@
 //! | passages, action, phase, Fourier series of an orbit | [`Orbit`] |
 //! | its derivatives by start and force | [`Sensitivity`] |
 //! | one state a step later | [`advance`] |
+//! | many particles: random numbers, steps, whole turns, sums | [`ensemble`] |
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
 //! | u'' + p u + q u^3 + s u^5 = 0 | [`CubicQuintic`] |
 //! | friction and torque: the motion over an interval | [`DampedPendulum`], [`Friction`], [`Torque`], [`Trajectory`] |
@@ -32,6 +33,7 @@ pub mod approx;
 pub mod compound;
 pub mod damped;
 pub mod elliptic;
+pub mod ensemble;
 mod float;
 mod lanes;
 mod motion;

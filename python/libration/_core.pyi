@@ -186,6 +186,7 @@ __all__ = [
     "energy_ratio",
     "energy_ratio_c",
     "equivalent_length",
+    "exponential",
     "factors",
     "factors_length",
     "factors_omega2",
@@ -204,6 +205,7 @@ __all__ = [
     "heuman_lambda_m",
     "heuman_lambda_mc",
     "heuman_lambda_q",
+    "histogram",
     "incomplete_e_k",
     "incomplete_e_m",
     "incomplete_e_mc",
@@ -236,6 +238,7 @@ __all__ = [
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
     "jacobi_zeta_q",
+    "moments",
     "nc_complex_k",
     "nc_complex_m",
     "nc_complex_mc",
@@ -338,6 +341,7 @@ __all__ = [
     "state_sensitivities",
     "state_theta",
     "state_velocity",
+    "steps",
     "theta1_k",
     "theta1_m",
     "theta1_mc",
@@ -356,6 +360,8 @@ __all__ = [
     "theta4_q",
     "torque_at",
     "turns",
+    "uniforms",
+    "wrap",
     "xla_advance",
     "xla_motion",
     "xla_period",
@@ -956,6 +962,21 @@ def duffing_from_energy(
     energy: float, u0: float, direction: float, force: tuple[float, float, float, float]
 ) -> tuple[float, float]: ...
 def pendulum_of_duffing(duffing: Duffing) -> tuple[float, float, float, float] | None: ...
+def uniforms(seed: int, first: int, u: np.ndarray, v: np.ndarray) -> None: ...
+def exponential(u: np.ndarray, lost: float, x: np.ndarray) -> None: ...
+def wrap(theta: np.ndarray, turns: np.ndarray) -> None: ...
+def steps(
+    theta: np.ndarray,
+    velocity: np.ndarray,
+    turns: np.ndarray,
+    dt: np.ndarray,
+    omega0: np.ndarray,
+    phase: np.ndarray,
+) -> None: ...
+def moments(
+    theta: np.ndarray, velocity: np.ndarray
+) -> tuple[tuple[float, float], tuple[float, float, float]] | None: ...
+def histogram(columns: list[np.ndarray], bins: list[tuple[float, float, int]], counts: np.ndarray) -> None: ...
 def schemes() -> list[tuple[str, str, str, bool]]: ...
 
 @final

@@ -7,6 +7,7 @@ mod approx_period;
 mod damped;
 mod duffing_form;
 mod elliptic;
+mod ensemble;
 mod fit;
 mod gradients;
 mod kernels;
@@ -33,6 +34,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     oscillator::add_all(module)?;
     numerical::add_all(module)?;
     elliptic::add_all(module)?;
+    ensemble::add_all(module)?;
     fit::add_all(module)?;
     least_squares::add_all(module)?;
     gradients::add_all(module)?;

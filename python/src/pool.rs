@@ -49,30 +49,50 @@ pub fn share<T: Send>(
     };
     let (pieces, edge) = shares(rows, pool);
     let last = Mutex::new(None);
+    spawned(pool, (0..pieces).collect(), |piece, stop| {
+        let made = section(edge(piece), edge(piece + 1) - edge(piece), stop);
+        if piece + 1 == pieces
+            && let Ok(mut last) = last.lock()
+        {
+            *last = made;
+        }
+    })?;
+    Ok(last.into_inner().unwrap_or(None))
+}
+
+/// How many rows a thread takes at a time at the most, so that all threads have work.
+pub fn part(rows: usize) -> usize {
+    rows.div_ceil(4 * pool().map_or(1, ThreadPool::current_num_threads)).max(1)
+}
+
+/// Does work with each of some items, one after the other or shared out; the error of the signal that ended it.
+pub fn each_of<T: Send>(items: Vec<T>, work: impl Fn(T, Stop<'_>) + Sync) -> PyResult<()> {
+    match pool() {
+        Some(pool) if items.len() > 1 => spawned(pool, items, work),
+        _ => signals::watched(|stop| items.into_iter().for_each(|item| work(item, stop))),
+    }
+}
+
+/// Does work with each of some items on the threads of the pool, while this one asks for signals.
+fn spawned<T: Send>(pool: &ThreadPool, items: Vec<T>, work: impl Fn(T, Stop<'_>) + Sync) -> PyResult<()> {
     let stopped = AtomicBool::new(false);
-    let left = Left::new(pieces);
+    let left = Left::new(items.len());
     let mut raised = None;
     pool.in_place_scope(|scope| {
-        for piece in 0..pieces {
-            let (section, edge, last, stopped, left) = (&section, &edge, &last, &stopped, &left);
+        for item in items {
+            let (work, stopped, left) = (&work, &stopped, &left);
             scope.spawn(move |_| {
                 let _one = One(left);
-                let stop = |_| stopped.load(Ordering::Relaxed);
-                let made = section(edge(piece), edge(piece + 1) - edge(piece), &stop);
-                if piece + 1 == pieces
-                    && let Ok(mut last) = last.lock()
-                {
-                    *last = made;
-                }
+                work(item, &|_| stopped.load(Ordering::Relaxed));
             });
         }
         while raised.is_none() && !left.none_soon() {
             raised = signals::asked();
         }
-        // The scope ends when every section has seen the flag.
+        // The scope ends when every piece has seen the flag.
         stopped.store(raised.is_some(), Ordering::Relaxed);
     });
-    raised.map_or_else(|| Ok(last.into_inner().unwrap_or(None)), Err)
+    raised.map_or(Ok(()), Err)
 }
 
 /// Runs `section(from, rows)` over all rows without a question to the interpreter, for threads that must not wait for it.

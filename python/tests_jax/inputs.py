@@ -8,6 +8,7 @@ import mpmath
 import numpy as np
 
 VECTORS = Path(__file__).parents[2] / "reference/vectors/pendulum.csv"
+SECOND = VECTORS.with_name("second.csv")
 
 
 def rows(dtype):
@@ -23,6 +24,18 @@ def rows(dtype):
         large = np.abs(found)
         found = found[(large < 1e15).all(1) & ((large > 1e-12) | (found == 0)).all(1) & (large[:, 1] < 1e6)]
     return found
+
+
+def second_derivatives():
+    """Time, angle, velocity and omega0 of the rows of reference/second.py, and the second derivatives of angle and velocity."""
+    given, slopes = [], []
+    for row in csv.DictReader(SECOND.open(encoding="utf-8")):
+        given.append([float.fromhex(row[name]) for name in ("t", "theta0", "velocity0", "omega0")])
+        pairs = [[f"{min(i, j)}{max(i, j)}" for j in range(3)] for i in range(3)]
+        slopes.append(
+            [[[float(row[f"d2{of}_{pair}"]) for pair in line] for line in pairs] for of in ("theta", "velocity")]
+        )
+    return np.array(given), np.array(slopes)
 
 
 def period_slopes(theta, velocity, omega0):

@@ -1,10 +1,11 @@
 //! Rows of (theta, velocity, time, omega0), each a state of its own: a block of them is sorted by the formula they ask
-//! for, and every class is evaluated over lanes by the addition theorem (addition_theorem.rs). Rows that the lanes leave
+//! for, and every class is evaluated over lanes by the addition theorem (addition_theorem.rs, short_step.rs). Rows that the lanes leave
 //! out, next to the separatrix and at the ends of the range, are evaluated one by one.
 
 use super::addition_theorem::{PerRow, SharedState};
 use super::frequency::Frequency;
 use super::orbit::Orbit;
+use super::short_step::{LARGEST_SQUARE, ShortStep};
 use crate::elliptic::phase::alternating;
 use crate::elliptic::theta::neville_lanes::LEAST_COMPLEMENT;
 use crate::float::PI;
@@ -25,8 +26,10 @@ pub(super) mod class {
     pub const ROTATION_CIRCULAR: usize = 3;
     /// Rotation with 1/m > 1/2.
     pub const ROTATION_HYPERBOLIC: usize = 4;
+    /// A short step of any of these; of steps only.
+    pub const SHORT_STEP: usize = 5;
     /// How many.
-    pub const COUNT: usize = 5;
+    pub const COUNT: usize = 6;
 }
 
 /// Amplitudes below are left to the fallback, and so are velocities (over 2 omega0) and omega0 itself where a product of
@@ -35,13 +38,17 @@ const TINY: f64 = 1e-180;
 pub(super) const SMALL: f64 = 1e-100;
 pub(super) const LARGE: f64 = 1e100;
 
-/// The class of theta, velocity, omega0, from 1 - kappa^2 to a few roundings.
-pub(super) struct Classify;
+/// kappa^2 and 1 - kappa^2 of a state to a few roundings, and whether the lanes take its numbers.
+struct Shape<L: Lane> {
+    m: L,
+    mc: L,
+    /// 1 where they do, else 0.
+    taken: L,
+}
 
-impl Formula<3, 1> for Classify {
-    type Place = Self;
+impl<L: Lane> Shape<L> {
     #[inline(always)]
-    fn at<L: Lane>(&self, [theta, velocity, omega]: [L; 3]) -> [L; 1] {
+    fn new([theta, velocity, omega]: [L; 3]) -> Self {
         let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
         // The nearest half turns as `half_turns` counts them; the rest is not 0 but at the bottom itself.
         let j = (theta * L::splat(core::f64::consts::FRAC_1_PI)).round();
@@ -53,10 +60,29 @@ impl Formula<3, 1> for Classify {
         let even = zero.less(alternating(j));
         let m = x.mul_add(x, L::select(even, low, high));
         let mc = L::select(even, high, low) - x * x;
+        // Every comparison is false for NaN.
+        let taken = L::select(theta.abs().less(L::splat(FAR)), one, zero);
+        let taken = L::select(x.less(L::splat(LARGE)), taken, zero);
+        let taken = L::select(L::splat(SMALL).less(omega), taken, zero);
+        let taken = L::select(omega.less(L::splat(LARGE)), taken, zero);
+        let amplitude = rest.abs() + x;
+        let at_rest = amplitude.equal(zero);
+        let tiny = L::select(at_rest, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
+        let taken = L::select(tiny, L::select(at_rest, taken, zero), taken);
+        Shape { m, mc, taken }
+    }
+
+    /// The class by the regime.
+    #[inline(always)]
+    fn class(&self) -> L {
+        let Shape { m, mc, taken } = *self;
         let code = |class: usize| L::splat(class as f64);
         let least = L::splat(LEAST_COMPLEMENT);
-        let libration =
-            L::select(mc.less(half), code(class::LIBRATION_HYPERBOLIC), code(class::LIBRATION_CIRCULAR));
+        let libration = L::select(
+            mc.less(L::splat(0.5)),
+            code(class::LIBRATION_HYPERBOLIC),
+            code(class::LIBRATION_CIRCULAR),
+        );
         let rotation = L::select(
             m.less(L::splat(2.0)),
             code(class::ROTATION_HYPERBOLIC),
@@ -64,16 +90,32 @@ impl Formula<3, 1> for Classify {
         );
         let fallback = code(class::FALLBACK);
         let found = L::select(least.less(mc), libration, L::select(mc.less(-least), rotation, fallback));
-        // Every comparison is false for NaN.
-        let found = L::select(theta.abs().less(L::splat(FAR)), found, fallback);
-        let found = L::select(x.less(L::splat(LARGE)), found, fallback);
-        let found = L::select(L::splat(SMALL).less(omega), found, fallback);
-        let found = L::select(omega.less(L::splat(LARGE)), found, fallback);
-        let amplitude = rest.abs() + x;
-        let at_rest = amplitude.equal(zero);
-        let tiny = L::select(at_rest, zero, L::select(even, amplitude, one)).less(L::splat(TINY));
-        let found = L::select(tiny, L::select(at_rest, found, fallback), found);
-        [found]
+        L::select(L::splat(0.0).less(taken), found, fallback)
+    }
+}
+
+/// The class of theta, velocity, omega0.
+pub(super) struct Classify;
+
+impl Formula<3, 1> for Classify {
+    type Place = Self;
+    #[inline(always)]
+    fn at<L: Lane>(&self, state: [L; 3]) -> [L; 1] {
+        [Shape::new(state).class()]
+    }
+}
+
+/// The class of theta, velocity, dt, omega0.
+struct ClassifyStep;
+
+impl Formula<4, 1> for ClassifyStep {
+    type Place = Self;
+    #[inline(always)]
+    fn at<L: Lane>(&self, [theta, velocity, dt, omega]: [L; 4]) -> [L; 1] {
+        let shape = Shape::new([theta, velocity, omega]);
+        let (u, one) = (omega * dt, L::splat(1.0));
+        let short = (u * u * one.larger(shape.m)).less(L::splat(LARGEST_SQUARE) * shape.taken);
+        [L::select(short, L::splat(class::SHORT_STEP as f64), shape.class())]
     }
 }
 
@@ -84,11 +126,12 @@ fn evaluated<E: Evaluation<4, 2>>(class: usize, omega_rest: f64, evaluation: E) 
         class::LIBRATION_HYPERBOLIC => evaluation.of(&PerRow::<false, true>(omega_rest)),
         class::ROTATION_CIRCULAR => evaluation.of(&PerRow::<true, false>(omega_rest)),
         class::ROTATION_HYPERBOLIC => evaluation.of(&PerRow::<true, true>(omega_rest)),
+        class::SHORT_STEP => evaluation.of(&ShortStep(omega_rest)),
         _ => return None,
     })
 }
 
-/// All rows by the formula of a class that is not the fallback, from the state of the first.
+/// All rows by the formula of a regime, from the state of the first.
 fn from_shared_state(class: usize, [theta, velocity, dt, omega]: [&[f64]; 4], results: [&mut [f64]; 2]) {
     let (theta, velocity, omega) = (theta[0], velocity[0], omega[0]);
     match class {
@@ -105,7 +148,7 @@ fn from_shared_state(class: usize, [theta, velocity, dt, omega]: [&[f64]; 4], re
 
 /// One row of (theta, velocity, dt, omega0 + omega_rest), as the lanes answer it in a column; `None` for the fallback.
 pub(super) fn row([theta, velocity, dt, omega]: [f64; 4], omega_rest: f64) -> Option<[f64; 2]> {
-    let [class] = Once([theta, velocity, omega]).of(&Classify);
+    let [class] = Once([theta, velocity, dt, omega]).of(&ClassifyStep);
     evaluated(class as usize, omega_rest, Once([theta, velocity, dt, omega]))
 }
 
@@ -119,9 +162,10 @@ fn block(
     let rows = arguments[0].len();
     let mut codes = [0.0; BLOCK];
     let [theta, velocity, _, omega] = arguments;
-    Columns::new([theta, velocity, omega], [&mut codes[..rows]]).of(&Classify);
+    Columns::new(arguments, [&mut codes[..rows]]).of(&ClassifyStep);
     let codes = &codes[..rows];
-    if codes[0] as usize != class::FALLBACK && repeats([codes, theta, velocity, omega]) {
+    let shared = !matches!(codes[0] as usize, class::FALLBACK | class::SHORT_STEP);
+    if shared && repeats([codes, theta, velocity, omega]) {
         return from_shared_state(codes[0] as usize, arguments, results);
     }
     let asked = Cell::new(0);

@@ -27,6 +27,7 @@ pub mod sensitivity;
 mod sensitivity_lanes;
 mod sensitivity_rows;
 mod separatrix;
+mod short_step;
 pub mod start;
 pub mod state;
 mod state_lanes;

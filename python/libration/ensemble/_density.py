@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from .. import _core
 from .._arrays import Floats
 from ..elliptic import complete_k, nome
 from ..pendulum import action, from_action_phase
@@ -35,7 +36,9 @@ def ratio_of(shape: str, u: Floats, edge: float) -> Floats:
     if shape == "parabolic":
         # 1 - sqrt(1 - u) without its cancellation.
         return u / (1.0 + np.sqrt(1.0 - u))
-    return -np.log1p(u * math.expm1(-edge))
+    ratio = np.empty_like(u)
+    _core.exponential(u, math.expm1(-edge), ratio)
+    return ratio
 
 
 def density(shape: str, ratio: Floats) -> Floats:
@@ -52,13 +55,15 @@ def rms(shape: str, scale: float) -> float:
     return math.sqrt(np.sum(weights * squares) / np.sum(weights))
 
 
+@lru_cache(maxsize=8)
 def largest_rms(shape: str) -> float:
     """The rms angle that bunches of this shape inside the bucket stay below, or reach."""
     return rms(shape, EDGE) if shape == "parabolic" else FULL
 
 
+@lru_cache(maxsize=64)
 def scale_of(shape: str, sigma_theta: float) -> float:
-    """The scale, over omega0, whose matched bunch has this rms angle; the caller has seen that there is one."""
+    """The scale, over omega0, whose matched bunch has this rms angle; the caller has seen that there is one. Kept: chunks ask again."""
     # Small bunches have sigma**2 of 1, 1/2 and 1/3 of the scale; larger ones never have twice that.
     low, high = 0.5 * sigma_theta**2, 1e12 if shape == "gaussian" else EDGE
     while low < (middle := math.sqrt(low * high)) < high:

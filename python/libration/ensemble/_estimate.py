@@ -9,9 +9,8 @@ from ._store import size_bytes, trial, written
 
 # Bytes of a process before its first chunk: a worker with NumPy and Zarr; what leads them; and with xarray for the sums.
 WORKER, LEADER, LEADER_OF_SUMS = 70 * 10**6, 70 * 10**6, 150 * 10**6
-# Bytes a particle: its number, place and state; a sample with what Zarr holds of it; its cell of a histogram; the columns of a sum,
-# of a block alone.
-STATE, SAMPLE, CELL, SUM = 48, 24, 16, 100
+# Bytes a particle: its number, place and state; a sample with what Zarr holds of it; the columns of a sum, of a block alone.
+STATE, SAMPLE, SUM = 48, 24, 100
 # Samples of a trial chunk, and how many are timed; the fastest counts.
 TRIAL, REPEATS = 2**17, 3
 # Sizes and numbers of workers of the table.
@@ -28,11 +27,11 @@ class Pace(NamedTuple):
 def chunk_bytes(spec: Specification) -> int:
     """The largest memory of one chunk at work."""
     times = len(spec.times)
-    at_times = SAMPLE * times if any(name in AT_TIMES for name in spec.variables) else SAMPLE
+    samples = times if any(name in AT_TIMES for name in spec.variables) else min(1, len(spec.variables))
+    particles = spec.chunk * (STATE + SAMPLE * samples)
     if spec.plan is None:
-        return spec.chunk * (STATE + at_times)
-    block, cells = SUM * min(BLOCK, spec.chunk), 3 * 8 * times * histogram_cells(spec.plan)
-    return spec.chunk * (STATE + max(at_times, CELL)) + block + cells
+        return particles
+    return particles + SUM * min(BLOCK, spec.chunk) + 3 * 8 * times * histogram_cells(spec.plan)
 
 
 def memory_bytes(spec: Specification, workers: int | None) -> int:

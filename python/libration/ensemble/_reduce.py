@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .._arrays import Floats, NDArray
+from .. import _core
+from .._arrays import Floats
 from .._dispatch import numbers
 from .._messages import explained
 from .._scalars import count, real, shown
@@ -30,7 +31,7 @@ QUANTITIES = {
     "energy_ratio": ("1", "energy over that at the top"),
 }
 # Chunks at a time: as many results wait to be joined. Particles of a block.
-WAVE, BLOCK = 64, 2**14
+WAVE, BLOCK = 64, 2**13
 MOMENTS = ("theta_mean", "velocity_mean", "theta_variance", "velocity_variance", "covariance")
 RESULTS = ("count", *MOMENTS, "histogram", "outside", "t")
 
@@ -165,34 +166,25 @@ def of_chunk(source: Any, first: int, many: int, plan: Plan) -> list[Sums]:
 
 def sums_at(theta0: Floats, velocity0: Floats, time: float, plan: Plan) -> Sums:
     """The sums of a chunk at one time, block by block: columns of a block stay in the cache."""
-    sums, places = nothing(plan), np.empty(theta0.size if plan.bins else 0, dtype=np.int64)
+    counts = nothing(plan).histogram
+    sums = nothing(plan)._replace(histogram=0)
     for begin in range(0, theta0.size, BLOCK):
         block = slice(begin, begin + BLOCK)
-        sums = joined(sums, _of_block(theta0[block], velocity0[block], time, plan, places[block]))
-    if plan.bins:
-        # The last cells are of what is in no bin, and of what is not finite.
-        counts = np.bincount(places, minlength=histogram_cells(plan) + 1)
-        sums = sums._replace(histogram=counts[:-1])
-    return sums
+        sums = joined(sums, _of_block(theta0[block], velocity0[block], time, plan, counts))
+    return sums._replace(histogram=counts)
 
 
-def _of_block(theta0: Floats, velocity0: Floats, time: float, plan: Plan, places: NDArray[np.int64]) -> Sums:
-    """The sums of a block but for its histogram, of which the places are set."""
+def _of_block(theta0: Floats, velocity0: Floats, time: float, plan: Plan, counts: Any) -> Sums:
+    """The sums of a block but for its histogram, which is added to `counts`."""
     theta, velocity = motion(time, theta0, velocity0, plan.omega0) if time else (theta0.copy(), velocity0)
     wrap(theta, np.zeros(theta.size, dtype=np.int64))
-    good: Any = np.isfinite(theta) & np.isfinite(velocity)
-    if good.all():
-        good = slice(None)
-    else:
-        places[...] = histogram_cells(plan)
+    found: Any = _core.moments(theta, velocity)
+    if found is None:
+        good = np.isfinite(theta) & np.isfinite(velocity)
         theta, velocity = theta[good], velocity[good]
+        found = _core.moments(theta, velocity)
+    mean, products = map(np.array, found)
     many = theta.size
-    mean, products = np.zeros(2), np.zeros(3)
-    if plan.moments and many:
-        mean = np.array([np.sum(theta) / many, np.sum(velocity) / many])
-        if plan.moments > 1:
-            a, b = theta - mean[0], velocity - mean[1]
-            products = np.array([np.sum(a * a), np.sum(a * b), np.sum(b * b)])
     totals = []
     for name, function in plan.means.items():
         values = np.asarray(function(theta, velocity))
@@ -202,27 +194,9 @@ def _of_block(theta0: Floats, velocity0: Floats, time: float, plan: Plan, places
             )
         totals.append(np.sum(values))
     if plan.bins:
-        places[good] = _cells(theta, velocity, plan)
+        columns = [_quantity(name, theta, velocity, plan.omega0) for name in plan.bins]
+        _core.histogram(columns, list(plan.bins.values()), counts)
     return Sums(many, mean, products, 0, totals)
-
-
-def _cells(theta: Floats, velocity: Floats, plan: Plan) -> NDArray[np.int64]:
-    """The cell of the histogram that each particle is in; the last one is that of no bin."""
-    cells, inside = np.zeros(theta.size), np.ones(theta.size, dtype=bool)
-    for name, (low, high, bins) in plan.bins.items():
-        # What is beyond the doubles is in no bin.
-        with np.errstate(over="ignore"):
-            values = _quantity(name, theta, velocity, plan.omega0)
-            number = np.subtract(values, low)
-            number /= high - low
-            number *= bins
-        inside &= (values >= low) & (values < high)
-        # Below the upper end a quotient may still be rounded to the number of bins.
-        np.minimum(np.floor(number, out=number), bins - 1, out=number)
-        # Whole numbers far below 2**53.
-        cells *= bins
-        cells += number
-    return np.where(inside, cells, histogram_cells(plan) - 1).astype(np.int64)
 
 
 def _quantity(name: str, theta: Floats, velocity: Floats, omega0: float) -> Any:

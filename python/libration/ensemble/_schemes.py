@@ -31,10 +31,6 @@ DRIFTS = (*LENGTHS, *LENGTHS[-2::-1])
 KICKS = tuple(0.5 * (before + after) for before, after in zip((0.0, *DRIFTS), (*DRIFTS, 0.0), strict=True))
 # Time of each kick over dt, from the start of the step.
 TIMES = tuple(math.fsum(DRIFTS[:stage]) for stage in range(len(KICKS)))
-# Two pi in two parts.
-TURN, TURN_LOW = math.tau, 2.4492935982947064e-16
-# Angles beyond this have no whole turn to count.
-FARTHEST = 2.0**52
 
 
 def exact(theta: Floats, velocity: Floats, dt: float, omega0: float, phase: float) -> None:
@@ -76,17 +72,4 @@ def wrap(theta: Floats, turns: NDArray[np.int64]) -> None:
 
     The double nearest to pi is below pi, and in that range.
     """
-    # NaN fails the comparison, and asks for a look at the elements.
-    if -math.pi <= theta.min(initial=0.0) and theta.max(initial=0.0) <= math.pi:
-        return
-    far = np.flatnonzero(~(np.abs(theta) <= math.pi))
-    angles = theta[far]
-    angles[~(np.abs(angles) < FARTHEST)] = np.nan
-    whole = np.floor(angles / TURN + 0.5)
-    # Both products are rounded by less than a rounding of the angle itself.
-    angles = (angles - whole * TURN) - whole * TURN_LOW
-    # The quotient is rounded, so that the angle may be a rounding past an end.
-    below, above = angles < -math.pi, angles > math.pi
-    whole += np.where(above, 1.0, 0.0) - np.where(below, 1.0, 0.0)
-    theta[far] = angles + np.where(below, TURN, 0.0) - np.where(above, TURN, 0.0)
-    turns[far] += np.nan_to_num(whole).astype(np.int64)
+    _core.wrap(theta, turns)

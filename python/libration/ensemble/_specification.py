@@ -40,8 +40,9 @@ TABLES = {
 BUNCH = "distribution n seed sigma_theta action temperature energy_ratio omega0 matched rotations quiet".split()
 GRID = "theta0 velocity0 omega0".split()
 SPAN = "from to count".split()
-# If no size is given, values of one variable in a chunk, some MB, and particles.
-VALUES, PARTICLES = 2**21, 2**18
+# If no size is given, values of one variable in a chunk, some MB, and particles; more where only sums are kept, for the files of a
+# chunk take as long as tens of thousands of particles.
+VALUES, PARTICLES, SUMMED = 2**21, 2**18, 2**20
 # Values of an axis.
 LONGEST = 10**6
 
@@ -115,7 +116,7 @@ def specification(text: str) -> Specification:
     times = _times(tables["time"])
     plan = _plan(tables["reduce"], times, omega0) if "reduce" in tables else None
     variables = _variables(tables.get("output", {}), plan)
-    chunk = _chunk(tables.get("output", {}), particles, len(times))
+    chunk = _chunk(tables.get("output", {}), particles, len(times), PARTICLES if variables else SUMMED)
     asked = {
         "title": title,
         "states": bunch_of or {name: _stated(states.get(name), axis) for name, axis in zip(GRID, axes, strict=True)},
@@ -246,10 +247,10 @@ def _variables(given: dict[str, Any], plan: Plan | None) -> tuple[str, ...]:
     return tuple(name for name in known if name in wanted)
 
 
-def _chunk(given: dict[str, Any], particles: int, times: int) -> int:
+def _chunk(given: dict[str, Any], particles: int, times: int, most: int) -> int:
     """Particles of a chunk: as given, or of some MB; all times of a particle are in one."""
     if "chunk" not in given:
-        return min(particles, PARTICLES, max(1, VALUES // times))
+        return min(particles, most, max(1, VALUES // times))
     size = count("[output] chunk", given["chunk"])
     if not 1 <= size <= 2**31:
         raise ValueError(f"[output] chunk = {size}: must be from 1 to 2**31 particles")

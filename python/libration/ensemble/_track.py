@@ -1,7 +1,8 @@
 """Ensembles step by step: the exact pendulum between kicks, or kicks and drifts of order 8, with whole turns counted.
 
-Without a kick of the user's, blocks of particles stay in the cache for all steps. A step of the exact scheme is half a kick, the flow,
-half a kick: of second order in the kick, and exact without one. Source: Wisdom & Holman, Astron. J. 102 (1991), 1528; Hairer,
+Without a kick of the user's, blocks of particles stay in the cache from one state that is given to the next: the core takes the steps
+of the exact scheme, on all threads. A step of that scheme is half a kick, the flow, half a kick: of second order in the kick, and exact
+without one. Source: Wisdom & Holman, Astron. J. 102 (1991), 1528; Hairer,
 Lubich & Wanner, Geometric Numerical Integration (2006), II.5.
 """
 
@@ -11,14 +12,15 @@ from typing import Any
 
 import numpy as np
 
+from .. import _core
 from .._arrays import Floats, NDArray
 from .._dispatch import numbers
 from .._messages import explained
 from .._scalars import count, shown
 from ._schemes import Kick, exact, order8, wrap
 
-# Particles at a time: two columns of these stay in the second cache, and are enough for two threads.
-BLOCK = 2**16
+# Particles at a time by kicks and drifts: their columns stay in the second cache.
+BLOCK = 2**14
 
 
 @explained
@@ -121,15 +123,43 @@ def track(
         row if row is not None else np.empty((len(marks), angles.size), each.dtype)
         for row, each in zip(rows, results, strict=True)
     ]
-    size = angles.size if kick else BLOCK
-    for begin in range(0, angles.size, size) if angles.size else ():
-        block = slice(begin, begin + size)
-        parts = angles[block], velocities[block], turns[block]
-        _steps(*parts, numbers_of_steps, kick, scheme, shape, marks, [each[:, block] for each in held])
+    if kick is None and scheme == "exact":
+        _exactly(angles, velocities, turns, numbers_of_steps, marks, held)
+    else:
+        size = max(1, angles.size if kick else BLOCK)
+        for begin in range(0, angles.size, size):
+            block = slice(begin, begin + size)
+            parts = angles[block], velocities[block], turns[block]
+            _steps(*parts, numbers_of_steps, kick, scheme, shape, marks, [each[:, block] for each in held])
     for row, own, each in zip(rows, held, results, strict=True):
         if row is None:
             each[...] = own.reshape(whole)
     return results
+
+
+def _exactly(
+    theta: Floats,
+    velocity: Floats,
+    turns: NDArray[np.int64],
+    numbers_of_steps: list[Floats],
+    marks: Sequence[int],
+    rows: list[Any],
+) -> None:
+    """All steps without a kick, from mark to mark."""
+    wrap(theta, turns)
+    before = 0
+    for place, mark in enumerate(marks):
+        _core.steps(theta, velocity, turns, *(each[before:mark] for each in numbers_of_steps))
+        _put(rows, place, theta, velocity, turns)
+        before = mark
+
+
+def _put(rows: list[Any], place: int, theta: Floats, velocity: Floats, turns: NDArray[np.int64]) -> None:
+    """A state of all particles as it is given: what is not finite is NaN, without turns."""
+    bad = ~(np.isfinite(theta) & np.isfinite(velocity))
+    for row, column, nothing in zip(rows, (theta, velocity, turns), (np.nan, np.nan, 0), strict=True):
+        row[place] = column
+        row[place][bad] = nothing
 
 
 def _steps(
@@ -163,10 +193,7 @@ def _steps(
                     half = 0.5 * _kick(kick, theta, shape, step)
                     velocity += half
         if step == marks[place]:
-            bad = ~(np.isfinite(theta) & np.isfinite(velocity))
-            for row, column, nothing in zip(rows, (theta, velocity, turns), (np.nan, np.nan, 0), strict=True):
-                row[place] = column
-                row[place][bad] = nothing
+            _put(rows, place, theta, velocity, turns)
             place += 1
 
 
@@ -210,7 +237,7 @@ def _by_step(name: str, value: Any, total: int) -> Floats:
         raise ValueError(f"{name} = {shown(value)}: must be finite")
     if name == "omega0" and np.any(given < 0.0):
         raise ValueError(f"omega0 = {shown(value)}: must not be negative")
-    return np.broadcast_to(given, (total,))
+    return np.ascontiguousarray(np.broadcast_to(given, (total,)), dtype=float)
 
 
 def _marks(record: Any, total: int) -> Sequence[int]:

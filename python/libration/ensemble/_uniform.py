@@ -9,26 +9,23 @@ Generation and Quasi-Monte Carlo Methods (1992), chapter 3; Birdsall & Langdon, 
 
 import numpy as np
 
+from .. import _core
 from .._arrays import Floats, NDArray
 
-# Keys of Philox have two words: the seed, and what its words are for.
-PARTICLES, SHIFT = 0, 1
+# Keys of Philox have two words: the seed, and what its words are for; 0 are the particles.
+SHIFT = 1
 # 2**64 over rho and over rho**2, to an odd number.
 STEPS = np.array([13925035116211876495, 10511698010929265437], dtype=np.uint64)
 
 
 def uniforms(seed: int, first: int, count: int, quiet: bool) -> Floats:
     """Two rows of `count` numbers in the open interval (0, 1): particles `first`, `first` + 1 and so on."""
+    if not quiet:
+        rows = np.empty((2, count))
+        _core.uniforms(seed, first, *rows)
+        return rows
     # The middle of one of 2**52 equal intervals: never 0 or 1, and u and 1 - u are as likely.
-    words = recurrence(seed, first, count) if quiet else counted(seed, first, count)
-    return (np.right_shift(words, np.uint64(12)).astype(float) + 0.5) * 2.0**-52
-
-
-def counted(seed: int, first: int, count: int) -> NDArray[np.uint64]:
-    """The first two words of each counter."""
-    philox = np.random.Philox(key=np.array([seed, PARTICLES], dtype=np.uint64))
-    philox.advance(first)
-    return philox.random_raw(4 * count).reshape(count, 4)[:, :2].T
+    return (np.right_shift(recurrence(seed, first, count), np.uint64(12)).astype(float) + 0.5) * 2.0**-52
 
 
 def recurrence(seed: int, first: int, count: int) -> NDArray[np.uint64]:

@@ -29,11 +29,11 @@ def _allowed(found: MotionParts, *given: Any) -> Any:
     return usual & jnp.isfinite(sum(0 * each for each in given))
 
 
-def _evaluated(known: Known, slopes: bool, given: tuple[Any, ...]) -> Any:
+def _evaluated(known: Known, slopes: bool, given: tuple[Any, ...], halves: bool = False) -> Any:
     """Angle, velocity and acceleration, and the derivatives' factor: 1, or NaN where they are beyond the floats."""
-    found = assembled(known, slopes, *given)
-    functions = jacobi(found)
-    values = apart(lambda: state(found, functions, given[3]), given[0])
+    found = assembled(known, slopes, *given, halves=halves)
+    functions = jacobi(found, halves)
+    values = apart(lambda: state(found, functions, given[3], halves), given[0])
     allowed = _allowed(found, *given)
     steep = (found.complement == 0) & (abs(found.argument) > np.log(float(np.finfo(given[0].dtype).max)) / 2)
     return tuple(jnp.where(allowed, value, jnp.nan) for value in values), jnp.where(allowed & ~steep, 1.0, jnp.nan)
@@ -43,13 +43,17 @@ def _state(digits: str, *given: Any) -> Any:
     return _evaluated(KNOWN[digits](*given), False, given)[0][:2]
 
 
-def _state_and_slopes(digits: str, *given: Any) -> Any:
-    """Angle and velocity, and of each the derivatives by t, theta0, velocity0 and omega0."""
+def _state_and_slopes(digits: str, *given: Any, halves: bool = False) -> Any:
+    """Angle and velocity, and of each the derivatives by t, theta0, velocity0 and omega0.
+
+    With `halves` by two steps of half the time, for derivatives of these: next to the separatrix the functions of the whole time have
+    second derivatives beyond those of the motion.
+    """
     t, theta0, velocity0, omega0 = given
     known = KNOWN[digits](*given)
 
     def of_start(theta0: Any, velocity0: Any) -> Any:
-        return _evaluated(known, True, (t, theta0, velocity0, omega0))
+        return _evaluated(known, True, (t, theta0, velocity0, omega0), halves)
 
     (values, sure), (columns, _) = _columns(of_start, (theta0, velocity0))
     sure = jax.lax.stop_gradient(sure).astype(t.dtype)
@@ -100,7 +104,7 @@ def with_slopes(
 ) -> Callable[..., Any]:
     """A function of arrays of one shape, element by element, and the function that gives it with its derivatives.
 
-    Where JAX cannot derive `value_and_slopes`, `formulas` are the same by other means, and the higher orders are theirs.
+    Where JAX cannot derive `value_and_slopes`, or loses digits, `formulas` are the same by other means, and the higher orders are theirs.
     """
     value = jax.custom_jvp(function)
 
@@ -124,14 +128,19 @@ def _of_core(function: Callable[..., Any]) -> Callable[..., Any]:
         values = function(*given)
         return values, core.slopes(values, given)
 
-    return with_slopes(function, value_and_slopes, partial(_state_and_slopes, "full"))
+    return with_slopes(function, value_and_slopes, partial(_state_and_slopes, "full", halves=True))
 
 
 def _core_period_and_slopes(*given: Any) -> Any:
     return core.period(*given), _period_and_slopes("full", *given)[1]
 
 
-MOTIONS = {digits: with_slopes(partial(_state, digits), partial(_state_and_slopes, digits)) for digits in KNOWN}
+MOTIONS = {
+    digits: with_slopes(
+        partial(_state, digits), partial(_state_and_slopes, digits), partial(_state_and_slopes, digits, halves=True)
+    )
+    for digits in KNOWN
+}
 STEPS = MOTIONS | {"core": _of_core(core.advance)}
 MOTIONS |= {"core": _of_core(core.motion)}
 PERIODS = {

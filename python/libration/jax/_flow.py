@@ -1,8 +1,9 @@
 """The motion from its parts: Jacobi's functions by theta functions of the smaller nome, then their addition theorem.
 
 Where the parameter is above 1/2 the theta functions are those of the complement, of an imaginary argument. Beyond a quarter
-of the half period the argument is counted from its middle, so that cn has its digits at its zero. Every function
-is a product of sine or cosine and a polynomial in the nome q and h = 2 q cos(2z), which is bounded by sqrt(q) + q^1.5.
+of the half period the argument is counted from its middle, so that cn has its digits at its zero; for second derivatives only next
+to it, as the middle moves far more with the parameter than the functions do before. Every function is a product of sine or cosine
+and a polynomial in the nome q and h = 2 q cos(2z), which is bounded by sqrt(q) + q^1.5, then by 0.31.
 Source: DLMF 20.2(i), 20.7(viii), 22.2, 22.6(iv), 22.8(i), 22.17(i).
 """
 
@@ -17,10 +18,12 @@ from ._double_words import TWO_PI, apart, parts, two_sum
 from ._set_up import MotionParts, Nome
 
 HALF_PI = float(TWO_PI / 4)
+# Of the middle, for second derivatives; before it h is at most exp(-1.4), or 0.31 where the nome is large.
+NEAR_MIDDLE = 0.7
 
 
 def theta_quotients(q: Any, h: Any) -> tuple[Any, Any, Any, Any]:
-    """theta1/(2 q^(1/4) sin z), theta2/(2 q^(1/4) cos z), theta3 and theta4; what is left out is below 1e-19."""
+    """theta1/(2 q^(1/4) sin z), theta2/(2 q^(1/4) cos z), theta3 and theta4; what is left out is below 1e-18."""
     q2, h2 = q * q, h * h
     q3, q6 = q2 * q, q2 * q2 * q2
     q9 = q6 * q3
@@ -30,15 +33,19 @@ def theta_quotients(q: Any, h: Any) -> tuple[Any, Any, Any, Any]:
     return first, second, even + odd, even - odd
 
 
-def jacobi(given: MotionParts) -> tuple[Any, Any, Any]:
-    """sn, cn and dn of the argument, which is at most K."""
+def jacobi(given: MotionParts, halves: bool = False) -> tuple[Any, Any, Any]:
+    """sn, cn and dn of the argument, which is at most K; with `halves` of half of it, for second derivatives."""
+    if halves:
+        given = given._replace(argument=given.argument / 2, argument_low=given.argument_low / 2)
     found = given.nome
 
     def place() -> Any:
         sign = jnp.where(given.argument < 0, -1, 1).astype(given.argument.dtype)
         v, low = sign * given.argument, sign * given.argument_low
-        folded = (given.complement > 0) & (v > given.half_period / 4)
         rest = 0.5 * given.half_period - v
+        folded = (given.complement > 0) & (v > given.half_period / 4)
+        if halves:
+            folded &= ~found.hyperbolic | (rest < NEAR_MIDDLE)
         error = two_sum(*map(stop_gradient, (0.5 * given.half_period, -v)))[1]
         low = jnp.where(folded, error + 0.5 * given.half_period_low - low, low)
         return sign, jnp.where(folded, rest, v), low, folded
@@ -93,8 +100,18 @@ def hyperbolic_terms(found: Nome, v: Any, low: Any, folded: Any) -> tuple[Any, A
     return zero3 / zero4 * sn, zero2 / zero4 * cn, zero2 / zero3 * dn
 
 
-def state(given: MotionParts, functions: Any, omega0: Any) -> tuple[Any, Any, Any]:
-    """Angle, velocity and acceleration, by the addition theorem with the state at the start."""
+def step(s: Any, c: Any, x: Any, sn: Any, cn: Any, dn: Any) -> tuple[Any, Any, Any]:
+    """s, c and x a time later, by the addition theorem."""
+    # 1 - s^2 sn^2 as a sum.
+    below = c * c + (s * cn) ** 2
+    return (s * cn * dn + x * c * sn) / below, (c * dn - s * x * sn * cn) / below, (x * cn - s * c * sn * dn) / below
+
+
+def state(given: MotionParts, functions: Any, omega0: Any, halves: bool = False) -> tuple[Any, Any, Any]:
+    """Angle, velocity and acceleration, by the addition theorem with the state at the start.
+
+    With `halves` the functions are those of half the argument, and the theorem is used twice; the angle is then right but for turns.
+    """
     dtype = given.argument.dtype
     sn, cn, dn = functions
     # A rotation has the functions of a parameter above 1.
@@ -102,18 +119,15 @@ def state(given: MotionParts, functions: Any, omega0: Any) -> tuple[Any, Any, An
     odd = given.count - 2 * jnp.floor(given.count / 2)
     # After an odd number of half periods a libration is on the other side; a rotation a turn further.
     parity = jnp.where(given.rotation, 1, 1 - 2 * odd).astype(dtype)
-    sn, cn = parity * sn, parity * cn
     s, c, x = given.s, given.c, given.x
-    # 1 - s^2 sn^2 as a sum.
-    below = c * c + (s * cn) ** 2
-    sine = (s * cn * dn + x * c * sn) / below
-    cosine = (c * dn - s * x * sn * cn) / below
-    speed = (x * cn - s * c * sn * dn) / below
+    if halves:
+        s, c, x = step(s, c, x, sn, cn, dn)
+    sine, cosine, speed = step(s, c, x, parity * sn, parity * cn, dn)
     angle = 2 * jnp.arctan2(sine, cosine)
     # A rotation goes on by at most a turn within a half period, the arc tangent knows it but for two turns.
-    forward = jnp.where((x < 0) != (given.argument < 0), -1, 1).astype(dtype)
+    forward = jnp.where((given.x < 0) != (given.argument < 0), -1, 1).astype(dtype)
     behind = given.rotation & (forward * (angle - given.angle) < -2 * HALF_PI)
-    downwards = jnp.where(x < 0, -1, 1).astype(dtype)
+    downwards = jnp.where(given.x < 0, -1, 1).astype(dtype)
     turns = given.turn + jnp.where(given.rotation, downwards * given.count, 0) + jnp.where(behind, 2 * forward, 0)
     two_pi, rest = parts(TWO_PI, dtype, 2)
     return turns * two_pi + (angle + turns * rest), 2 * omega0 * speed, -2 * omega0 * omega0 * sine * cosine

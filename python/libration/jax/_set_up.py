@@ -77,11 +77,14 @@ def within(turn: Any, angle: Any, s: tuple[Any, ...], c: tuple[Any, ...]) -> tup
     return turn + on, angle - on * float(dw.TWO_PI), *turned
 
 
-def assembled(known: Known, slopes: bool, t: Any, theta0: Any, velocity0: Any, omega0: Any) -> MotionParts:
+def assembled(
+    known: Known, slopes: bool, t: Any, theta0: Any, velocity0: Any, omega0: Any, *, halves: bool = False
+) -> MotionParts:
     """The parts in floats, of which some are known better.
 
     With `slopes` these have the derivatives of the formulas here, at the known values. No formula has a kink, so that the
-    derivatives hold at the separatrix: both parameters move there.
+    derivatives hold at the separatrix: both parameters move there. With `halves` only the half periods that have passed are taken
+    off: next to the separatrix their slopes are far larger than those of a motion that has passed none, and would cancel.
     """
 
     def part(name: str, formula: Any) -> Any:
@@ -109,6 +112,11 @@ def assembled(known: Known, slopes: bool, t: Any, theta0: Any, velocity0: Any, o
         count = jnp.where(bound, jnp.round(u / jnp.where(bound, half_period, 1)), 0)
         count = known.get("count", stop_gradient(count))
         argument = part("argument", u - jnp.where(count == 0, 0, half_period * count))
+        if halves:
+            passed = jnp.where(count * argument < 0, count - jnp.sign(count), count)
+            left = stop_gradient(argument + jnp.where(passed == count, 0, half_period * (count - passed)))
+            formula = u - jnp.where(passed == 0, 0, half_period * passed)
+            count, argument = passed, left + (formula - stop_gradient(formula))
         none = jnp.zeros_like(argument)
         return half_period, known.get("half_period_low", none), count, argument, known.get("argument_low", none)
 
