@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from test_duffing import error, truth
 
 import libration
-from libration import Duffing
+from libration import CubicQuintic, Duffing
 from libration.plot import plot_backbone
 
 ROOT = Path(__file__).resolve().parents[2]
