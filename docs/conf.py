@@ -63,6 +63,8 @@ html_static_path = ["static", "../lab/src/style/fonts/stix-two-math.woff2"]
 # The lab, and the documentation of Rust and TypeScript, by `make site`.
 html_extra_path = [str(PARTS)] if PARTS.is_dir() else []
 html_css_files = ["site.css"]
+# A page without pages below it has no list of them.
+html_sidebars = {"tutorial": [], "guide": []}
 html_show_sourcelink = False
 html_math_renderer = "mathml"
 html_theme_options = {

@@ -58,7 +58,7 @@ installed = command -v $(1) >/dev/null || test -x $(2) || { echo "installing Deb
 # The names, the classifiers and the addresses of every package; one version and one address for all.
 test-metadata: sdist $(VENV)/.package-tools
 	@$(PY) checks/versions.py
-	@validate-pyproject -q pyproject.toml
+	@validate-pyproject pyproject.toml >/dev/null
 	@cffconvert --validate >/dev/null
 	@twine check --strict $(OUT)/libration-*.tar.gz
 

@@ -9,7 +9,7 @@
 //! | the force: omega0, its square, or gravity and length | [`Frequency`] |
 //! | passages, action, phase, Fourier series of an orbit | [`Orbit`] |
 //! | its derivatives by start and force | [`Sensitivity`] |
-//! | one state a step later | [`advance`] |
+//! | one state a step later | [`advance()`] |
 //! | many particles: random numbers, steps, whole turns, sums | [`ensemble`] |
 //! | u'' + p u + q u^3 = 0 | [`Duffing`] |
 //! | u'' + p u + q u^3 + s u^5 = 0 | [`CubicQuintic`] |

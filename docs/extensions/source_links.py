@@ -17,7 +17,8 @@ SHOWN = {"NOTATION.md": "notation", "CHANGELOG.md": "changes"}
 class SourceLinks(SphinxTransform):
     """What MyST takes for a download or for a document that it does not know."""
 
-    default_priority = 5
+    # After the translated text is in its place (20): it has links of its own.
+    default_priority = 25
 
     def apply(self) -> None:
         for kind in (addnodes.download_reference, addnodes.pending_xref):

@@ -203,7 +203,7 @@ export const esData: DataCatalogue = {
     swing: 'Amplitud',
     end: 'Amplitud al final',
     u: '{of}: incertidumbre',
-    help: 'La amplitud es el ángulo de retorno. Si cae mientras se cuenta, dé también la del final: se toma el periodo medio de ese decaimiento.',
+    help: 'La amplitud es el ángulo máximo. Si cae mientras se cuenta, dé también la del final: se toma el periodo medio de ese decaimiento.',
     place: 'Lugar',
     latitude: 'Latitud',
     height: 'Altitud',

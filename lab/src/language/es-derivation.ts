@@ -150,7 +150,7 @@ export const esDerivation: DerivationCatalogue = {
       dropped: {
         title: 'Lo que dejan fuera las aproximaciones',
         text: [
-          'El movimiento lineal tiene el periodo _T_{0} en cualquier oscilación. El verdadero es 2_K_/π veces más largo. Como serie en el ángulo de retorno empieza con dos términos que todos usan; el resto se deja fuera:',
+          'El movimiento lineal tiene el periodo _T_{0} en cualquier oscilación. El verdadero es 2_K_/π veces más largo. Como serie en el ángulo máximo empieza con dos términos que todos usan; el resto se deja fuera:',
           'Difieren en *{seriesError}* de la razón verdadera. Otra idea conserva el coseno y le da el periodo verdadero; _t_{m} es cuando se volvió por última vez a la derecha:',
           'Cuánto yerran las fórmulas, como máximo, en un periodo de su péndulo:',
           'De dónde vienen las dos últimas está escrito para los lectores de Lima y de Salas.',
@@ -162,7 +162,7 @@ export const esDerivation: DerivationCatalogue = {
         title: 'Ecuación y energía',
         text: [
           'Una masa puntual en una varilla rígida sin masa, sin fricción. Una integración da la velocidad:',
-          'Lima suelta desde el reposo, de modo que _k_ = sin(_θ_{0}/2). Aquí vale cualquier oscilación: _k_ pertenece a su ángulo de retorno.',
+          'Lima suelta desde el reposo, de modo que _k_ = sin(_θ_{0}/2). Aquí vale cualquier oscilación: _k_ pertenece a su ángulo máximo.',
         ],
       },
       integral: {
@@ -191,7 +191,7 @@ export const esDerivation: DerivationCatalogue = {
         title: 'Un coseno con el periodo exacto',
         text: [
           'La primera aproximación conserva el periodo y abandona la forma. _t_{m} es cuando se volvió por última vez a la derecha, 0 en Lima:',
-          'Su mayor error en un periodo de su péndulo es *{harmonicError}* del ángulo de retorno.',
+          'Su mayor error en un periodo de su péndulo es *{harmonicError}* del ángulo máximo.',
         ],
       },
       series: {
@@ -236,7 +236,7 @@ export const esDerivation: DerivationCatalogue = {
       cosine: {
         title: 'La solución es un cn',
         text: [
-          'El artículo prueba nueve de las doce funciones de Jacobi. Para una oscilación cn tiene constantes reales: _c_{1} es la tangente de la mitad del ángulo de retorno. Entonces su rapidez es _ω_{0}, y su parámetro otra vez _m_:',
+          'El artículo prueba nueve de las doce funciones de Jacobi. Para una oscilación cn tiene constantes reales: _c_{1} es la tangente de la mitad del ángulo máximo. Entonces su rapidez es _ω_{0}, y su parámetro otra vez _m_:',
           'La fase es _c_{2} = _a_ − _K_, con _a_ = _F_(_φ_{0}):',
           'Cerca de la cima _u_ es grande. El movimiento no lo es: la tangente tiene allí su polo.',
         ],
@@ -260,7 +260,7 @@ export const esDerivation: DerivationCatalogue = {
       trigonometric: {
         title: 'Sin funciones elípticas',
         text: [
-          'El seno se vuelve un polinomio de grado 5, y su movimiento un coseno sobre una raíz. El ángulo de retorno basta para _ν_ y _λ_. El tiempo cuenta desde el último retorno:',
+          'El seno se vuelve un polinomio de grado 5, y su movimiento un coseno sobre una raíz. El ángulo máximo basta para _ν_ y _λ_. El tiempo cuenta desde el último retorno:',
           'Cuánto yerran las fórmulas, como máximo, en un periodo de su péndulo:',
         ],
       },

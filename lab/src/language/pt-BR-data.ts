@@ -203,7 +203,7 @@ export const ptBRData: DataCatalogue = {
     swing: 'Amplitude',
     end: 'Amplitude no fim',
     u: '{of}: incerteza',
-    help: 'A amplitude é o ângulo de retorno. Se ela cai enquanto se conta, dê também a do fim: toma-se o período médio desse decaimento.',
+    help: 'A amplitude é o ângulo máximo. Se ela cai enquanto se conta, dê também a do fim: toma-se o período médio desse decaimento.',
     place: 'Lugar',
     latitude: 'Latitude',
     height: 'Altitude',

@@ -150,7 +150,7 @@ export const ptBRDerivation: DerivationCatalogue = {
       dropped: {
         title: 'O que as aproximações deixam de fora',
         text: [
-          'O movimento linear tem o período _T_{0} em qualquer oscilação. O verdadeiro é 2_K_/π vezes mais longo. Como série no ângulo de retorno, ele começa com dois termos que todos usam; o resto fica de fora:',
+          'O movimento linear tem o período _T_{0} em qualquer oscilação. O verdadeiro é 2_K_/π vezes mais longo. Como série no ângulo máximo, ele começa com dois termos que todos usam; o resto fica de fora:',
           'Eles diferem em *{seriesError}* da razão verdadeira. Outra ideia mantém o cosseno e lhe dá o período verdadeiro; _t_{m} é quando voltou pela última vez à direita:',
           'Quanto as fórmulas erram, no máximo, em um período do seu pêndulo:',
           'De onde vêm as duas últimas está escrito para os leitores de Lima e de Salas.',
@@ -162,7 +162,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         title: 'Equação e energia',
         text: [
           'Uma massa pontual em uma haste rígida sem massa, sem atrito. Uma integração dá a velocidade:',
-          'Lima solta do repouso, de modo que _k_ = sin(_θ_{0}/2). Aqui qualquer oscilação serve: _k_ pertence ao seu ângulo de retorno.',
+          'Lima solta do repouso, de modo que _k_ = sin(_θ_{0}/2). Aqui qualquer oscilação serve: _k_ pertence ao seu ângulo máximo.',
         ],
       },
       integral: {
@@ -191,7 +191,7 @@ export const ptBRDerivation: DerivationCatalogue = {
         title: 'Um cosseno com o período exato',
         text: [
           'A primeira aproximação mantém o período e abandona a forma. _t_{m} é quando voltou pela última vez à direita, 0 em Lima:',
-          'O seu maior erro em um período do seu pêndulo é *{harmonicError}* do ângulo de retorno.',
+          'O seu maior erro em um período do seu pêndulo é *{harmonicError}* do ângulo máximo.',
         ],
       },
       series: {
@@ -236,7 +236,7 @@ export const ptBRDerivation: DerivationCatalogue = {
       cosine: {
         title: 'A solução é um cn',
         text: [
-          'O artigo experimenta nove das doze funções de Jacobi. Para uma oscilação cn tem constantes reais: _c_{1} é a tangente da metade do ângulo de retorno. Então a sua rapidez é _ω_{0}, e o seu parâmetro é outra vez _m_:',
+          'O artigo experimenta nove das doze funções de Jacobi. Para uma oscilação cn tem constantes reais: _c_{1} é a tangente da metade do ângulo máximo. Então a sua rapidez é _ω_{0}, e o seu parâmetro é outra vez _m_:',
           'A fase é _c_{2} = _a_ − _K_, com _a_ = _F_(_φ_{0}):',
           'Perto do topo _u_ é grande. O movimento não é: a tangente tem ali o seu polo.',
         ],
@@ -260,7 +260,7 @@ export const ptBRDerivation: DerivationCatalogue = {
       trigonometric: {
         title: 'Sem funções elípticas',
         text: [
-          'O seno torna-se um polinômio de grau 5, e o seu movimento um cosseno sobre uma raiz. Só o ângulo de retorno dá _ν_ e _λ_. O tempo conta desde o último retorno:',
+          'O seno torna-se um polinômio de grau 5, e o seu movimento um cosseno sobre uma raiz. Só o ângulo máximo dá _ν_ e _λ_. O tempo conta desde o último retorno:',
           'Quanto as fórmulas erram, no máximo, em um período do seu pêndulo:',
         ],
       },

@@ -31,7 +31,8 @@ test('a pendulum shows itself, and its sliders write to Python', async ({ page }
   })
   await page.goto(`${origin}/lab/tree/pendulum.ipynb?token=${searchParams.get('token')}`)
   await page.locator('.jp-Notebook .jp-CodeCell').first().waitFor()
-  await page.getByText('Idle').first().waitFor()
+  // A narrow status bar hides its words.
+  await page.getByText('Idle').first().waitFor({ state: 'attached' })
 
   await run(page, 'from libration import Pendulum\nPendulum(2.0, length=1.0)')
   const drawn = page.locator('.widget', { has: page.locator('.bob-drawing') })

@@ -4,12 +4,12 @@
  * Call `await load()` once; everything else answers at once. Angles in rad, everything else in SI units. A number gives
  * a number, an array a Float64Array. Wrong arguments throw a DomainError that names argument, value and what is allowed.
  *
+ * @packageDocumentation
+ *
  * @example
  * import { load, Pendulum } from "libration";
  * await load();
  * console.log(new Pendulum({ theta0: 3 }).theta(5)); // -1.67599...
- *
- * @packageDocumentation
  */
 
 export * as approx from "./approx/index.js";
