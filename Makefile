@@ -192,7 +192,7 @@ lab/node_modules/.needed: lab/package-lock.json
 page: wasm lab/node_modules/.needed ## build the page into lab/dist, with lab/dist/offline.html, and into the package (a minute)
 	@mkdir -p $(LOGS)
 	@cd lab && npm run build >../$(LOGS)/page.log 2>&1 || { tail -n 40 ../$(LOGS)/page.log; exit 1; }
-	@$(PYTHON) packages/pack_page.py lab/dist python/libration/page.tar.xz
+	@rm -rf python/libration/page && cp -r lab/dist python/libration/page
 
 lab: page ## build the page and serve it at 127.0.0.1
 	@cd lab && npm run --silent serve

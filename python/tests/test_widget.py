@@ -5,7 +5,7 @@ import types
 
 import pytest
 
-from libration import Pendulum, _page
+from libration import Pendulum
 from libration.pendulum import _widget
 
 
@@ -39,10 +39,9 @@ def stand_in(monkeypatch, tmp_path):
         def _repr_mimebundle_(self, **options):
             return {"text/plain": "a widget", "application/vnd.jupyter.widget-view+json": {}}, {"of": "anywidget"}
 
-    archive = tmp_path / "page.tar.xz"
-    archive.touch()
-    monkeypatch.setattr(_page, "ARCHIVE", archive)
-    monkeypatch.setattr(_page, "files", lambda _: {"widget.js": b"export default {}"})
+    drawing = tmp_path / "widget.js"
+    drawing.write_text("export default {}")
+    monkeypatch.setattr(_widget, "MODULE", drawing)
     monkeypatch.setitem(sys.modules, "anywidget", types.SimpleNamespace(AnyWidget=AnyWidget))
     monkeypatch.setitem(sys.modules, "traitlets", types.SimpleNamespace(Float=Trait, Unicode=Trait))
     _widget.widget_kind.cache_clear()
@@ -84,6 +83,6 @@ def test_what_the_lab_does_not_draw_is_refused(stand_in, monkeypatch):
         with pytest.raises(ValueError, match="must be positive for a widget"):
             pendulum.widget()
         assert "text/html" in pendulum._repr_mimebundle_()[0]
-    monkeypatch.setattr(_page, "ARCHIVE", _page.ARCHIVE.with_name("none.tar.xz"))
+    monkeypatch.setattr(_widget, "MODULE", _widget.MODULE.with_name("none.js"))
     with pytest.raises(FileNotFoundError, match="make page"):
         Pendulum(1.0).widget()

@@ -8,14 +8,14 @@ import webbrowser
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
-from libration import _page
 from libration.cli.language import told
 from libration.cli.parser import Flag, Options, Refusal, Value, command, refusal
 
 HOST = "127.0.0.1"
+#: Put here by `make page`; a wheel has it.
+PAGE = Path(__file__).parent.parent / "page"
 DESCRIPTION = """\
 Opens the lab in the browser: the exact pendulum to drag, beside the formulas and numerical methods people use, with
 their errors. Nothing leaves this machine, and no network is needed. Ctrl-C ends it."""
@@ -83,19 +83,12 @@ def port_of(text: str | None) -> int:
 def run(options: LabOptions) -> None:
     """Serve the page until Ctrl-C."""
     port = port_of(options.port)
-    if not _page.ARCHIVE.is_file():
+    if not (PAGE / "index.html").is_file():
         raise Refusal("the page is not part of this installation; a wheel has it, and `make page` in a clone builds it")
-    with TemporaryDirectory(prefix="libration-") as folder:
-        try:
-            serving = server(Path(folder), port)
-        except OSError as error:
-            raise Refusal(f"--port {port}: {error.strerror or error}; leave it out for a free one") from error
-        _page.unpack(_page.ARCHIVE, Path(folder))
-        serve(serving, options)
-
-
-def serve(serving: ThreadingHTTPServer, options: LabOptions) -> None:
-    """Say where the page is, and serve it until Ctrl-C."""
+    try:
+        serving = server(PAGE, port)
+    except OSError as error:
+        raise Refusal(f"--port {port}: {error.strerror or error}; leave it out for a free one") from error
     with serving:
         address = f"http://{HOST}:{serving.server_address[1]}/"
         print(told(f"The lab is at {address} (Ctrl-C ends it)"), flush=True)

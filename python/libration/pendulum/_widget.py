@@ -1,6 +1,6 @@
 """A pendulum as a widget of notebooks: the drawing of the lab, whose sliders write to Python.
 
-The drawing is widget.js of the page, one module with the core inside, built from lab/ by `make page`; it asks for nothing. Needs anywidget.
+The drawing is page/widget.js, one module with the core inside, built from lab/ by `make page`; it asks for nothing. Needs anywidget.
 """
 
 from __future__ import annotations
@@ -8,10 +8,10 @@ from __future__ import annotations
 import functools
 import importlib
 import math
+from pathlib import Path
 from typing import Any
 
-from libration import _page
-
+MODULE = Path(__file__).parents[1] / "page" / "widget.js"
 PLAIN, VIEW = "text/plain", "text/html"
 
 
@@ -19,14 +19,14 @@ def widget_of(pendulum: Any, lang: str) -> Any:
     """The widget, or an error that says in one line what is missing."""
     state = drawn(pendulum)
     try:
-        importlib.import_module("anywidget")
+        kind = widget_kind()
     except ImportError:
         raise ImportError("Pendulum.widget: needs anywidget: pip install 'libration[widget]'") from None
-    if not _page.ARCHIVE.is_file():
+    if not MODULE.is_file():
         raise FileNotFoundError(
             "Pendulum.widget: the drawing is not part of this installation; a wheel has it, and `make page` in a clone builds it"
         )
-    made = widget_kind()(**state, lang=lang)
+    made = kind(**state, lang=lang)
     made._kind = type(pendulum)
     return made
 
@@ -57,7 +57,7 @@ def widget_kind() -> Any:
     members = {
         "__doc__": "The lab's drawing of a pendulum; its traits follow its sliders.",
         "__module__": __name__,
-        "_esm": _page.files(_page.ARCHIVE)["widget.js"].decode(),
+        "_esm": MODULE,
         "theta0": traits.Float(0.0).tag(sync=True),
         "velocity0": traits.Float(0.0).tag(sync=True),
         "length": number(None).tag(sync=True),
