@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from libration._arrays import Floats
 
 MOST = 1_000_000
+# Points of the curve at least.
+FINE = 2_000
 SEVERAL = Topic(
     "several u0",
     text="""\
@@ -43,6 +45,13 @@ def starts(text: str, dimension: Dimension) -> "Floats":
         raise refusal("--u0", text, "a range is FROM:TO:COUNT, as 0.1:2:20")
     first, last = (quantity("--u0", piece, dimension) for piece in pieces[:2])
     return np.linspace(first, last, whole("--u0", pieces[2], 2, MOST))
+
+
+def curve_of(u0: "Floats") -> "Floats":
+    """Displacements from the least to the greatest, and all of `u0`, so near each other that lines between them are a curve."""
+    import numpy as np
+
+    return np.union1d(np.linspace(u0.min(), u0.max(), FINE), u0)
 
 
 def backbone(
@@ -74,8 +83,10 @@ def backbone(
         if plot and options.plot is not None:
             from libration.plot._backbone import save_backbone
 
+            finer = curve_of(u0)
+            exact = getattr(libration, f"{family}_frequency")(finer, velocity0, **force) / math.tau
             with drawing("--plot", options.plot):
-                save_backbone(u0, hertz, unit, plot, form=form(options.plot), **look)
+                save_backbone((exact, finer), (hertz, u0), unit, plot, form=form(options.plot), **look)
     files = written(options.out, options.plot)
     if options.json:
         rows = zip(u0.tolist(), regime.tolist(), period.tolist(), hertz.tolist(), action.tolist(), strict=True)

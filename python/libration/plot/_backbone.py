@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,9 @@ from ._style import EXACT, head, quiet, save_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+#: As many starts or fewer have a dot each.
+FEW = 60
 
 
 def plot_backbone(
@@ -63,17 +67,41 @@ def plot_backbone(
     return axes
 
 
+PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+
+
+def scaled(unit: str, values: np.ndarray) -> tuple[float, str]:
+    """What to divide values by, and the unit with its prefix, so that the largest is from 1 to 1000; a number keeps its size."""
+    largest = float(np.nanmax(np.abs(values), initial=0.0))
+    if not unit or not 0.0 < largest < math.inf:
+        return 1.0, unit
+    power = min(max(3 * math.floor(math.log10(largest) / 3), min(PREFIXES)), max(PREFIXES))
+    return 10.0**power, PREFIXES[power] + unit
+
+
 def save_backbone(
-    u0: np.ndarray, frequency: np.ndarray, unit: str, path: Any, *, form: str, title: str | None, dpi: float, lang: str
+    curve: tuple[np.ndarray, np.ndarray],
+    starts: tuple[np.ndarray, np.ndarray],
+    unit: str,
+    path: Any,
+    *,
+    form: str,
+    title: str | None,
+    dpi: float,
+    lang: str,
 ) -> None:
-    """Save the picture of displacements over frequencies in Hz."""
+    """Save the picture of a curve of frequencies in Hz and displacements, with dots at the starts where these are few."""
     say = Language(lang)
+    across, hertz = scaled("Hz", curve[0]) if unit else (1.0, "Hz")
+    up, length = scaled(unit, curve[1])
 
     def draw(figure: Any) -> None:
         axes = figure.subplots()
-        axes.plot(frequency, u0, color=EXACT, lw=2)
-        axes.set_xlabel(r"$\Omega/2\pi$ [Hz]")
-        axes.set_ylabel(f"u(0) [{unit}]" if unit else "u(0)")
+        axes.plot(curve[0] / across, curve[1] / up, color=EXACT, lw=2)
+        if starts[0].size <= FEW:
+            axes.plot(starts[0] / across, starts[1] / up, "o", color=EXACT, ms=4)
+        axes.set_xlabel(rf"$\Omega/2\pi$ [{hertz}]")
+        axes.set_ylabel(f"u(0) [{length}]" if length else "u(0)")
         quiet(axes)
         say.ticks(axes)
         head(figure, title or "")
