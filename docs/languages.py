@@ -15,9 +15,9 @@ LOCALES = Path(__file__).with_name("locales")
 LANGUAGES = ("pt_BR", "es")
 PAGES = (
     "index tutorial guide fit damped starts approximations errata papers about design compare duffing bucket tables "
-    "ensembles-examples reference/index reference/command-line how-to/notebooks how-to/index how-to/choose how- "
-    "to/separatrix how-to/long-times how-to/arrays how-to/from-scipy how-to/accelerators how-to/mems how- "
-    "to/teachers why/index why/integrators why/sn why/theory"
+    "ensembles-examples reference/index reference/command-line how-to/notebooks how-to/index how-to/choose "
+    "how-to/separatrix how-to/long-times how-to/arrays how-to/from-scipy how-to/accelerators how-to/mems "
+    "how-to/teachers why/index why/integrators why/sn why/theory"
 ).split()
 
 

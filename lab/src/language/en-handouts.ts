@@ -128,7 +128,6 @@ export const enHandouts = {
   frame: 'Code for your page',
   copyFrame: 'Copy the code',
   copyLink: 'Copy the link',
-  local: 'This address is of your own machine. Put the page on a server first, so that others can see it.',
   show: 'Show it here',
   hide: 'Hide the preview',
   previewTitle: 'The embedded page',

@@ -156,6 +156,7 @@ export const enLater = {
     link: 'Link',
     qr: 'QR code of the link',
     about: '{count} characters. All of the picture is in the link; nothing is stored anywhere.',
+    local: 'This address is of your own machine. Put the page on a server first, so that others can see it.',
   },
 
   keys: {

@@ -128,7 +128,6 @@ export const esHandouts: HandoutsCatalogue = {
   frame: 'Código para su página',
   copyFrame: 'Copiar el código',
   copyLink: 'Copiar el enlace',
-  local: 'Esta dirección es de su propia máquina. Ponga antes la página en un servidor, para que otros la vean.',
   show: 'Mostrarla aquí',
   hide: 'Ocultar la vista previa',
   previewTitle: 'La página insertada',

@@ -152,11 +152,12 @@ export const esLater: LaterCatalogue = {
     title: 'Compartir esta imagen',
     copy: 'Copiar enlace',
     copied: 'Copiado',
-    failed: 'El navegador no deja copiar a la página. El enlace está seleccionado: cópialo a mano.',
+    failed: 'El navegador no deja copiar a la página. El enlace está seleccionado: cópielo a mano.',
     embed: 'Copiar código para insertar',
     link: 'Enlace',
     qr: 'Código QR del enlace',
     about: '{count} caracteres. Toda la imagen está en el enlace; nada se guarda en ninguna parte.',
+    local: 'Esta dirección es de su propia máquina. Ponga antes la página en un servidor, para que otros la vean.',
   },
 
   keys: {

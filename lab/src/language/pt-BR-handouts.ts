@@ -127,7 +127,6 @@ export const ptBRHandouts: HandoutsCatalogue = {
   frame: 'Código para a sua página',
   copyFrame: 'Copiar o código',
   copyLink: 'Copiar o link',
-  local: 'Este endereço é da sua própria máquina. Ponha antes a página num servidor, para que outros a vejam.',
   show: 'Mostrar aqui',
   hide: 'Ocultar a prévia',
   previewTitle: 'A página incorporada',

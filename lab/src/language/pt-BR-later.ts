@@ -157,6 +157,7 @@ export const ptBRLater: LaterCatalogue = {
     link: 'Link',
     qr: 'Código QR do link',
     about: '{count} caracteres. Toda a imagem está no link; nada é guardado em lugar algum.',
+    local: 'Este endereço é da sua própria máquina. Ponha antes a página num servidor, para que outros a vejam.',
   },
 
   keys: {

@@ -5,6 +5,7 @@ import { encode } from 'uqr'
 import { embedCode } from '../embedding'
 import { convergenceDialog } from './convergence'
 import { dialog } from './dialogs'
+import { localNotice } from './local'
 import { copyText, isLive, type Page } from './page'
 import { linkOf } from './table'
 
@@ -26,7 +27,7 @@ function share(page: Page): TemplateResult {
   const link = linkOf(page)
   const body = html`<div class="share">${qr(link, say.qr)}<div>
       <textarea id="share-link" class="link" readonly rows="4" aria-label=${say.link} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()} .value=${link}></textarea>
-      <p class="soft small">${words.fill(say.about, { count: link.length })}</p></div></div>
+      <p class="soft small">${words.fill(say.about, { count: link.length })}</p>${localNotice(words)}</div></div>
     ${session.copyFailed ? html`<p class="soft small" role="status">${say.failed}</p>` : nothing}
     <div class="foot"><button type="button" class="button primary" @click=${() => copyText(page, link, '#share-link')}>${session.copied ? say.copied : say.copy}</button>
     <button type="button" class="button" @click=${() => copyText(page, embedCode(link, 800, 600), '#share-link')}>${say.embed}</button></div>

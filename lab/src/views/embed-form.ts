@@ -6,6 +6,7 @@ import { embedCode, saysNothing, shownViews } from '../embedding'
 import { plain, rich } from '../language/rich'
 import { writeLink } from '../link'
 import { LOCKS, type Lock, SECTIONS, type Shown, type State, VIEWS, type ViewName } from '../state'
+import { localNotice } from './local'
 import { copyText, type Live } from './page'
 
 const SIZES = { '360': [360, 640], '640': [640, 480], '800': [800, 600] } as const
@@ -44,11 +45,6 @@ function embeddedLink({ store, words }: Live, { show, lock, hide }: EmbedChoices
   return (
     location.href.replace(/#.*$/, '') + writeLink({ ...state, span, view: shownViews(state)[0] ?? 'lab' }, store.kept)
   )
-}
-
-/** Whether the address is of this machine alone. */
-function isLocal(): boolean {
-  return location.protocol === 'file:' || /^(localhost|127\.|\[::1\])/.test(location.hostname)
 }
 
 export function embedForm(page: Live): TemplateResult {
@@ -102,7 +98,7 @@ export function embedForm(page: Live): TemplateResult {
       (size) => change({ size }),
     )}</div>
       <textarea id="embed-code" class="link" readonly rows="7" spellcheck="false" aria-label=${handouts.frame} .value=${code} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()}></textarea>
-      ${isLocal() ? html`<p class="soft small" id="local">${handouts.local}</p>` : nothing}
+      ${localNotice(words)}
       ${session.copyFailed ? html`<p class="soft small" role="status">${handouts.copyFailed}</p>` : nothing}
       <div class="foot"><button type="button" class="button primary" id="copy-embed" @click=${() => copyText(page, code, '#embed-code')}>${session.copied ? handouts.copied : handouts.copyFrame}</button>
       <button type="button" class="button" @click=${() => copyText(page, link, '#embed-code')}>${handouts.copyLink}</button>

@@ -37,6 +37,36 @@ test('story 10: a shared link opens the same state and draws the same charts in 
   await expect(lab.locator('#share')).toBeFocused()
 })
 
+test('story 10: a link that nobody else can open says so, in every language; that of a server does not', async ({
+  lab,
+  browser,
+}) => {
+  for (const [language, said] of [
+    ['en', 'This address is of your own machine. Put the page on a server first'],
+    ['pt-BR', 'Este endereço é da sua própria máquina. Ponha antes a página num servidor'],
+    ['es', 'Esta dirección es de su propia máquina. Ponga antes la página en un servidor'],
+  ] as const) {
+    await show(lab, `th0=150deg&t=0s&lang=${language}`)
+    await lab.locator('#share').click()
+    await expect(lab.locator('dialog .local')).toContainText(said)
+    await lab.keyboard.press('Escape')
+  }
+  // The same page under the name of a server.
+  const context = await browser.newContext({ serviceWorkers: 'block' })
+  const page = await context.newPage()
+  const server = 'http://lab.example/'
+  await context.route(`${server}**`, async (route) => {
+    const url = route.request().url().replace(server, address())
+    await route.fulfill({ response: await route.fetch({ url }) })
+  })
+  await page.goto(`${server}#th0=150deg&t=0s&lang=en`)
+  await ready(page)
+  await page.locator('#share').click()
+  await expect(page.locator('#share-link')).toHaveValue(/^http:\/\/lab\.example\//)
+  await expect(page.locator('dialog .local')).toHaveCount(0)
+  await context.close()
+})
+
 test('story 10: every kept link opens with its state', async ({ lab }) => {
   for (const { link, state } of keptLinks()) {
     await show(lab, link)
