@@ -40,38 +40,6 @@ fn quotes_tell_decimal_commas_from_separators() {
 }
 
 #[test]
-fn one_column_of_decimal_commas() {
-    let rated = Options { rate: Some(10.0), ..Options::default() };
-    for head in ["Winkel (°)", "# angle, deg\nangle (deg)", "angle (deg)\n"] {
-        let read = read("f", format!("{head}\n20,0\n18,5\n-14,3\n-7,90\n-8\n").as_bytes(), &rated).unwrap();
-        near(&read.time, &[0.0, 0.1, 0.2, 0.3, 0.4], 1e-15);
-        near(&degrees(&read), &[20.0, 18.5, -14.3, -7.9, -8.0], 1e-12);
-        says(&read, "decimal commas");
-    }
-    // Whole numbers beside a counter, and under two names.
-    for text in ["Pendulum\n1,20\n2,18\n3,14\n4,7\n", "n,angle (deg)\n3,20\n2,18\n3,14\n4,7\n"] {
-        let options = Options::default().column("angle=2").unwrap().unit("angle=deg").unwrap();
-        let read = read("f", text.as_bytes(), &Options { rate: Some(10.0), ..options }).unwrap();
-        near(&degrees(&read), &[20.0, 18.0, 14.0, 7.0], 1e-12);
-    }
-}
-
-#[test]
-fn an_empty_line_is_a_missing_sample_where_a_rate_stands_for_times() {
-    let rated = Options { rate: Some(10.0), ..Options::default() };
-    let time = |text: &str| read("f", text.as_bytes(), &rated).unwrap();
-    let record = time("angle (deg)\n\n20.0\n18.5\n\n7.9\n \n\n-14.3\n\n\n");
-    near(&record.time, &[0.0, 0.1, 0.3, 0.6], 1e-15);
-    let dropped = &record.dropped[0];
-    assert_eq!((dropped.count, &dropped.lines[..]), (3, &[5, 7, 8][..]));
-    assert!(dropped.reason.contains("empty line"));
-    // Remarks are no samples, a row of empty cells and a word are, and double spacing is no gap.
-    near(&time("angle (deg)\n20.0\n# here\n18.5\nlost\n7.9\n").time, &[0.0, 0.1, 0.3], 1e-15);
-    near(&time("angle (deg),b\n20.0,1\n18.5,1\n,\n7.9,1\n").time, &[0.0, 0.1, 0.3], 1e-15);
-    near(&time("angle (deg)\n\n20.0\n\n18.5\n\n\n\n7.9\n").time, &[0.0, 0.1, 0.3], 1e-15);
-}
-
-#[test]
 fn thousands_separators() {
     let record = record("time_ms,angle\n\"800\",-20.0\n\"900\",-18.5\n\"1,000\",-14.3\n\"1,100\",-7.9\n");
     near(&record.time, &[0.8, 0.9, 1.0, 1.1], 0.0);
