@@ -7,7 +7,6 @@ use std::cell::RefCell;
 use super::lines::{Line, comment, lines};
 use super::numbers;
 use super::refusal::Refusal;
-use crate::decimal;
 
 /// More columns than this are no record of a pendulum; the limit keeps memory near the size of the file.
 pub(super) const MOST_COLUMNS: usize = 4096;
@@ -131,21 +130,23 @@ fn short_enough(line: Line<'_>) -> Result<(), Refusal> {
     Err(Refusal::fault(Some(line.number), reason))
 }
 
-/// Whether lines such as `57,395` are one column under one name, not two of whole numbers; then it is no counter.
-fn one_decimal_column(sample: &[&str], above: &str) -> bool {
-    let named = above.contains(char::is_alphabetic) && !above.contains([',', ';', '\t', '|']);
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    let parts = |line: &'_ str| {
-        let (whole, decimals) = line.trim().split_once(',').unwrap_or((line.trim(), "0"));
-        let places = whole.trim_start_matches(['+', '-', '\u{2212}']);
-        (digits(places) && digits(decimals)).then(|| whole.to_owned())
+/// Whether lines such as `57,395` are one column under one name, not a counter beside whole numbers, which grows from line to line.
+fn one_decimal_column<'a>(sample: &[&'a str], above: &str) -> bool {
+    let signs = ['+', '-', '\u{2212}'];
+    let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let number = |line: &&str| {
+        let (whole, decimals) = line.trim().split_once(',').unwrap_or((line.trim(), ""));
+        digits(whole.trim_start_matches(signs)) && digits(decimals) || numbers::is_missing(line)
     };
-    if !named || !sample.iter().all(|line| numbers::is_missing(line) || parts(line).is_some()) {
-        return false;
-    }
-    let wholes: Vec<f64> =
-        sample.iter().filter_map(|line| decimal::number(&parts(line)?.replace("\u{2212}", "-"))).collect();
-    !wholes.windows(2).all(|pair| pair[1] > pair[0])
+    let whole = |line: &'a str| line.split_once(',').map_or(line, |parts| parts.0);
+    let grows = |pair: &[&'a str]| {
+        let (before, after) = (whole(pair[0]), whole(pair[1]));
+        (before.len(), before) < (after.len(), after)
+    };
+    above.contains(char::is_alphabetic)
+        && !above.contains([',', ';', '\t', '|'])
+        && sample.iter().all(number)
+        && !sample.windows(2).all(grows)
 }
 
 /// The separator that the lines agree on under the line `above`, and the names of pairs or vectors.
