@@ -51,26 +51,23 @@ impl Dialect {
         let (mut numeric, mut worded) = (Vec::new(), Vec::new());
         let mut above = "";
         for line in lines(text) {
-            if let Some(remark) = comment(line.text) {
-                if numeric.is_empty() {
-                    above = remark;
-                }
-                continue;
-            }
-            short_enough(line)?;
-            let start = line.text.trim_start().trim_start_matches('"').bytes().next().unwrap_or(b' ');
-            if matches!(start, b'0'..=b'9' | b'+' | b'-' | b'.' | b',' | b';' | b'(' | b'[' | 0xe2) {
-                numeric.push(line.text);
-            } else {
-                if numeric.is_empty() {
-                    above = line.text;
+            let remark = comment(line.text);
+            if remark.is_none() {
+                short_enough(line)?;
+                let start = line.text.trim_start().trim_start_matches('"').bytes().next().unwrap_or(b' ');
+                if matches!(start, b'0'..=b'9' | b'+' | b'-' | b'.' | b',' | b';' | b'(' | b'[' | 0xe2) {
+                    numeric.push(line.text);
+                    if numeric.len() == SAMPLE {
+                        break;
+                    }
+                    continue;
                 }
                 if worded.len() < SAMPLE && line.text.bytes().any(|byte| byte.is_ascii_digit()) {
                     worded.push(line.text);
                 }
             }
-            if numeric.len() == SAMPLE {
-                break;
+            if numeric.is_empty() {
+                above = remark.unwrap_or(line.text);
             }
         }
         let clocked = share(&numeric, |line| clock_end(line).is_some()) > 0.5;

@@ -34,21 +34,6 @@ fn needed(chosen: &Chosen) -> Vec<usize> {
     }
 }
 
-/// Tells of the samples that are missing between rows, but for lines that are told of as no rows.
-fn tell_missing(missing: &[usize], table: &Table<'_>, dropped: &mut Vec<Dropped>) {
-    for (row, pair) in missing.windows(2).enumerate() {
-        if pair[0] < pair[1] && table.lines_above(row + 1).next().is_none() {
-            for line in 1..=pair[1] - pair[0] {
-                leave_out(
-                    dropped,
-                    "an empty line, for a sample that is missing",
-                    table.lines[row] as usize + line,
-                );
-            }
-        }
-    }
-}
-
 /// The rows of a group, cut into recordings.
 pub(super) fn runs_of(
     table: &Table<'_>,
@@ -89,13 +74,17 @@ pub(super) fn runs_of(
         .find(|k| table.heads[*k].meaning == Some(Meaning::Index) && profiles[*k].counter());
     let mut stamps: Vec<(usize, f64)> = Vec::new();
     let shared = group.name.is_empty();
-    let missing = if rate.is_some() && index.is_none() { table.samples_missing() } else { Vec::new() };
-    for row in 0..table.lines.len() {
+    let (rows, spacing) = (table.lines.len(), table.spacing());
+    let missing = table.sample(rows - 1, spacing) + 1 - rows;
+    if missing > 0 && rate.is_some() && index.is_none() {
+        understood.push(format!("Lines without a number are samples that are missing: {missing}."));
+    }
+    for row in 0..rows {
         let time = match (selection.time, rate) {
             (Some(column), _) => table.columns[column][row],
             (None, Some(rate)) => {
                 index.map_or_else(
-                    || (row + missing[row]) as f64,
+                    || table.sample(row, spacing) as f64,
                     |k| table.columns[k][row] - profiles[k].least,
                 ) / rate
             }
@@ -122,7 +111,6 @@ pub(super) fn runs_of(
         });
         leave_out(&mut dropped, &reason, table.lines[row] as usize);
     }
-    tell_missing(&missing, table, &mut dropped);
     if swings || selection.time.is_none() {
         if !stamps.is_empty() {
             let notes = Rc::new((understood, dropped));

@@ -30,6 +30,9 @@ pub(super) struct Table<'a> {
     /// The line of each row.
     pub lines: Vec<u32>,
     starts: Vec<u32>,
+    /// The line of each row without the lines that are no samples, and those.
+    places: Vec<u32>,
+    no_samples: u32,
     marks: Vec<Mark>,
     /// Rows above which the header stands again.
     pub restarts: Vec<usize>,
@@ -73,6 +76,8 @@ impl<'a> Table<'a> {
             columns: Vec::new(),
             lines: Vec::new(),
             starts: Vec::new(),
+            places: Vec::new(),
+            no_samples: 0,
             marks: Vec::new(),
             restarts: Vec::new(),
             rate: None,
@@ -137,6 +142,7 @@ impl<'a> Table<'a> {
                 continue;
             }
             if comment {
+                self.no_samples += 1;
                 continue;
             }
             self.dialect.cells(line, &mut cells)?;
@@ -168,7 +174,13 @@ impl<'a> Table<'a> {
     }
 
     fn push(&mut self, line: Line<'a>) {
-        self.lines.push(line.number as u32);
+        let number = line.number as u32;
+        if self.restarts.last() == Some(&self.lines.len()) {
+            // The next recording begins without a gap.
+            self.no_samples = number - self.places.last().map_or(0, |place| place + 1);
+        }
+        self.places.push(number - self.no_samples);
+        self.lines.push(number);
         self.starts.push(line.start as u32);
     }
 
@@ -262,30 +274,15 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
-    /// How many samples are missing above each row where every line is an instant: lines without a row, but for comments
-    /// and headers that return. As many empty lines as stand between all rows only space them.
-    pub(super) fn samples_missing(&self) -> Vec<usize> {
-        let between = |row: usize| -> usize {
-            let lines_between = self.lines[row] - self.lines[row - 1] - 1;
-            if lines_between == 0 || self.restarts.binary_search(&row).is_ok() {
-                return 0;
-            }
-            lines_between as usize - self.lines_above(row).filter(|line| comment(line.text).is_some()).count()
-        };
-        let between: Vec<usize> = (1..self.lines.len()).map(between).collect();
-        let spacing = between.iter().copied().min().unwrap_or(0);
-        let mut missing = 0;
-        let more = between.iter().map(|lines| {
-            missing += (lines + 1) / (spacing + 1) - 1;
-            missing
-        });
-        core::iter::once(0).chain(more).collect()
+    /// How many lines a sample takes where every line is one, but for remarks and headers that return: empty lines between all rows
+    /// only space them.
+    pub(super) fn spacing(&self) -> u32 {
+        self.places.windows(2).map(|pair| pair[1] - pair[0]).min().unwrap_or(1)
     }
 
-    /// The lines that are not empty between a row and the row above it.
-    pub(super) fn lines_above(&self, row: usize) -> impl Iterator<Item = Line<'a>> {
-        let (above, here) = (self.starts[row - 1] as usize, self.starts[row] as usize);
-        lines(&self.text[above..here]).skip(1)
+    /// Which sample a row is, from 0.
+    pub(super) fn sample(&self, row: usize, spacing: u32) -> usize {
+        ((self.places[row] - self.places[0]) / spacing) as usize
     }
 
     /// What separates its cells.

@@ -57,6 +57,6 @@ COMMAND = command(
         "libration duffing --p 1 --q 0.2 --r 0.5 --u0 1 --plot beam.png",
         "libration duffing --p 1 --q 0.2 --r 0.5 --u0 0.1:1:10",
         "libration duffing --p 1 --q 0.1 --u0 0:2:500 --plot backbone.png",
-        "libration duffing --mass 1e-11kg --stiffness 10N/m --cubic 1e12N/m3 --u0 1um --until 20us",
+        "libration duffing --mass 1e-11kg --stiffness 10N/m --cubic 1e12N/m3 --u0 0.5um,1um",
     ),
 )

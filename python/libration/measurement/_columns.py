@@ -42,7 +42,7 @@ def measure(name: str, given: Any) -> tuple[float, float]:
     """Value and standard uncertainty of a number, a pair, or a value of `uncertainties`."""
     if hasattr(given, "nominal_value"):
         return float(given.nominal_value), float(given.std_dev)
-    pair = isinstance(given, tuple | list | np.ndarray) and np.ndim(given) > 0
+    pair = isinstance(given, tuple | list) or (isinstance(given, np.ndarray) and given.ndim == 1)
     if isinstance(given, str) or (pair and len(given) != 2):
         raise ValueError(f"{name} = {shown(given)}: must be a number or (value, standard uncertainty)")
     if pair:
