@@ -56,6 +56,6 @@ COMMAND = command(
         "libration cubic-quintic --p 1 --q -4 --s 3 --u0 1.2 --plot wells.png",
         "libration cubic-quintic --p 1 --q -0.5 --s 0.1 --u0 0.1:2:20",
         "libration cubic-quintic --p 1 --q -0.5 --s 0.1 --u0 0:2:500 --plot backbone.png",
-        "libration cubic-quintic --mass 1e-11kg --stiffness 10N/m --quintic 1e23N/m5 --u0 0.5um,1um",
+        "libration cubic-quintic --mass 1e-11kg --stiffness 10N/m --quintic 1e23N/m5 --u0 1um",
     ),
 )
