@@ -1,1 +1,0 @@
-function e({x:e,y:t},n,r,i=1,a=1){let o=[];for(let s=0;s<t.length;s++){let c=Math.round(10*n(e[s]*a)),l=Math.round(10*r(t[s]*i));Number.isFinite(c)&&Number.isFinite(l)&&o.push(`M${c} ${l}h0`)}return o.join(``)}export{e as t};
