@@ -108,6 +108,33 @@ fn block(sorted: &mut Classes<5, 2, { class::COUNT }>, arguments: [&[f64]; 5], r
     });
 }
 
+/// Fills u and u' of every row, a block after the other; `one` answers the rows for which `block` has no number, but for those that it
+/// tells to be infinite, beyond an escape, which have none.
+pub(super) fn in_blocks<const N: usize>(
+    arguments: [&[f64]; N],
+    [u, velocity]: [&mut [f64]; 2],
+    mut block: impl FnMut([&[f64]; N], [&mut [f64]; 2]),
+    mut one: impl FnMut([f64; N]) -> Option<(f64, f64)>,
+) {
+    let rows = arguments[0].len();
+    let fits = arguments.iter().all(|column| column.len() == rows);
+    assert!(fits && u.len() == rows && velocity.len() == rows, "columns of different lengths");
+    for from in (0..rows).step_by(BLOCK) {
+        let rows = from..rows.min(from + BLOCK);
+        let arguments = arguments.map(|argument| &argument[rows.clone()]);
+        block(arguments, [&mut u[rows.clone()], &mut velocity[rows]]);
+    }
+    for row in 0..rows {
+        if u[row].is_finite() && velocity[row].is_finite() {
+            continue;
+        }
+        let given = arguments.map(|column| column[row]);
+        let none = u[row].is_infinite() || given[0].is_nan();
+        let found = if none { None } else { one(given) };
+        (u[row], velocity[row]) = found.unwrap_or((f64::NAN, f64::NAN));
+    }
+}
+
 /// u and u' of every row: each a motion of its own.
 ///
 /// NaN where an argument is not finite, beyond an escape, and more than 2^53 half periods away; panics where the lengths differ.
@@ -120,29 +147,16 @@ fn block(sorted: &mut Classes<5, 2, { class::COUNT }>, arguments: [&[f64]; 5], r
 /// libration::oscillator::duffing_motion_into(rows, [&mut u, &mut velocity]);
 /// assert_eq!(format!("{:.9} {:.9}", u[0], velocity[1]), "0.233691791 0.932682266");
 /// ```
-pub fn duffing_motion_into(arguments: [&[f64]; 5], [u, velocity]: [&mut [f64]; 2]) {
-    let rows = arguments[0].len();
-    let fits = arguments.iter().all(|column| column.len() == rows);
-    assert!(fits && u.len() == rows && velocity.len() == rows, "columns of different lengths");
+pub fn duffing_motion_into(arguments: [&[f64]; 5], results: [&mut [f64]; 2]) {
     let mut sorted = Classes::new();
-    for from in (0..rows).step_by(BLOCK) {
-        let rows = from..rows.min(from + BLOCK);
-        let arguments = arguments.map(|argument| &argument[rows.clone()]);
-        block(&mut sorted, arguments, [&mut u[rows.clone()], &mut velocity[rows]]);
-    }
     let mut made = LastMade::new();
-    for row in 0..rows {
-        if u[row].is_finite() && velocity[row].is_finite() {
-            continue;
-        }
-        let [t, u0, velocity0, p, q] = arguments.map(|column| column[row]);
-        let escaped = u[row].is_infinite();
-        (u[row], velocity[row]) = (f64::NAN, f64::NAN);
-        if escaped || t.is_nan() {
-            continue;
-        }
-        if let Some(orbit) = made.of([u0, velocity0, p, q], || Duffing::new(u0, velocity0, p, q).ok()) {
-            (u[row], velocity[row]) = orbit.motion(t);
-        }
-    }
+    in_blocks(
+        arguments,
+        results,
+        |arguments, results| block(&mut sorted, arguments, results),
+        |[t, start @ ..]| {
+            let [u0, velocity0, p, q] = start;
+            made.of(start, || Duffing::new(u0, velocity0, p, q).ok()).as_ref().map(|orbit| orbit.motion(t))
+        },
+    );
 }

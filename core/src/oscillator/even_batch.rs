@@ -2,7 +2,7 @@
 //! block is sorted by the formula that its rows ask for, and every class is evaluated over lanes (even_rows.rs). Rows that the lanes
 //! leave out, escapes, separatrices and what is next to them, are answered by a [`Duffing`] of the row.
 
-use super::batch::{class, duffing_motion_into};
+use super::batch::{class, duffing_motion_into, in_blocks};
 use super::duffing::Duffing;
 use super::even_rows::{EvenPerRow, EvenSharedStart};
 use super::even_start::ClassifyEven;
@@ -40,24 +40,19 @@ fn block(sorted: &mut Sorted, arguments: [&[f64]; 7], results: [&mut [f64]; 2]) 
 }
 
 /// Rows of which all have even powers.
-fn with_even_powers(sorted: &mut Option<Sorted>, arguments: [&[f64]; 7], [u, velocity]: [&mut [f64]; 2]) {
+fn with_even_powers(sorted: &mut Option<Sorted>, arguments: [&[f64]; 7], results: [&mut [f64]; 2]) {
     let sorted = sorted.get_or_insert_with(Classes::new);
-    let rows = u.len();
-    for from in (0..rows).step_by(BLOCK) {
-        let rows = from..rows.min(from + BLOCK);
-        let arguments = arguments.map(|argument| &argument[rows.clone()]);
-        block(sorted, arguments, [&mut u[rows.clone()], &mut velocity[rows]]);
-    }
     let mut made = LastMade::new();
-    for row in 0..rows {
-        if u[row].is_finite() && velocity[row].is_finite() {
-            continue;
-        }
-        let [t, start @ ..] = arguments.map(|column| column[row]);
-        let [u0, velocity0, force @ ..] = start;
-        let orbit = made.of(start, || Duffing::with_even_powers(u0, velocity0, force).ok());
-        (u[row], velocity[row]) = orbit.as_ref().map_or((f64::NAN, f64::NAN), |orbit| orbit.motion(t));
-    }
+    in_blocks(
+        arguments,
+        results,
+        |arguments, results| block(sorted, arguments, results),
+        |[t, start @ ..]| {
+            let [u0, velocity0, force @ ..] = start;
+            let orbit = made.of(start, || Duffing::with_even_powers(u0, velocity0, force).ok());
+            orbit.as_ref().map(|orbit| orbit.motion(t))
+        },
+    );
 }
 
 /// u and u' of every row of t, u0, velocity0, p, q, r and c: [`duffing_motion_into`] where r and c are 0, bit for bit, else by the

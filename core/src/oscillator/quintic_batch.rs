@@ -2,7 +2,7 @@
 //! formula that its rows ask for, and every class is evaluated over lanes (quintic_rows.rs). Rows that the lanes leave out, next
 //! to a separatrix or to an escape, and from a barrier of which two roots are complex, are answered by a [`CubicQuintic`] of the row.
 
-use super::batch::class;
+use super::batch::{class, in_blocks};
 use super::cubic_quintic::CubicQuintic;
 use super::quintic_rows::{QuinticPerRow, QuinticSharedStart};
 use super::quintic_start::ClassifyQuintic;
@@ -51,33 +51,18 @@ fn block(sorted: &mut SortedQuintic, arguments: [&[f64]; 6], results: [&mut [f64
 /// libration::oscillator::cubic_quintic_rows_into(rows, [&mut u, &mut velocity]);
 /// assert_eq!(format!("{:.6} {:.9}", u[0], u[1]), "0.217924 0.041948934");
 /// ```
-pub fn cubic_quintic_rows_into(arguments: [&[f64]; 6], [u, velocity]: [&mut [f64]; 2]) {
-    let rows = arguments[0].len();
-    let fits = arguments.iter().all(|column| column.len() == rows);
-    assert!(fits && u.len() == rows && velocity.len() == rows, "columns of different lengths");
+pub fn cubic_quintic_rows_into(arguments: [&[f64]; 6], results: [&mut [f64]; 2]) {
     let mut sorted = Classes::new();
-    for from in (0..rows).step_by(BLOCK) {
-        let rows = from..rows.min(from + BLOCK);
-        let arguments = arguments.map(|argument| &argument[rows.clone()]);
-        block(&mut sorted, arguments, [&mut u[rows.clone()], &mut velocity[rows]]);
-    }
     let mut made = LastMade::new();
-    for row in 0..rows {
-        if u[row].is_finite() && velocity[row].is_finite() {
-            continue;
-        }
-        let [t, start @ ..] = arguments.map(|column| column[row]);
-        let escaped = u[row].is_infinite();
-        (u[row], velocity[row]) = (f64::NAN, f64::NAN);
-        if escaped || t.is_nan() {
-            continue;
-        }
-        let orbit = made.of(start, || {
+    in_blocks(
+        arguments,
+        results,
+        |arguments, results| block(&mut sorted, arguments, results),
+        |[t, start @ ..]| {
             let [u0, velocity0, p, q, s] = start;
-            CubicQuintic::new(u0, velocity0, p, q, s).ok()
-        });
-        if let Some(orbit) = orbit {
-            (u[row], velocity[row]) = orbit.motion(t);
-        }
-    }
+            made.of(start, || CubicQuintic::new(u0, velocity0, p, q, s).ok())
+                .as_ref()
+                .map(|orbit| orbit.motion(t))
+        },
+    );
 }
