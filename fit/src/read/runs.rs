@@ -74,9 +74,11 @@ pub(super) fn runs_of(
         .find(|k| table.heads[*k].meaning == Some(Meaning::Index) && profiles[*k].counter());
     let mut stamps: Vec<(usize, f64)> = Vec::new();
     let shared = group.name.is_empty();
-    let (rows, spacing) = (table.lines.len(), table.spacing());
+    let rows = table.lines.len();
+    let by_line = rate.is_some() && index.is_none();
+    let spacing = if by_line { table.spacing() } else { 1 };
     let missing = table.sample(rows - 1, spacing) + 1 - rows;
-    if missing > 0 && rate.is_some() && index.is_none() {
+    if missing > 0 && by_line {
         understood.push(format!("Lines without a number are samples that are missing: {missing}."));
     }
     for row in 0..rows {

@@ -166,8 +166,8 @@ def of_chunk(source: Any, first: int, many: int, plan: Plan) -> list[Sums]:
 
 def sums_at(theta0: Floats, velocity0: Floats, time: float, plan: Plan) -> Sums:
     """The sums of a chunk at one time, block by block: columns of a block stay in the cache."""
-    counts = nothing(plan).histogram
-    sums = nothing(plan)._replace(histogram=0)
+    sums = nothing(plan)
+    counts, sums = sums.histogram, sums._replace(histogram=0)
     for begin in range(0, theta0.size, BLOCK):
         block = slice(begin, begin + BLOCK)
         sums = joined(sums, _of_block(theta0[block], velocity0[block], time, plan, counts))
